@@ -1,0 +1,139 @@
+/* Drape: woven cloth as a dynamical system. The C interface of the core: the only header that other parts include.
+ *
+ * A cloth is opened from a scene file, advanced in time, and read through plain structs that it owns. SI units. One thread
+ * at a time may use a cloth; any number of cloths may live in one process.
+ */
+#ifndef DRAPE_H
+#define DRAPE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct drape_cloth drape_cloth;
+typedef struct drape_snapshot drape_snapshot;
+
+typedef enum drape_status {
+  DRAPE_OK = 0,
+  DRAPE_DISCARD, /* the request was refused; nothing changed */
+  DRAPE_ERROR    /* the run left the finite numbers; the state is the last good one */
+} drape_status;
+
+typedef enum drape_log_kind { DRAPE_LOG_ERROR, DRAPE_LOG_WARNING, DRAPE_LOG_EVENT, DRAPE_LOG_STABILITY } drape_log_kind;
+typedef void drape_log_fn(void* user, drape_log_kind kind, const char* message);
+
+/* What a user may tune while the cloth moves. Names and counts are fixed by the scene. */
+typedef struct drape_diagram {
+  int count;               /* points after the origin */
+  const double* elongation; /* [count] fraction */
+  double* force;           /* [count] N on the strip */
+} drape_diagram;
+
+typedef struct drape_fabric {
+  const char* name;
+  double areal_density;              /* kg/m^2 */
+  drape_diagram warp, weft, bias;    /* count 0: law off */
+  double bending_warp, bending_weft; /* N m per width, before the Poisson factor */
+  double poisson;                    /* 1 */
+  double compression;                /* 1 */
+} drape_fabric;
+
+typedef struct drape_parameters {
+  double damping;    /* 1/s */
+  double gravity[3]; /* m/s^2 */
+  double step_max;   /* s; fixed after the first step */
+  int fabric_count;
+  drape_fabric* fabric; /* [fabric_count] */
+} drape_parameters;
+
+/* What a cloth tells of itself at the present time. */
+typedef struct drape_strain {
+  double min, max, mean; /* over the threads of one direction; mean weighted by area */
+} drape_strain;
+
+typedef struct drape_probe {
+  const char* name;
+  double position[3], velocity[3]; /* m, m/s */
+} drape_probe;
+
+typedef struct drape_pin {
+  const char* name;
+  double force[3]; /* N on the outside world: impulse over the last drape_advance divided by its length */
+} drape_pin;
+
+typedef struct drape_energy { /* J; only with scene.energy */
+  double kinetic, stretch, shear, bending, gravity;
+} drape_energy;
+
+typedef struct drape_outputs {
+  drape_strain strain_warp, strain_weft, strain_bias; /* fraction */
+  double tension_max;                                 /* N/m */
+  double strain_beyond_test_count;                    /* links past the last point of their diagram */
+  double step_size, step_count, step_stability;       /* s, 1, h omega_max / 2 */
+  int has_energy;
+  drape_energy energy;
+  int probe_count;
+  drape_probe* probe; /* [probe_count] */
+  int pin_count;
+  drape_pin* pin; /* [pin_count] */
+  int node_count;        /* particles of all pieces in order, row by row */
+  double* node_position; /* [node_count x 3] m */
+  double* node_velocity; /* [node_count x 3] m/s, synchronous */
+} drape_outputs;
+
+/* A piece as rows of nodes; absent nodes are marked. */
+typedef struct drape_piece {
+  const char* name;
+  int columns, rows;
+  const int* node;            /* [rows x columns] index into drape_outputs.node_position, -1 where no particle is */
+  const double* rest;         /* [rows x columns x 2] m, in the piece's plane */
+  double cell;                /* m */
+} drape_piece;
+
+/* Reads, checks and assembles a scene. On faulty input: NULL, and one DRAPE_LOG_ERROR message per problem. The log function
+ * is kept for the cloth's life; NULL for none. */
+drape_cloth* drape_open(const char* scene_file, drape_log_fn* log, void* user);
+void drape_close(drape_cloth*);
+
+/* Scene facts. The text is the scene with every file it names folded in; a scene file of that text gives the same cloth. */
+const char* drape_scene_name(const drape_cloth*);
+const char* drape_scene_text(const drape_cloth*);
+double drape_duration(const drape_cloth*);      /* s, scene.duration */
+double drape_communication(const drape_cloth*); /* s, scene.communication */
+int drape_piece_count(const drape_cloth*);
+drape_piece drape_piece_at(const drape_cloth*, int index);
+
+/* Parameters: write into the returned struct, then commit. A commit checks all of them (single values and their
+ * combinations); on DRAPE_DISCARD each problem has been logged and the struct again holds the values in force.
+ * drape_advance commits by itself. */
+drape_parameters* drape_parameters_of(drape_cloth*);
+drape_status drape_commit(drape_cloth*);
+
+/* Moves the clock to the start time (s). Before the first step only. */
+drape_status drape_start(drape_cloth*, double time);
+double drape_time(const drape_cloth*);
+
+/* Advances by `length` > 0 seconds. */
+drape_status drape_advance(drape_cloth*, double length);
+
+/* The outputs at the present time; valid until the next call that takes a non-const cloth. `want_nodes` != 0 fills the node
+ * arrays too. Reading never changes the motion. */
+const drape_outputs* drape_outputs_at(drape_cloth*, int want_nodes);
+
+/* The step limit at the present state, without the safety factor (s), and the name of the link that sets it. */
+double drape_step_limit(drape_cloth*, const char** set_by);
+
+/* Copies of the whole state (motion, clock, parameters). drape_save reuses `into` unless it is NULL. */
+drape_snapshot* drape_save(drape_cloth*, drape_snapshot* into);
+void drape_restore(drape_cloth*, const drape_snapshot*);
+void drape_snapshot_free(drape_snapshot*);
+
+const char* drape_version(void);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,43 @@
+// A law as a table of polynomials: the interpolant of core/README.md, section 2, ready for lanes.
+//
+//   f(e) = c0 + t (c1 + t^2 (c3 + t (c4 + t c5))),   t = e - origin[k] on segment k, the last with start[k]
+//   <= e
+//
+// The second derivative vanishes at every point of a diagram, so no segment has a t^2 term. Compression,
+// tension and the linear ends are segments like any other; an odd curve is read at |e| and takes the sign of
+// e.
+#pragma once
+#include <vector>
+
+namespace drape {
+
+inline constexpr int kCurvePoints = 64;  // of a diagram, at most
+inline constexpr int kCurveSegments =
+    kCurvePoints + 2;  // and the blend and the line below zero, the line beyond the end
+
+struct Curve {
+  int segments = 0;  // 0: law off; 1: a straight line through 0
+  bool odd = false;
+  double last = 0;                                // last tested strain; linear beyond
+  alignas(64) double start[kCurveSegments] = {};  // start[0] is never compared: everything below start[1]
+  double origin[kCurveSegments] = {};
+  double c0[kCurveSegments] = {}, c1[kCurveSegments] = {}, c3[kCurveSegments] = {}, c4[kCurveSegments] = {},
+         c5[kCurveSegments] = {};
+  double energy[kCurveSegments] = {};  // integral of f from 0 to origin[k]
+};
+
+// How a diagram goes on below zero.
+struct Continuation {
+  bool odd = false;
+  double compression = 1;  // slope far below zero over the slope at zero
+  double blend = 0.002;    // strain over which the slope gets there
+};
+
+// The curve through (e[k], f[k]): e[0] = f[0] = 0, e rising, f finite. All f zero: a curve with no segments.
+Curve curve_make(const std::vector<double>& e, const std::vector<double>& f, const Continuation& below);
+
+double curve_value(const Curve& curve, double e);
+double curve_slope(const Curve& curve, double e);
+double curve_energy(const Curve& curve, double e);  // integral of f from 0 to e
+
+}  // namespace drape

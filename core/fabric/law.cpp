@@ -1,0 +1,104 @@
+#include "fabric/law.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drape {
+namespace {
+
+// Where a trellis' threads meet: 1 + L = sqrt(2), less a margin that keeps l2 away from 0.
+const double kLocked = std::sqrt(2.0) - 1 - 1e-6;
+
+// Points of a diagram as force per width; the origin included.
+std::vector<double> per_width(const DiagramSpec& diagram, double strip_width, double factor) {
+  std::vector<double> f(diagram.force);
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    f[i] *= factor / strip_width;
+    if (!diagram.correction.empty()) f[i] *= diagram.correction[i];
+  }
+  return f;
+}
+
+// Jaws hold the ends of a 45 degree strip square: its force is K times that of the free trellis, r = gauge /
+// width.
+double jaw_factor(double r) { return r * (r - 1.25) / ((r - 1) * (r - 1)); }
+
+// The odd law: both diagonals of a trellis of inextensible threads work, the short one in compression,
+//
+//   g(L) + g(|e2|) l1/l2 = P(L),   l1 = 1 + L,   l2 = sqrt(2 - l1^2),   e2 = l2 - 1   at every point L of the
+//   diagram,
+//
+// solved for the values g at the points; g(.) between them is the curve through them. Near 0 the left side is
+// 2 g, so a half step of the residual converges at once there and by about 1/3 a sweep at 7 % of elongation.
+Curve odd_law(std::vector<double> e, const std::vector<double>& p, bool& at_rest) {
+  e.erase(std::lower_bound(e.begin(), e.end(), kLocked), e.end());
+  const std::size_t n = e.size();
+  std::vector<double> g(n), next(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i) g[i] = p[i] / 2;
+
+  const Continuation odd{.odd = true};
+  Curve curve = curve_make(e, g, odd);
+  at_rest = curve.segments == 0;
+  for (int sweep = 0; sweep < 1000 && !at_rest; ++sweep) {
+    double change = 0;
+    for (std::size_t i = 1; i < n; ++i) {
+      const double l1 = 1 + e[i], l2 = std::sqrt(2 - l1 * l1);
+      next[i] = g[i] + (p[i] - g[i] - curve_value(curve, 1 - l2) * l1 / l2) / 2;
+      change = std::max(change, std::abs(next[i] - g[i]));
+    }
+    g = next;
+    curve = curve_make(e, g, odd);
+    at_rest = change <= 1e-14 * p[n - 1];
+  }
+  return curve;
+}
+
+Curve bias_law(const FabricSpec& fabric, const LawOptions& options, double cell, const std::string& place,
+               std::vector<Problem>& problems) {
+  const double scale =
+      options.scaling == Scaling::kPaperArea ? std::sqrt(2.0) * cell / fabric.strip_gauge : 1.0;
+  const bool corrected = !fabric.bias.correction.empty();
+  const double k =
+      options.clamp_correction && !corrected ? jaw_factor(fabric.strip_gauge / fabric.strip_width) : 1.0;
+  const std::vector<double> p = per_width(fabric.bias, fabric.strip_width, scale / k);
+  switch (options.bias_model) {
+    case BiasModel::kTension:
+      return curve_make(fabric.bias.elongation, p, {.compression = 0, .blend = fabric.compression_blend});
+    case BiasModel::kPaper:
+      return curve_make(fabric.bias.elongation, p,
+                        {.compression = fabric.compression, .blend = fabric.compression_blend});
+    case BiasModel::kOdd:
+      break;
+  }
+  if (corrected) return curve_make(fabric.bias.elongation, p, {.odd = true});
+  if (fabric.bias.elongation.size() > 1 && fabric.bias.elongation[1] >= kLocked) {
+    problems.push_back(
+        {place + ".bias", "its first elongation after 0 is past the trellis' locking at 41.4 %"});
+    return {};
+  }
+  bool at_rest = false;
+  Curve curve = odd_law(fabric.bias.elongation, p, at_rest);
+  if (!at_rest)
+    problems.push_back(
+        {place + ".bias", "its odd law finds no rest in 1000 sweeps; smooth the diagram's last points"});
+  return curve;
+}
+
+}  // namespace
+
+Law law_make(const FabricSpec& fabric, const LawOptions& options, double cell, const std::string& place,
+             std::vector<Problem>& problems) {
+  const double scale = options.scaling == Scaling::kPaperArea ? cell / fabric.strip_gauge : 1.0;
+  const Continuation below{.compression = fabric.compression, .blend = fabric.compression_blend};
+  const double plate = 1 / (1 - fabric.poisson * fabric.poisson);
+  Law law;
+  law.areal_density = fabric.areal_density;
+  law.warp = curve_make(fabric.warp.elongation, per_width(fabric.warp, fabric.strip_width, scale), below);
+  law.weft = curve_make(fabric.weft.elongation, per_width(fabric.weft, fabric.strip_width, scale), below);
+  law.bias = bias_law(fabric, options, cell, place, problems);
+  law.bending_warp = fabric.bending_warp * plate;
+  law.bending_weft = fabric.bending_weft * plate;
+  return law;
+}
+
+}  // namespace drape

@@ -1,0 +1,25 @@
+// From a fabric's diagrams to the laws of a piece: force per width against strain. core/README.md, section 3.
+#pragma once
+#include "fabric/curve.h"
+#include "scene/scene.h"
+
+namespace drape {
+
+struct Law {
+  double areal_density = 0;                   // kg/m^2
+  Curve warp, weft, bias;                     // N/m over strain
+  double bending_warp = 0, bending_weft = 0;  // B, N m
+};
+
+// The choices of a scene that shape every law.
+struct LawOptions {
+  Scaling scaling = Scaling::kWidth;
+  BiasModel bias_model = BiasModel::kOdd;
+  bool clamp_correction = true;
+};
+
+// The law of a fabric on cells of edge `cell`. `place` names the fabric in problems.
+Law law_make(const FabricSpec& fabric, const LawOptions& options, double cell, const std::string& place,
+             std::vector<Problem>& problems);
+
+}  // namespace drape

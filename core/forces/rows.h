@@ -1,0 +1,79 @@
+// Rows of a lattice as the laws see them, and vectors of lanes.
+//
+// A row is a run of `n` doubles (a multiple of kRowUnit) for each coordinate, with kRowUnit readable doubles
+// on either side. What an outline leaves out has share 0: its links get width 0 and pull with nothing.
+#pragma once
+#include "forces/lane.h"
+
+namespace drape {
+
+struct ConstRow {
+  const double *x, *y, *z;
+  DRAPE_INLINE ConstRow at(long offset) const { return {x + offset, y + offset, z + offset}; }
+};
+
+struct Row {
+  double *x, *y, *z;
+  DRAPE_INLINE operator ConstRow() const { return {x, y, z}; }
+};
+
+// A row of links from node i of one row to node i of another (or to i + 1): direction, 1 / length, and the
+// pull on the first end.
+struct LinkRow {
+  Row unit;         // 1
+  double* inverse;  // 1/m; 0 where there is no link
+  Row pull;         // N
+};
+
+// The width of link i is scale (a[i] + b[i]): half the shares of its two cells.
+struct WidthRow {
+  double scale;  // m
+  const double *a, *b;
+};
+
+namespace {
+
+template <class L>
+struct Vec {
+  L x, y, z;
+};
+
+template <class L>
+DRAPE_INLINE Vec<L> vec_load(ConstRow r, long i) {
+  return {L::loadu(r.x + i), L::loadu(r.y + i), L::loadu(r.z + i)};
+}
+template <class L>
+DRAPE_INLINE void vec_store(Row r, long i, Vec<L> v) {
+  L::store(r.x + i, v.x);
+  L::store(r.y + i, v.y);
+  L::store(r.z + i, v.z);
+}
+template <class L>
+DRAPE_INLINE Vec<L> operator+(Vec<L> a, Vec<L> b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class L>
+DRAPE_INLINE Vec<L> operator-(Vec<L> a, Vec<L> b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class L>
+DRAPE_INLINE Vec<L> operator*(Vec<L> a, L s) {
+  return {a.x * s, a.y * s, a.z * s};
+}
+template <class L>
+DRAPE_INLINE L dot(Vec<L> a, Vec<L> b) {
+  return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z));
+}
+template <class L>
+DRAPE_INLINE L width_load(const WidthRow& w, long i) {
+  return L(w.scale) * (L::loadu(w.a + i) + L::loadu(w.b + i));
+}
+
+// f[i] += v[i]
+template <class L>
+DRAPE_INLINE void vec_add(Row f, long i, Vec<L> v) {
+  vec_store(f, i, vec_load<L>(f, i) + v);
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,195 @@
+#include "motion/leapfrog.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "constraint/apply.h"
+#include "motion/step_limit.h"
+
+namespace drape {
+namespace {
+
+// The automatic step over the step limit. Undamped nonlinear cloth can grow at 0.95 of the limit of its
+// tangent.
+constexpr double kSafety = 0.8;
+
+constexpr int kWatchLongest = 32;              // steps between two looks at the step limit, at most
+constexpr int kWatchGiven = 8;                 // the same where the scene gives the step
+constexpr std::int64_t kCalm = 100;            // intervals before the step may grow
+constexpr std::int64_t kSubsMost = 100000000;  // steps in an interval: beyond, the run has left all reason
+
+// v <- keep v + kick a; h_old = 0 is the half kick of the start.
+StepCoefficients coefficients(const System& system, double h_old, double h) {
+  const double c = system.damping;
+  if (system.integrator == Integrator::kPaper) return {1 - c * h, h, h, system.gravity};
+  const double centred = 1 + c * h / 2;
+  return {(1 - c * h_old / 2) / centred, (h_old + h) / 2 / centred, h, system.gravity};
+}
+
+std::int64_t subs_for(double length, double h_max) {
+  const double n = std::ceil(length / h_max * (1 - 1e-12));
+  return n < 1 ? 1 : std::int64_t(std::min(n, double(kSubsMost)));
+}
+
+// The largest step allowed at the state the last look saw.
+double step_allowed(const System& system, double omega2) {
+  if (system.step_given > 0) return std::min(system.step_given, system.step_max);
+  return std::min(kSafety * step_limit_of(system, omega2), system.step_max);
+}
+
+bool all_finite(const System& system, const State& s) {
+  double sum = 0;
+  for (std::size_t n : system.particle)
+    sum += 0 * (s.x[n] + s.y[n] + s.z[n]) + 0 * (s.vx[n] + s.vy[n] + s.vz[n]);
+  return sum == 0;
+}
+
+// Looks at the step limit where the present velocities lead until the next look. A long look that finds the
+// step too large is repeated over fewer steps: in vibrating cloth velocities turn long before.
+void look(const System& system, const Motion& motion, State& s, double h) {
+  if (system.step_given > 0) {
+    s.omega2 = step_limit_omega2(system, *motion.kernel, s);
+    s.watch_wait = kWatchGiven;
+    return;
+  }
+  for (;; s.watch_period = std::max(s.watch_period / 4, 1)) {
+    s.omega2 = step_limit_omega2(system, *motion.kernel, s, s.watch_period * h);
+    if (h <= step_allowed(system, s.omega2) || s.watch_period == 1) break;
+  }
+  s.omega2_most = std::max(s.omega2_most, s.omega2);
+  s.watch_wait = s.watch_period;
+  s.watch_period = std::min(2 * s.watch_period, kWatchLongest);
+}
+
+void say_step(std::string& event, const char* verb, double time, double h, const State& s) {
+  char text[120];
+  std::snprintf(text, sizeof text, "at %.9g s the step %s to %.4g s (omega = %.4g 1/s)", time, verb, h,
+                std::sqrt(s.omega2));
+  event = text;
+}
+
+// Fewer steps for the coming interval of q, where the last hundred would have allowed it.
+void subs_relax(const System& system, State& s, std::string& event) {
+  if (s.calm < kCalm) return;
+  const double q = system.communication;
+  const std::int64_t wanted = subs_for(q, step_allowed(system, s.omega2_most));
+  s.calm = 0;
+  s.omega2_most = s.omega2;
+  if (wanted >= s.subs) return;
+  s.subs = wanted;
+  say_step(event, "grows", state_time(s, q), q / double(wanted), s);
+}
+
+// n steps that fill `length`; more when the limit falls on the way.
+Advance interval_run(const System& system, Motion& motion, State& s, double length, std::int64_t n,
+                     std::string& event) {
+  for (std::int64_t done = 0; done < n; ++done) {
+    if (s.watch_wait-- <= 0) {
+      if (!all_finite(system, s)) return Advance::kNotFinite;
+      look(system, motion, s, length / double(n));
+      --s.watch_wait;
+      if (system.step_given > 0) {
+        if (length / double(n) > step_limit_of(system, s.omega2)) return Advance::kStepAboveLimit;
+      } else {
+        while (length / double(n) > step_allowed(system, s.omega2)) {
+          if (n > kSubsMost) return Advance::kNotFinite;
+          n *= 2;
+          done *= 2;
+          s.subs *= 2;
+          s.calm = 0;
+          s.omega2_most = s.omega2;
+          say_step(event, "falls", state_time(s, system.communication) + length * double(done) / double(n),
+                   length / double(n), s);
+        }
+      }
+    }
+    leapfrog_step(system, motion, s, length / double(n));
+  }
+  return Advance::kDone;
+}
+
+}  // namespace
+
+Motion motion_make(const System& system) {
+  Motion m;
+  m.kernel = &kernel_pick();
+  m.workspace = workspace_make(system);
+  m.rows.assign(3 * system.constraints.rows.size(), 0.0);
+  for (Array* a : {&m.ax, &m.ay, &m.az}) a->assign(system.nodes, 0.0);
+  return m;
+}
+
+void leapfrog_begin(const System& system, Motion& motion, State& s) {
+  s.omega2 = s.omega2_most = step_limit_omega2(system, *motion.kernel, s);
+  s.subs = subs_for(system.communication, step_allowed(system, s.omega2));
+  s.watch_wait = 0;
+}
+
+void leapfrog_retuned(const System& system, Motion& motion, State& s) {
+  s.watch_wait = 0;
+  s.watch_period = 1;
+  if (s.steps == 0) leapfrog_begin(system, motion, s);
+}
+
+void leapfrog_step(const System& system, Motion& motion, State& s, double h) {
+  const bool paper = system.integrator == Integrator::kPaper;
+  const StepCoefficients c = coefficients(system, s.h_old, h);
+  for (const Lattice& l : system.lattices) motion.kernel->step(system, l, c, motion.workspace, s);
+  const double weight = paper ? h : (s.advance_begins ? 0 : s.h_old / 2) + h / 2;
+  constraints_apply(system.constraints, system.mass, h, c.kick, weight, motion.rows.data(), s);
+  s.advance_begins = false;
+  s.h_old = h;
+  ++s.steps;
+}
+
+Advance leapfrog_advance(const System& system, Motion& motion, State& s, double length, std::string& event) {
+  const double q = system.communication;
+  const double whole = std::round(length / q);
+  const bool on_grid = whole >= 1 && std::abs(length / q - whole) < 1e-6;
+  s.advance_length = length;
+  s.advance_begins = true;
+  for (Vec3& impulse : s.pin_impulse) impulse = {0, 0, 0};
+  Advance result = Advance::kDone;
+  if (on_grid) {
+    for (std::int64_t k = 0; k < std::int64_t(whole) && result == Advance::kDone; ++k) {
+      subs_relax(system, s, event);
+      result = interval_run(system, motion, s, q, s.subs, event);
+      ++s.tick;
+      ++s.calm;
+    }
+  } else {
+    result = interval_run(system, motion, s, length, subs_for(length, q / double(s.subs)), event);
+    s.origin = state_time(s, q) + length;
+    s.tick = 0;
+  }
+  return result == Advance::kDone && !all_finite(system, s) ? Advance::kNotFinite : result;
+}
+
+// v_n = (v_{n-1/2} + h_old a_n / 2) / (1 + c h_old / 2); the paper's scheme holds v_n itself.
+void leapfrog_synchronous(const System& system, Motion& motion, const State& s, double* vx, double* vy,
+                          double* vz, std::vector<Vec3>& force) {
+  const bool paper = system.integrator == Integrator::kPaper;
+  const double half = paper ? 0 : s.h_old / 2, damping = system.damping, centred = 1 + damping * half;
+  for (const Lattice& l : system.lattices)
+    motion.kernel->forces(system, l, s, motion.workspace, motion.ax.data(), motion.ay.data(),
+                          motion.az.data());
+
+  const Array* staggered[] = {&s.vx, &s.vy, &s.vz};
+  Array* acceleration[] = {&motion.ax, &motion.ay, &motion.az};
+  double* velocity[] = {vx, vy, vz};
+  for (int k = 0; k < 3; ++k) {
+    for (std::size_t n : system.particle) {
+      const double free = (*acceleration[k])[n] * system.inverse_mass[n] + system.gravity[std::size_t(k)];
+      const double v = ((*staggered[k])[n] + half * free) / centred;
+      velocity[k][n] = v;
+      (*acceleration[k])[n] = free - damping * v;
+    }
+  }
+  force.assign(s.pin_impulse.size(), Vec3{0, 0, 0});
+  constraints_project(system.constraints, system.mass, motion.rows.data(),
+                      {motion.ax.data(), motion.ay.data(), motion.az.data()}, &force);
+  constraints_project(system.constraints, system.mass, motion.rows.data(), {vx, vy, vz}, nullptr);
+}
+
+}  // namespace drape

@@ -1,0 +1,42 @@
+// Time: the step, its size, and advances on the communication grid. core/README.md, section 4.
+#pragma once
+#include <string>
+
+#include "motion/kernel.h"
+
+namespace drape {
+
+// Room that steps and outputs work in; made once per System.
+struct Motion {
+  const Kernel* kernel = nullptr;
+  Workspace workspace;
+  Array rows;        // [constraint rows x 3]
+  Array ax, ay, az;  // [nodes] m/s^2, accelerations for output
+};
+Motion motion_make(const System& system);
+
+enum class Advance { kDone, kStepAboveLimit, kNotFinite };
+
+// Looks at the step limit of a new state and chooses the number of steps in an interval of q.
+void leapfrog_begin(const System& system, Motion& motion, State& state);
+
+// After a change of the system: looks again before the next step; before the first step, chooses anew.
+void leapfrog_retuned(const System& system, Motion& motion, State& state);
+
+// One step of size h.
+void leapfrog_step(const System& system, Motion& motion, State& state, double h);
+
+// Advances by `length` > 0: whole communication intervals of q on the grid, or one interval of its own
+// length. Each interval of q has state.subs steps; that number doubles when the step limit falls and is
+// chosen anew after 100 calm intervals. kStepAboveLimit: a given step met a limit below it. kNotFinite: the
+// run left the finite numbers; the caller holds the state from before. `event` receives a sentence when the
+// step changed.
+Advance leapfrog_advance(const System& system, Motion& motion, State& state, double length,
+                         std::string& event);
+
+// Synchronous velocities of all nodes at the present time (into vx, vy, vz [nodes]) and the forces of the
+// pins on the outside world (force [pins]).
+void leapfrog_synchronous(const System& system, Motion& motion, const State& state, double* vx, double* vy,
+                          double* vz, std::vector<Vec3>& force);
+
+}  // namespace drape

@@ -1,0 +1,19 @@
+// How large a step may be: core/README.md, section 4.
+#pragma once
+#include <string>
+
+#include "motion/kernel.h"
+
+namespace drape {
+
+// The largest omega^2 (1/s^2) of all cells, at the present positions or where the present velocities lead in
+// `ahead` s.
+double step_limit_omega2(const System& system, const Kernel& kernel, const State& state, double ahead = 0);
+
+// The limit that follows from it (s); infinite where nothing oscillates.
+double step_limit_of(const System& system, double omega2);
+
+// What sets it, in words: "warp link of piece 'sheet' at (0.205, 0.6) m, strain 1.31 %".
+std::string step_limit_link(const System& system, const Scene& scene, const State& state);
+
+}  // namespace drape

@@ -1,0 +1,89 @@
+#include "outputs/outputs.h"
+
+#include <cmath>
+
+#include "outputs/energy.h"
+#include "outputs/strain.h"
+
+namespace drape {
+namespace {
+
+void probes_fill(Outputs& o, const System& system, const State& s) {
+  const Array* r[] = {&s.x, &s.y, &s.z};
+  const Array* v[] = {&o.vx, &o.vy, &o.vz};
+  for (std::size_t p = 0; p < o.probes.size(); ++p) {
+    const Probe& probe = system.probes[p];
+    for (int k = 0; k < 3; ++k) {
+      double at = 0, speed = 0;
+      for (int n = 0; n < 4; ++n) {
+        at += probe.weight[n] * (*r[k])[probe.node[n]];
+        speed += probe.weight[n] * (*v[k])[probe.node[n]];
+      }
+      o.probes[p].position[k] = at;
+      o.probes[p].velocity[k] = speed;
+    }
+  }
+}
+
+// The impulse of whole steps lacks the half step up to now: force x h_old/2. The paper's scheme kicks whole
+// steps.
+void pins_fill(Outputs& o, const System& system, const State& s) {
+  const double half = system.integrator == Integrator::kPaper ? 0 : s.h_old / 2;
+  for (std::size_t p = 0; p < o.pins.size(); ++p)
+    for (std::size_t k = 0; k < 3; ++k)
+      o.pins[p].force[k] = s.advance_length > 0
+                               ? (s.pin_impulse[p][k] + half * o.pin_force[p][k]) / s.advance_length
+                               : o.pin_force[p][k];
+}
+
+void nodes_fill(Outputs& o, const System& system, const State& s) {
+  for (std::size_t p = 0; p < system.particle.size(); ++p) {
+    const std::size_t n = system.particle[p];
+    o.node_position[3 * p] = s.x[n];
+    o.node_position[3 * p + 1] = s.y[n];
+    o.node_position[3 * p + 2] = s.z[n];
+    o.node_velocity[3 * p] = o.vx[n];
+    o.node_velocity[3 * p + 1] = o.vy[n];
+    o.node_velocity[3 * p + 2] = o.vz[n];
+  }
+}
+
+}  // namespace
+
+void outputs_make(Outputs& o, const Scene& scene, const System& system) {
+  for (const ProbeSpec& probe : scene.probes) o.probes.push_back({probe.name.c_str(), {}, {}});
+  for (const PinSpec& pin : scene.pins) o.pins.push_back({pin.name.c_str(), {}});
+  o.node_position.assign(3 * system.particle.size(), 0.0);
+  o.node_velocity.assign(3 * system.particle.size(), 0.0);
+  for (Array* a : {&o.vx, &o.vy, &o.vz}) a->assign(system.nodes, 0.0);
+  o.shown.has_energy = scene.energy;
+  o.shown.probe_count = int(o.probes.size());
+  o.shown.probe = o.probes.data();
+  o.shown.pin_count = int(o.pins.size());
+  o.shown.pin = o.pins.data();
+  o.shown.node_count = int(system.particle.size());
+  o.shown.node_position = o.node_position.data();
+  o.shown.node_velocity = o.node_velocity.data();
+}
+
+void outputs_fill(Outputs& o, const System& system, Motion& motion, const State& s, bool nodes) {
+  leapfrog_synchronous(system, motion, s, o.vx.data(), o.vy.data(), o.vz.data(), o.pin_force);
+  probes_fill(o, system, s);
+  pins_fill(o, system, s);
+  const StrainSummary strain = strain_summary(system, s);
+  o.shown.strain_warp = strain.warp;
+  o.shown.strain_weft = strain.weft;
+  o.shown.strain_bias = strain.bias;
+  o.shown.tension_max = strain.tension_max;
+  o.shown.strain_beyond_test_count = strain.beyond_test_count;
+  o.shown.step_size = s.h_old > 0 ? s.h_old : system.communication / double(s.subs);
+  o.shown.step_count = double(s.steps);
+  o.shown.step_stability = o.shown.step_size * std::sqrt(s.omega2) / 2;
+  if (o.shown.has_energy) {
+    o.shown.energy = energy_potential(system, s);
+    o.shown.energy.kinetic = energy_kinetic(system, o.vx, o.vy, o.vz);
+  }
+  if (nodes) nodes_fill(o, system, s);
+}
+
+}  // namespace drape

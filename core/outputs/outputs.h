@@ -1,0 +1,24 @@
+// What a cloth tells of itself: fills drape_outputs from System and State. Reads the motion, never changes
+// it.
+#pragma once
+#include "drape.h"
+#include "motion/leapfrog.h"
+
+namespace drape {
+
+// The struct handed to users and what it points to.
+struct Outputs {
+  drape_outputs shown{};
+  std::vector<drape_probe> probes;
+  std::vector<drape_pin> pins;
+  std::vector<double> node_position, node_velocity;
+  Array vx, vy, vz;  // [nodes] synchronous
+  std::vector<Vec3> pin_force;
+};
+
+// Room and names; the scene's names must outlive the result, which must not move afterwards.
+void outputs_make(Outputs& outputs, const Scene& scene, const System& system);
+
+void outputs_fill(Outputs& outputs, const System& system, Motion& motion, const State& state, bool nodes);
+
+}  // namespace drape

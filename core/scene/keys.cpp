@@ -1,0 +1,81 @@
+#include "scene/keys.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace drape {
+
+namespace {
+
+// A key that holds a dot had to be quoted, and stays so.
+std::string joined(const std::string& path, const std::string& key) {
+  const std::string shown = key.find('.') == std::string::npos ? key : '"' + key + '"';
+  return path.empty() ? shown : path + "." + shown;
+}
+
+// Insertions, deletions and replacements that turn a into b (Levenshtein 1966).
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] != b[j]);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({diagonal + 1, row[j] + 1, replaced});
+    }
+  }
+  return row[b.size()];
+}
+
+// The part of a row's name that stands directly in the table `prefix`; "" if the row belongs elsewhere.
+std::string key_within(const Key& key, const std::string& prefix) {
+  if (key.name.compare(0, prefix.size(), prefix) != 0) return "";
+  return key.name.substr(prefix.size(), key.name.find('.', prefix.size()) - prefix.size());
+}
+
+void unknown_key(Faults& faults, const std::string& path, const std::string& name, const std::string& prefix,
+                 const std::vector<Key>& keys) {
+  std::string nearest;
+  std::size_t least = std::string::npos;
+  for (const Key& key : keys) {
+    const std::string known = key_within(key, prefix);
+    if (known.empty() || std::holds_alternative<Later>(key.lands)) continue;
+    if (const std::size_t distance = edit_distance(name, known); distance < least)
+      least = distance, nearest = known;
+  }
+  fault_add(faults, path, "is no known key; the nearest is " + in_quotes(nearest));
+}
+
+void level_read(Faults& faults, const toml::table& table, const std::string& path, const std::string& prefix,
+                const std::vector<Key>& keys) {
+  for (auto&& [toml_key, node] : table) {
+    const std::string name(toml_key.str()), at = joined(path, name);
+    faults.places[at] = {*toml_key.source().path, toml_key.source().begin.line};
+    const bool plain = name.find('.') == std::string::npos;  // a row's dotted name is no key
+    const auto row =
+        std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == prefix + name; });
+    const bool is_table = std::any_of(keys.begin(), keys.end(), [&](const Key& k) {
+      return k.name != prefix + name && key_within(k, prefix) == name;
+    });
+    if (plain && row != keys.end()) value_land(faults, at, *row, node);
+    else if (!is_table) unknown_key(faults, at, name, prefix, keys);
+    else if (node.is_table()) level_read(faults, *node.as_table(), at, prefix + name + ".", keys);
+    else fault_add(faults, at, std::string("is ") + node_kind(node) + "; wanted: a table");
+  }
+  for (const Key& key : keys)
+    if (key.required && key.name == prefix + key_within(key, prefix) &&
+        !table.contains(key.name.substr(prefix.size())))
+      fault_add(faults, joined(path, key.name.substr(prefix.size())),
+                "is missing; wanted: " + key_wanted(key));
+}
+
+}  // namespace
+
+void keys_read(Faults& faults, const toml::table& table, const std::string& path,
+               const std::vector<Key>& keys) {
+  level_read(faults, table, path, "", keys);
+}
+
+}  // namespace drape

@@ -1,0 +1,155 @@
+#include "scene/read.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/keys.h"
+#include "scene/rows.h"
+
+namespace drape {
+
+namespace {
+
+// ---- What a single row cannot say.
+
+// Axes as typed have six digits or so; within that they are made exactly orthonormal: x keeps its direction.
+void place_settle(Faults& faults, const toml::table& table, const std::string& path, PlaceSpec& place) {
+  constexpr double kTolerance = 1e-6;
+  const bool x_given(table["place"]["axis_x"]), y_given(table["place"]["axis_y"]);
+  if (x_given != y_given)
+    return fault_add(faults, path + ".place", "has only one of axis_x and axis_y; wanted: both or neither");
+
+  const auto dot = [](const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+  Vec3 &x = place.axis_x, &y = place.axis_y;
+  const auto length_check = [&](const Vec3& a, const char* name) {
+    const double length = std::sqrt(dot(a, a));
+    if (!(std::abs(length - 1) <= kTolerance))
+      fault_add(faults, path + ".place." + name,
+                "has length " + number_text(length) + "; wanted: 1, within " + number_text(kTolerance));
+  };
+  length_check(x, "axis_x");
+  length_check(y, "axis_y");
+  if (!(std::abs(dot(x, y)) <= kTolerance))
+    fault_add(faults, path + ".place",
+              "has axis_x . axis_y = " + number_text(dot(x, y)) + "; wanted: 0, a right angle, within " +
+                  number_text(kTolerance));
+
+  const double x_length = std::sqrt(dot(x, x));
+  for (double& v : x) v /= x_length;
+  const double along = dot(x, y);
+  for (int k = 0; k < 3; ++k) y[k] -= along * x[k];
+  const double y_length = std::sqrt(dot(y, y));
+  for (double& v : y) v /= y_length;
+}
+
+void pin_settle(Faults& faults, const toml::table& table, const std::string& path) {
+  const int ways = table.contains("at") + table.contains("edges") + table.contains("region");
+  if (ways != 1)
+    fault_add(faults, path,
+              ways ? "has more than one of at and edges; wanted: one of them"
+                   : "holds nothing; wanted: at or edges");
+}
+
+// ---- Tables of a kind.
+
+std::vector<FabricSpec> fabrics_read(Faults& faults, const Document& document) {
+  std::vector<FabricSpec> fabrics;
+  const toml::node* node = document.root.get("fabric");
+  if (!node) return fabrics;
+  if (!node->is_table())
+    return fault_add(faults, "fabric",
+                     std::string("is ") + node_kind(*node) + "; wanted: tables [fabric.<name>]"),
+           fabrics;
+  for (auto&& [key, entry] : *node->as_table()) {
+    const std::string name(key.str()), path = "fabric." + name;
+    place_note(faults, path, entry);
+    FabricText text;
+    text.spec.name = name;
+    if (!name_fits(name)) fault_add(faults, path, kNameRule);
+    if (!entry.is_table())
+      fault_add(faults, path, std::string("is ") + node_kind(entry) + "; wanted: a table [" + path + "]");
+    else if (!document.unread.count(name)) keys_read(faults, *entry.as_table(), path, fabric_keys(text));
+    text.spec.bending_warp = text.rigidity[0] / text.bending_width;
+    text.spec.bending_weft = text.rigidity[1] / text.bending_width;
+    fabrics.push_back(text.spec);
+  }
+  return fabrics;
+}
+
+// Reads every table of [[kind]]. `rows` gives the rows of one, `settle` sees to what they leave open.
+template <class Spec, class Rows, class Settle>
+std::vector<Spec> specs_read(Faults& faults, const toml::table& root, const std::string& kind, Rows rows,
+                             Settle settle) {
+  std::vector<Spec> specs;
+  const toml::node* node = root.get(kind);
+  if (!node) return specs;
+  const toml::array* list = node->as_array();
+  if (!list || !list->is_array_of_tables())
+    return fault_add(faults, kind,
+                     std::string("is ") + node_kind(*node) + "; wanted: tables [[" + kind + "]]"),
+           specs;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const toml::table& table = *(*list)[i].as_table();
+    const std::string name = table["name"].value_or(std::string());
+    const bool again = std::any_of(specs.begin(), specs.end(), [&](const Spec& s) { return s.name == name; });
+    const std::string path =
+        name_fits(name) && !again ? kind + "." + name : kind + "[" + std::to_string(i) + "]";
+    place_note(faults, path, table);
+    Spec& spec = specs.emplace_back();
+    keys_read(faults, table, path, rows(spec));
+    settle(table, path, spec);
+    if (again && name_fits(name))
+      fault_add(faults, path + ".name",
+                "= " + in_quotes(name) + " is taken by another " + kind + "; names differ within a kind");
+  }
+  return specs;
+}
+
+template <class Spec>
+std::vector<std::string> names_of(const std::vector<Spec>& specs) {
+  std::vector<std::string> names;
+  for (const Spec& spec : specs) names.push_back(spec.name);
+  return names;
+}
+
+void document_read(Faults& faults, const Document& document, Scene& scene) {
+  const toml::table& root = document.root;
+  keys_read(faults, root, "", scene_keys(scene));
+  if (!root.contains("scene"))
+    fault_add(faults, "scene.name", "is missing; wanted: a table [scene] with a name");
+
+  scene.fabrics = fabrics_read(faults, document);
+  const std::vector<std::string> fabrics = names_of(scene.fabrics);
+  scene.pieces = specs_read<PieceSpec>(
+      faults, root, "piece", [&](PieceSpec& p) { return piece_keys(p, fabrics); },
+      [&](const toml::table& t, const std::string& path, PieceSpec& p) {
+        place_settle(faults, t, path, p.place);
+      });
+  if (!root.contains("piece")) fault_add(faults, "piece", "is missing; wanted: at least one [[piece]]");
+
+  const std::vector<std::string> pieces = names_of(scene.pieces);
+  scene.pins = specs_read<PinSpec>(
+      faults, root, "pin", [&](PinSpec& p) { return pin_keys(p, pieces); },
+      [&](const toml::table& t, const std::string& path, PinSpec&) { pin_settle(faults, t, path); });
+  scene.probes = specs_read<ProbeSpec>(
+      faults, root, "probe", [&](ProbeSpec& p) { return probe_keys(p, pieces); },
+      [](const toml::table&, const std::string&, ProbeSpec&) {});
+}
+
+}  // namespace
+
+Scene scene_read(const std::filesystem::path& file, std::vector<Problem>& problems) {
+  Scene scene;
+  Faults faults;
+  const Document document = document_load(file, faults);
+  if (document.loaded) {
+    document_read(faults, document, scene);
+    std::vector<Problem> found;
+    scene_check(scene, found);
+    for (const Problem& p : found) fault_add(faults, p.place, p.message);
+  }
+  faults_report(faults, problems);
+  return scene;
+}
+
+}  // namespace drape

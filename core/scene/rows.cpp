@@ -1,0 +1,110 @@
+#include "scene/rows.h"
+
+namespace drape {
+
+namespace {
+
+constexpr double kPercent = 100;     // per 1
+constexpr double kMicroNcm2 = 1e10;  // uN cm^2 per N m^2
+constexpr Range kPosition{-1e4, 1e4};
+
+}  // namespace
+
+std::vector<Key> scene_keys(Scene& s) {
+  return {
+      {"scene.name", Name{&s.name}, kRequired},
+      {"scene.duration", &s.duration, kOptional, {0, 1e7, kAbove}, "s"},
+      {"scene.gravity", &s.gravity, kOptional, {-1e4, 1e4}, "m/s^2"},
+      {"scene.integrator", Choice{{"leapfrog", "paper"}, [&s](int k) { s.integrator = Integrator(k); }}},
+      {"scene.step", Auto{&s.step}, kOptional, {0, 1, kAbove}, "s"},
+      {"scene.communication", &s.communication, kOptional, {1e-9, 1e3}, "s"},
+      {"scene.damping", &s.damping, kOptional, {0, 1e6}, "1/s"},
+      {"scene.energy", Flag{&s.energy}},
+      {"options.scaling", Choice{{"width", "paper_area"}, [&s](int k) { s.scaling = Scaling(k); }}},
+      {"options.bias_model",
+       Choice{{"odd", "tension", "paper"}, [&s](int k) { s.bias_model = BiasModel(k); }}},
+      {"options.clamp_correction", Flag{&s.clamp_correction}},
+      {"fabric", Elsewhere{}},
+      {"piece", Elsewhere{}},
+      {"pin", Elsewhere{}},
+      {"probe", Elsewhere{}},
+      {"scene.wind", Later{}},
+      {"scene.mode", Later{}},
+      {"scene.order", Later{}},
+      {"scene.self_contact", Later{}},
+      {"scene.imperfection", Later{}},
+      {"options.outline", Later{}},
+      {"air", Later{}},
+      {"seam", Later{}},
+      {"body", Later{}},
+  };
+}
+
+std::vector<Key> fabric_keys(FabricText& t) {
+  FabricSpec& f = t.spec;
+  std::vector<Key> keys = {
+      {"file", &t.file},
+      {"description", &t.description},
+      {"source", &t.source},
+      {"areal_density", &f.areal_density, kRequired, {1e-4, 100}, "kg/m^2"},
+      {"thickness", &f.thickness, kRequired, {1e-6, 0.1}, "m"},
+      {"strip.width", &f.strip_width, kOptional, {1e-4, 10}, "m"},
+      {"strip.gauge", &f.strip_gauge, kOptional, {1e-4, 100}, "m"},
+      {"bending.rigidity_uN_cm2", &t.rigidity, kRequired, {0, 1e9}, "uN cm^2", kMicroNcm2},
+      {"bending.width", &t.bending_width, kOptional, {1e-4, 10}, "m"},
+      {"bending.poisson", &f.poisson, kOptional, {0, 0.999}},
+      {"compression", &f.compression, kOptional, {0, 1}},
+      {"compression_blend", &f.compression_blend, kOptional, {1e-6, 0.5}},
+      {"friction", Later{}},
+      {"damping", Later{}},
+  };
+  const auto diagram = [&](const std::string& name, DiagramSpec& d) {
+    keys.push_back({name + ".elongation_percent", &d.elongation, kRequired, {0, 1e3}, "%", kPercent});
+    keys.push_back({name + ".force", &d.force, kRequired, {0, 1e6}, "N"});
+    keys.push_back({name + ".correction", &d.correction, kOptional, {1e-3, 1e3}});
+  };
+  diagram("warp", f.warp);
+  diagram("weft", f.weft);
+  diagram("bias", f.bias);
+  return keys;
+}
+
+std::vector<Key> piece_keys(PieceSpec& p, const std::vector<std::string>& fabrics) {
+  return {
+      {"name", Name{&p.name}, kRequired},
+      {"fabric", Reference{&p.fabric, "fabric", &fabrics}, kRequired},
+      {"cell", &p.cell, kRequired, {0, 10, kAbove}, "m"},
+      {"outline", &p.outline, kRequired, kPosition, "m"},
+      {"velocity", &p.velocity, kOptional, {-1e4, 1e4}, "m/s"},
+      {"place.origin", &p.place.origin, kOptional, kPosition, "m"},
+      {"place.axis_x", &p.place.axis_x, kOptional, {-1.1, 1.1}},
+      {"place.axis_y", &p.place.axis_y, kOptional, {-1.1, 1.1}},
+      {"place.cylinder", Later{}},
+      {"curves", Later{}},
+      {"holes", Later{}},
+      {"grain", Later{}},
+      {"grid_origin", Later{}},
+  };
+}
+
+std::vector<Key> pin_keys(PinSpec& p, const std::vector<std::string>& pieces) {
+  return {
+      {"name", Name{&p.name}, kRequired},
+      {"piece", Reference{&p.piece, "piece", &pieces}, kRequired},
+      {"at", &p.at, kOptional, kPosition, "m"},
+      {"edges", &p.edges, kOptional, {-2147483647, 2147483647}},  // judged against the outline later
+      {"hold", Choice{{"point"}, [](int) {}}},
+      {"region", Later{}},
+      {"drive", Later{}},
+  };
+}
+
+std::vector<Key> probe_keys(ProbeSpec& p, const std::vector<std::string>& pieces) {
+  return {
+      {"name", Name{&p.name}, kRequired},
+      {"piece", Reference{&p.piece, "piece", &pieces}, kRequired},
+      {"at", &p.at, kRequired, kPosition, "m"},
+  };
+}
+
+}  // namespace drape

@@ -1,0 +1,27 @@
+// The keys of a scene file: every name, range, unit and default in one place. The rows point into the struct
+// they fill; the struct's own initial values are the defaults. List entries count from 0, as the outline's
+// edges do.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "scene/landing.h"
+#include "scene/scene.h"
+
+namespace drape {
+
+// A fabric with what its text says in other terms.
+struct FabricText {
+  FabricSpec spec;
+  Vec2 rigidity{0, 0};  // N m^2, EI of the bending specimen, warp and weft
+  double bending_width = 0.03;
+  std::string file, description, source;
+};
+
+std::vector<Key> scene_keys(Scene& scene);  // of the whole file; tables of their own have the rows below
+std::vector<Key> fabric_keys(FabricText& text);
+std::vector<Key> piece_keys(PieceSpec& piece, const std::vector<std::string>& fabrics);
+std::vector<Key> pin_keys(PinSpec& pin, const std::vector<std::string>& pieces);
+std::vector<Key> probe_keys(ProbeSpec& probe, const std::vector<std::string>& pieces);
+
+}  // namespace drape

@@ -1,0 +1,152 @@
+#include "system/assemble.h"
+
+#include <cmath>
+
+namespace drape {
+namespace {
+
+// Reserves a lattice's rows: a guard row below and above, and at least one unused node at the end of each
+// row.
+Lattice lattice_reserve(const Grid& grid, const PieceSpec& spec, int piece, std::size_t& nodes) {
+  Lattice l;
+  l.columns = grid.columns;
+  l.rows = grid.rows;
+  l.stride = (grid.columns + kRowUnit) / kRowUnit * kRowUnit;
+  l.first = nodes + std::size_t(l.stride);
+  l.cell = grid.cell;
+  l.piece = piece;
+  l.fabric = spec.fabric;
+  nodes += std::size_t(l.rows + 2) * l.stride;
+  return l;
+}
+
+// Shares and places of all nodes; unused ones get the place the flat grid would give them, so that no edge is
+// of length 0.
+void lattice_fill(const Lattice& l, const Grid& grid, const PieceSpec& spec, System& system, State& state) {
+  for (int j = -1; j <= l.rows; ++j) {
+    for (int i = 0; i < l.stride; ++i) {
+      const std::size_t n = l.first + std::size_t(std::ptrdiff_t(j) * l.stride + i);
+      const Vec3 r = place_point(spec.place, {grid.x0 + i * grid.cell, grid.y0 + j * grid.cell});
+      state.x[n] = r[0];
+      state.y[n] = r[1];
+      state.z[n] = r[2];
+      system.share[n] = grid.share_at(i, j);
+      if (i >= l.columns || grid.node_share(i, j) == 0) continue;
+      state.vx[n] = spec.velocity[0];
+      state.vy[n] = spec.velocity[1];
+      state.vz[n] = spec.velocity[2];
+      system.particle.push_back(n);
+    }
+  }
+}
+
+// m = rho b^2 s
+void masses_set(System& system) {
+  for (const Lattice& l : system.lattices) {
+    const double whole = l.law.areal_density * l.cell * l.cell;
+    for (int j = 0; j < l.rows; ++j) {
+      for (int i = 0; i < l.columns; ++i) {
+        const std::size_t n = l.node(i, j);
+        const double* here = &system.share[n];
+        const double* below = here - l.stride;
+        const double s = 0.25 * ((below[-1] + below[0]) + (here[-1] + here[0]));
+        system.mass[n] = whole * s;
+        system.inverse_mass[n] = s > 0 ? 1 / (whole * s) : 0;
+      }
+    }
+  }
+}
+
+ConstraintRow row_at(const Lattice& l, const GridPoint& at) {
+  ConstraintRow row{};
+  for (int k = 0; k < 4; ++k) {
+    if (at.weight[k] == 0) continue;
+    row.node.push_back(l.node(at.i[k], at.j[k]));
+    row.weight.push_back(at.weight[k]);
+  }
+  return row;
+}
+
+std::vector<ConstraintRow> pin_rows(const Scene& scene, const std::vector<Grid>& grids,
+                                    const System& system) {
+  std::vector<ConstraintRow> rows;
+  for (std::size_t p = 0; p < scene.pins.size(); ++p) {
+    const PinSpec& pin = scene.pins[p];
+    const PieceSpec& piece = scene.pieces[std::size_t(pin.piece)];
+    const Grid& grid = grids[std::size_t(pin.piece)];
+    for (Vec2 point : pin_points(grid, piece, pin)) {
+      ConstraintRow row = row_at(system.lattices[std::size_t(pin.piece)], grid_locate(grid, point));
+      row.pin = int(p);
+      row.target = place_point(piece.place, point);
+      rows.push_back(std::move(row));
+    }
+  }
+  return rows;
+}
+
+Probe probe_make(const Lattice& l, const GridPoint& at) {
+  Probe probe{};
+  for (int k = 0; k < 4; ++k) {
+    probe.node[k] = l.node(at.i[k], at.j[k]);
+    probe.weight[k] = at.weight[k];
+  }
+  return probe;
+}
+
+std::vector<Law> laws_make(const System& system, const std::vector<FabricSpec>& fabrics,
+                           std::vector<Problem>& problems) {
+  std::vector<Law> laws;
+  for (const Lattice& l : system.lattices) {
+    const FabricSpec& fabric = fabrics[std::size_t(l.fabric)];
+    laws.push_back(law_make(fabric, system.options, l.cell, "fabric." + fabric.name, problems));
+  }
+  return laws;
+}
+
+}  // namespace
+
+System system_assemble(const Scene& scene, State& start, std::vector<Problem>& problems) {
+  System system;
+  system.integrator = scene.integrator;
+  system.communication = scene.communication;
+  system.step_given = scene.step;
+  system.step_max = scene.communication;
+  system.damping = scene.damping;
+  system.gravity = scene.gravity;
+  system.options = {scene.scaling, scene.bias_model, scene.clamp_correction};
+
+  std::vector<Grid> grids;
+  system.nodes = kRowUnit;  // rows are read from one node before to one after them
+  for (std::size_t p = 0; p < scene.pieces.size(); ++p) {
+    grids.push_back(grid_make(scene, int(p)));
+    system.lattices.push_back(lattice_reserve(grids[p], scene.pieces[p], int(p), system.nodes));
+  }
+  system.nodes += kRowUnit;
+  for (Array* a : {&system.share, &system.mass, &system.inverse_mass}) a->assign(system.nodes, 0.0);
+  state_resize(start, system.nodes, scene.pins.size());
+  for (std::size_t p = 0; p < scene.pieces.size(); ++p)
+    lattice_fill(system.lattices[p], grids[p], scene.pieces[p], system, start);
+
+  system_retune(system, scene.fabrics, problems);
+  if (!problems.empty()) return system;
+  system.constraints =
+      constraints_make(pin_rows(scene, grids, system), system.inverse_mass, scene.pins, problems);
+  for (const FixedNode& f : system.constraints.fixed)
+    start.vx[f.node] = start.vy[f.node] = start.vz[f.node] = 0;
+  for (const ProbeSpec& probe : scene.probes) {
+    const auto p = std::size_t(probe.piece);
+    system.probes.push_back(probe_make(system.lattices[p], grid_locate(grids[p], probe.at)));
+  }
+  return system;
+}
+
+void system_retune(System& system, const std::vector<FabricSpec>& fabrics, std::vector<Problem>& problems) {
+  const std::size_t before = problems.size();
+  std::vector<Law> laws = laws_make(system, fabrics, problems);
+  if (problems.size() > before) return;
+  for (std::size_t k = 0; k < laws.size(); ++k) system.lattices[k].law = std::move(laws[k]);
+  masses_set(system);
+  constraints_refactor(system.constraints, system.inverse_mass);
+}
+
+}  // namespace drape

@@ -1,0 +1,83 @@
+// The two structs that carry everything: System, constant after assembly, and State, what the motion changes.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "constraint/constraint.h"
+#include "fabric/law.h"
+#include "piece/grid.h"
+#include "system/array.h"
+
+namespace drape {
+
+// One piece as rows of nodes in the common arrays. Node (i,j) is at first + j stride + i; a guard row on
+// either side and at least one unused node at the end of each row have share 0 and mass 0, and never move. So
+// have kRowUnit nodes at either end of the arrays.
+struct Lattice {
+  int columns = 0, rows = 0;  // nodes along weft, warp
+  int stride = 0;             // multiple of kRowUnit
+  std::size_t first = 0;      // multiple of kRowUnit
+  double cell = 0;            // b, m
+  int piece = 0, fabric = 0;
+  Law law;
+
+  std::size_t node(int i, int j) const { return first + std::size_t(j) * stride + i; }
+};
+
+struct Probe {
+  std::size_t node[4];
+  double weight[4];
+};
+
+struct System {
+  Integrator integrator = Integrator::kLeapfrog;
+  double communication = 1e-3;  // q, s
+  double step_given = 0;        // s; 0 = automatic
+  double step_max = 0;          // s
+  double damping = 0;           // c, 1/s
+  Vec3 gravity{0, 0, 0};        // m/s^2
+  LawOptions options;
+  std::size_t nodes = 0;  // length of every array below and in State, unused nodes included
+  Array share;            // [nodes] phi of the cell up and right of the node
+  Array mass;             // [nodes] kg
+  Array inverse_mass;     // [nodes] 1/kg; 0 where there is no particle
+  std::vector<Lattice> lattices;
+  std::vector<std::size_t> particle;  // [particles] their nodes: pieces in order, row by row
+  Constraints constraints;
+  std::vector<Probe> probes;  // as Scene::probes
+};
+
+struct State {
+  Array x, y, z;     // [nodes] m, at t_n
+  Array vx, vy, vz;  // [nodes] m/s, at t_{n-1/2} (paper scheme: at t_n)
+
+  // Time = origin + tick q. A communication step that is no multiple of q moves the origin.
+  double origin = 0;       // s
+  std::int64_t tick = 0;   // whole communication intervals since origin
+  std::int64_t steps = 0;  // since the start
+  std::int64_t subs = 0;   // steps in an interval of q; 0 = not chosen yet
+  std::int64_t calm = 0;   // whole intervals since that number last changed
+  double h_old = 0;        // s, the step that led here; 0 at the start
+
+  int watch_wait = 0;      // steps until the step limit is looked at again
+  int watch_period = 1;    // steps that the next look looks ahead
+  double omega2 = 0;       // 1/s^2, what the last look found
+  double omega2_most = 0;  // 1/s^2, the most that any look found since the number of steps last changed
+
+  double advance_length = 0;    // s, of the last advance; 0 = none yet
+  bool advance_begins = false;  // the next step is the first of an advance
+  std::vector<Vec3>
+      pin_impulse;  // [pins] N s on the outside world in the last advance, but for its last half step
+};
+
+inline double state_time(const State& s, double communication) {
+  return s.origin + double(s.tick) * communication;
+}
+
+inline void state_resize(State& s, std::size_t nodes, std::size_t pins) {
+  for (Array* a : {&s.x, &s.y, &s.z, &s.vx, &s.vy, &s.vz}) a->assign(nodes, 0.0);
+  s.pin_impulse.assign(pins, Vec3{0, 0, 0});
+}
+
+}  // namespace drape

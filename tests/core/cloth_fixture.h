@@ -1,0 +1,63 @@
+// A scene assembled, with everything a test wants to touch.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "motion/leapfrog.h"
+#include "motion/step_limit.h"
+#include "reference/test_cloth.h"
+#include "system/assemble.h"
+
+namespace drape {
+
+struct Assembled {
+  Scene scene;
+  System system;
+  State state;
+  Motion motion;
+};
+
+inline Assembled assemble(const Scene& scene) {
+  Assembled a;
+  a.scene = scene;
+  std::vector<Problem> problems;
+  a.system = system_assemble(scene, a.state, problems);
+  for (const Problem& p : problems) ADD_FAILURE() << p.place << ": " << p.message;
+  a.motion = motion_make(a.system);
+  leapfrog_begin(a.system, a.motion, a.state);
+  return a;
+}
+
+// Every particle moved by up to `amplitude` (m) along each axis, in the judge's order.
+inline void crumple(Assembled& a, double amplitude, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> shift(-amplitude, amplitude);
+  for (std::size_t n : a.system.particle)
+    for (Array* r : {&a.state.x, &a.state.y, &a.state.z}) (*r)[n] += shift(random);
+}
+
+// A nodal field as one vector [3 x particles], in the judge's order.
+inline Eigen::VectorXd gathered(const System& system, const Array& x, const Array& y, const Array& z) {
+  Eigen::VectorXd v(Eigen::Index(3 * system.particle.size()));
+  Eigen::Index k = 0;
+  for (std::size_t n : system.particle) {
+    v[k++] = x[n];
+    v[k++] = y[n];
+    v[k++] = z[n];
+  }
+  return v;
+}
+
+inline Eigen::VectorXd positions(const Assembled& a) {
+  return gathered(a.system, a.state.x, a.state.y, a.state.z);
+}
+
+inline Eigen::VectorXd forces_by(const Kernel& kernel, Assembled& a) {
+  Array fx(a.system.nodes), fy(a.system.nodes), fz(a.system.nodes);
+  for (const Lattice& l : a.system.lattices)
+    kernel.forces(a.system, l, a.state, a.motion.workspace, fx.data(), fy.data(), fz.data());
+  return gathered(a.system, fx, fy, fz);
+}
+
+}  // namespace drape

@@ -1,0 +1,103 @@
+// The resolved text stands alone, and reading it gives the same scene, bit for bit.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstring>
+#include <random>
+
+#include "scene_file.h"
+
+namespace drape {
+namespace {
+
+// All numbers of a scene in one list, in a fixed order.
+std::vector<double> numbers_of(const Scene& s) {
+  std::vector<double> n{s.duration, s.step,           s.communication,
+                        s.damping,  double(s.energy), double(s.clamp_correction)};
+  n.insert(n.end(), {double(s.integrator), double(s.scaling), double(s.bias_model)});
+  const auto put = [&](const auto& list) { n.insert(n.end(), list.begin(), list.end()); };
+  put(s.gravity);
+  for (const FabricSpec& f : s.fabrics) {
+    n.insert(n.end(), {f.areal_density, f.thickness, f.strip_width, f.strip_gauge, f.bending_warp,
+                       f.bending_weft, f.poisson, f.compression, f.compression_blend});
+    for (const DiagramSpec* d : {&f.warp, &f.weft, &f.bias})
+      put(d->elongation), put(d->force), put(d->correction);
+  }
+  for (const PieceSpec& p : s.pieces) {
+    n.insert(n.end(), {double(p.fabric), p.cell});
+    for (const Vec2& v : p.outline) put(v);
+    put(p.velocity), put(p.place.origin), put(p.place.axis_x), put(p.place.axis_y);
+  }
+  for (const PinSpec& p : s.pins) {
+    n.push_back(p.piece);
+    for (const Vec2& v : p.at) put(v);
+    for (int e : p.edges) n.push_back(e);
+  }
+  for (const ProbeSpec& p : s.probes) n.push_back(p.piece), put(p.at);
+  return n;
+}
+
+std::string names_of(const Scene& s) {
+  std::string text = s.name;
+  for (const FabricSpec& f : s.fabrics) text += "/" + f.name;
+  for (const PieceSpec& p : s.pieces) text += "/" + p.name;
+  for (const PinSpec& p : s.pins) text += "/" + p.name;
+  for (const ProbeSpec& p : s.probes) text += "/" + p.name;
+  return text;
+}
+
+void expect_round_trip(const std::string& scene, const std::string& fabric) {
+  const SceneFolder folder, elsewhere;
+  folder.write("wool.toml", fabric);
+  const std::filesystem::path file = folder.write("scene.toml", scene);
+  std::vector<Problem> problems;
+  const Scene first = scene_read(file, problems);
+  const std::string text = scene_resolve(file, problems);
+  const Scene second = scene_read(elsewhere.write("scene.toml", text), problems);
+  for (const Problem& p : problems) ADD_FAILURE() << problem_text(p) << '\n' << text;
+
+  const std::vector<double> a = numbers_of(first), b = numbers_of(second);
+  ASSERT_EQ(a.size(), b.size());
+  EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(double)), 0) << text;
+  EXPECT_EQ(names_of(first), names_of(second));
+}
+
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+TEST(SceneResolve, StandsAlone) { expect_round_trip(kScene, kFabric); }
+
+TEST(SceneResolve, AwkwardNumbersKeepTheirBits) {
+  std::string scene = with(kScene, "[0, 0.5, -9.81]", "[1e-320, -0.0, 0.30000000000000004]");
+  scene = with(scene, "damping = 0.25", "damping = 0.3333333333333333");
+  scene = with(scene, "[0, 3, 9]", "[0, 4.9406564584124654e-324, 2.2250738585072014e-308]");
+  scene = with(scene, "axis_x = [1, 0, 0]", "axis_x = [0.9999999, 0.0000003, 0]");
+  std::string fabric = with(kFabric, "[1, 0.9, 0.95]", "[0.1, 0.7000000000000001, 1.1e-3]");
+  fabric = with(fabric, "[0, 3, 6]", "[0, 0.048610000000000004, 0x10]");
+  expect_round_trip(scene, fabric);
+}
+
+TEST(SceneResolve, RandomBitsSurvive) {
+  std::mt19937_64 random(7);
+  for (int trial = 0; trial < 200; ++trial) {
+    std::string force = "[0";
+    double last = 0;
+    for (int k = 0; k < 2; ++k) {
+      last += std::ldexp(std::uniform_real_distribution<>(1, 2)(random), int(random() % 60) - 50);
+      char text[32];
+      std::snprintf(text, sizeof text, ", %.17g", last);
+      force += text;
+    }
+    expect_round_trip(with(kScene, "[0, 3, 9", force), kFabric);
+  }
+}
+
+TEST(SceneResolve, TextOfAnyKindSurvives) {
+  expect_round_trip(kScene, with(kFabric, "\"made up\"", R"("""a "quoted" \\ back\u0007 'slash'
+second line \"\"\" \t end é"""
+)"));
+}
+
+}  // namespace
+}  // namespace drape

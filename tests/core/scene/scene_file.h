@@ -1,0 +1,105 @@
+// A scene in a folder of its own that goes with the test.
+#pragma once
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "scene/read.h"
+
+namespace drape {
+
+struct SceneFolder {
+  std::filesystem::path path;
+  SceneFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "drape_scene_XXXXXX").string();
+    if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
+    path = name;
+  }
+  ~SceneFolder() { std::filesystem::remove_all(path); }
+  SceneFolder(const SceneFolder&) = delete;
+  SceneFolder& operator=(const SceneFolder&) = delete;
+
+  std::filesystem::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(path / name, std::ios::binary) << text;
+    return path / name;
+  }
+};
+
+// The messages of reading a file, without the name of its folder.
+inline std::vector<std::string> messages_of(const SceneFolder& folder, const std::filesystem::path& file) {
+  std::vector<Problem> problems;
+  scene_read(file, problems);
+  std::vector<std::string> messages;
+  for (const Problem& p : problems) {
+    std::string text = problem_text(p);
+    const std::string prefix = folder.path.string() + "/";
+    for (std::size_t at; (at = text.find(prefix)) != std::string::npos;) text.erase(at, prefix.size());
+    messages.push_back(text);
+  }
+  return messages;
+}
+
+// A scene without fault that has every key this version takes.
+inline const std::string kScene = R"([scene]
+name = "sheet_2"
+duration = 2
+gravity = [0, 0.5, -9.81]
+integrator = "paper"
+step = 1e-5
+communication = 0.002
+damping = 0.25
+energy = true
+[options]
+scaling = "paper_area"
+bias_model = "tension"
+clamp_correction = false
+[fabric.wool]
+file = "wool.toml"
+areal_density = 0.2
+warp.force = [0, 3, 9]
+[[piece]]
+name = "sheet"
+fabric = "wool"
+cell = 0.01
+outline = [[0, 0], [0.4, 0], [0.4, 0.6], [0, 0.6]]
+velocity = [0, 0, 1]
+place = { origin = [0, 0, 1], axis_x = [1, 0, 0], axis_y = [0, 0, 1] }
+[[pin]]
+name = "bar"
+piece = "sheet"
+edges = [2]
+hold = "point"
+[[pin]]
+name = "tip"
+piece = "sheet"
+at = [[0.1, 0.1], [0.2, 0.1]]
+[[probe]]
+name = "hem"
+piece = "sheet"
+at = [0.2, 0]
+)";
+
+inline const std::string kFabric = R"(description = "made up"
+source = "nowhere"
+areal_density = 0.15
+thickness = 0.0005
+compression = 0.5
+compression_blend = 0.004
+strip = { width = 0.05, gauge = 0.1 }
+bending = { rigidity_uN_cm2 = [1370, 900], width = 0.03, poisson = 0.3 }
+[warp]
+elongation_percent = [0, 1, 2.5]
+force = [0, 2, 7]
+correction = [1, 0.9, 0.95]
+[weft]
+elongation_percent = [0, 4]
+force = [0, 5]
+[bias]
+elongation_percent = [0, 3, 6]
+force = [0, 0.5, 2]
+)";
+
+}  // namespace drape
