@@ -106,9 +106,9 @@ double drape_communication(const drape_cloth*); /* s, scene.communication */
 int drape_piece_count(const drape_cloth*);
 drape_piece drape_piece_at(const drape_cloth*, int index);
 
-/* Parameters: write into the returned struct, then commit. A commit checks all of them (single values and their
- * combinations); on DRAPE_DISCARD each problem has been logged and the struct again holds the values in force.
- * drape_advance commits by itself. */
+/* Parameters: write into the returned struct (it and its arrays keep their addresses for the cloth's life), then commit. A
+ * commit checks all of them (single values and their combinations); on DRAPE_DISCARD each problem has been logged and the
+ * struct again holds the values in force. drape_advance commits by itself. */
 drape_parameters* drape_parameters_of(drape_cloth*);
 drape_status drape_commit(drape_cloth*);
 
@@ -119,8 +119,8 @@ double drape_time(const drape_cloth*);
 /* Advances by `length` > 0 seconds. */
 drape_status drape_advance(drape_cloth*, double length);
 
-/* The outputs at the present time; valid until the next call that takes a non-const cloth. `want_nodes` != 0 fills the node
- * arrays too. Reading never changes the motion. */
+/* The outputs at the present time; valid until the next call that takes a non-const cloth (the struct and its arrays keep
+ * their addresses for the cloth's life). `want_nodes` != 0 fills the node arrays too. Reading never changes the motion. */
 const drape_outputs* drape_outputs_at(drape_cloth*, int want_nodes);
 
 /* The step limit at the present state, without the safety factor (s), and the name of the link that sets it. */

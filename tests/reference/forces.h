@@ -1,0 +1,27 @@
+// Internal forces of the cloth as plain loops over the lists, and their potential energies.
+// Equations: core/README.md, section 3.
+#pragma once
+#include "reference/lattice.h"
+
+namespace drape::reference {
+
+double link_strain(const Link& link, const Eigen::VectorXd& r);  // l/rest - 1
+
+// psi(y) = theta/sin(theta) of a hinge and its energy over kappa, theta by atan2; continued past 120 degrees.
+struct Fold {
+  double y, psi, energy;
+};
+Fold fold_of(const Eigen::Vector3d& a, const Eigen::Vector3d& c);
+
+// Each law adds to F [3 N].
+void add_stretch(const Lattice& lattice, const Eigen::VectorXd& r, Eigen::VectorXd& F);
+void add_shear(const Lattice& lattice, const Eigen::VectorXd& r, Eigen::VectorXd& F);
+void add_bending(const Lattice& lattice, const Eigen::VectorXd& r, Eigen::VectorXd& F);
+Eigen::VectorXd forces(const Lattice& lattice, const Eigen::VectorXd& r);  // all three
+
+// J.
+double stretch_energy(const Lattice& lattice, const Eigen::VectorXd& r);
+double shear_energy(const Lattice& lattice, const Eigen::VectorXd& r);
+double bending_energy(const Lattice& lattice, const Eigen::VectorXd& r);
+
+}  // namespace drape::reference

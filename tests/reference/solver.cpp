@@ -1,0 +1,133 @@
+// The only file that knows SUNDIALS: y' = motion_rate(y) by ARKODE's ERKStep with embedded error control,
+// each step ending exactly at the asked time. Source: SUNDIALS 6.4.1, ARKODE user guide, "Using ERKStep".
+#include <arkode/arkode_erkstep.h>
+#include <nvector/nvector_serial.h>
+
+#include <cstdlib>
+#include <sstream>
+#include <stdexcept>
+
+#include "reference/motion.h"
+
+namespace drape::reference {
+
+struct Solver {
+  const Motion* motion = nullptr;
+  SUNContext context = nullptr;
+  N_Vector y = nullptr, tolerance = nullptr;
+  void* arkode = nullptr;
+  double time = 0;
+  std::string message;  // ARKODE's last words
+};
+
+namespace {
+
+using Eigen::VectorXd;
+
+Eigen::Map<VectorXd> view(N_Vector v) { return {N_VGetArrayPointer(v), Eigen::Index(N_VGetLength(v))}; }
+
+// Numbers that are not finite are no state to go on from: ARKODE is told to stop.
+int rate(realtype, N_Vector y, N_Vector ydot, void* user) {
+  const VectorXd state = view(y);
+  view(ydot) = motion_rate(*static_cast<const Solver*>(user)->motion, state);
+  return view(ydot).allFinite() ? 0 : -1;
+}
+
+void hear(int, const char*, const char*, char* message, void* user) {
+  static_cast<Solver*>(user)->message = message;
+}
+
+void demand(const Solver& solver, int flag, const char* call) {
+  if (flag >= 0) return;
+  char* name = ERKStepGetReturnFlagName(flag);
+  std::ostringstream text;
+  text.precision(9);
+  text << "the reference run failed at t = " << solver.time << " s: " << call << " returned ARKODE flag "
+       << flag << " (" << (name ? name : "unnamed") << ")";
+  if (!solver.message.empty()) text << ": " << solver.message;
+  std::free(name);
+  throw std::runtime_error(text.str());
+}
+
+// ARKODE's own choice of method by order. SUNDIALS 6.4.1 takes a table whose last stage lies at c = 1 for one
+// whose last stage is the next step's first (LLNL/sundials issue 311), and then starts each step with a wrong
+// slope: Verner's 6 falls to order 3, Fehlberg's 8 to about 6. Our equations do not contain the time, so any
+// c does, and 0 makes it evaluate anew.
+void set_method(Solver& solver, int order) {
+  constexpr int kTables[] = {ERKSTEP_DEFAULT_2, ERKSTEP_DEFAULT_3, ERKSTEP_DEFAULT_4, ERKSTEP_DEFAULT_5,
+                             ERKSTEP_DEFAULT_6, ERKSTEP_DEFAULT_8, ERKSTEP_DEFAULT_8};
+  ARKodeButcherTable table = ARKodeButcherTable_LoadERK(static_cast<ARKODE_ERKTableID>(kTables[order - 2]));
+  if (!table) throw std::runtime_error("SUNDIALS gives no explicit method of order " + std::to_string(order));
+  table->c[table->stages - 1] = 0;
+  const int flag = ERKStepSetTable(solver.arkode, table);
+  ARKodeButcherTable_Free(table);
+  demand(solver, flag, "ERKStepSetTable");
+}
+
+void set_tolerance(Solver& solver, double rtol) {
+  const Lattice& lattice = solver.motion->lattice;
+  const Eigen::Index n = 3 * lattice.count;
+  double mass = 0;
+  for (double m : lattice.mass) mass += m;
+  auto tolerance = view(solver.tolerance);
+  tolerance.head(n).setConstant(rtol * lattice.cell);
+  tolerance.segment(n, n).setConstant(rtol * 1.0);
+  tolerance.tail(tolerance.size() - 2 * n).setConstant(rtol * mass * 1.0);
+  demand(solver, ERKStepSVtolerances(solver.arkode, rtol, solver.tolerance), "ERKStepSVtolerances");
+}
+
+}  // namespace
+
+void SolverClose::operator()(Solver* solver) const {
+  if (solver->arkode) ERKStepFree(&solver->arkode);
+  if (solver->tolerance) N_VDestroy(solver->tolerance);
+  if (solver->y) N_VDestroy(solver->y);
+  if (solver->context) SUNContext_Free(&solver->context);
+  delete solver;
+}
+
+SolverHandle solver_open(const Motion& motion, const VectorXd& y, const Accuracy& accuracy) {
+  SolverHandle handle(new Solver);
+  Solver& s = *handle;
+  s.motion = &motion;
+  if (SUNContext_Create(nullptr, &s.context) != 0) throw std::runtime_error("SUNDIALS gives no context");
+  s.y = N_VNew_Serial(y.size(), s.context);
+  s.tolerance = N_VNew_Serial(y.size(), s.context);
+  if (!s.y || !s.tolerance) throw std::runtime_error("SUNDIALS gives no vectors");
+  view(s.y) = y;
+  s.arkode = ERKStepCreate(rate, 0, s.y, s.context);
+  if (!s.arkode) throw std::runtime_error("SUNDIALS gives no ERKStep");
+  demand(s, ERKStepSetErrHandlerFn(s.arkode, hear, &s), "ERKStepSetErrHandlerFn");
+  demand(s, ERKStepSetUserData(s.arkode, &s), "ERKStepSetUserData");
+  set_method(s, accuracy.order);
+  demand(s, ERKStepSetInterpolantDegree(s.arkode, 1), "ERKStepSetInterpolantDegree");
+  demand(s, ERKStepSetMaxNumSteps(s.arkode, -1), "ERKStepSetMaxNumSteps");
+  set_tolerance(s, accuracy.rtol);
+  if (accuracy.fixed_step > 0)
+    demand(s, ERKStepSetFixedStep(s.arkode, accuracy.fixed_step), "ERKStepSetFixedStep");
+  return handle;
+}
+
+VectorXd solver_advance(Solver& s, double time) {
+  demand(s, ERKStepSetStopTime(s.arkode, time), "ERKStepSetStopTime");
+  realtype reached = s.time;
+  const int flag = ERKStepEvolve(s.arkode, time, s.y, &reached, ARK_NORMAL);
+  s.time = reached;
+  demand(s, flag, "ERKStepEvolve");
+  s.time = time;
+  return view(s.y);
+}
+
+double solver_last_step(Solver& s) {
+  realtype step = 0;
+  demand(s, ERKStepGetLastStep(s.arkode, &step), "ERKStepGetLastStep");
+  return step;
+}
+
+long solver_step_count(Solver& s) {
+  long count = 0;
+  demand(s, ERKStepGetNumSteps(s.arkode, &count), "ERKStepGetNumSteps");
+  return count;
+}
+
+}  // namespace drape::reference
