@@ -1,0 +1,136 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "command.h"
+#include "csv.h"
+#include "decimal.h"
+#include "frames.h"
+
+namespace drape {
+namespace {
+
+struct Options {
+  std::string scene_file, folder;
+  double until = 0, every = 0;        // s; 0: the scene's duration, a hundredth of it
+  std::vector<std::string> settings;  // NAME=VALUE
+  bool frames = false, verbose = false;
+  Nodes nodes = Nodes::kNone;
+};
+
+// Empty, or what is wrong with NAME=VALUE.
+std::string apply_setting(const std::vector<Variable>& table, const std::string& setting) {
+  const std::size_t equals = setting.find('=');
+  if (equals == std::string::npos) return "--set is '" + setting + "'; allowed: NAME=VALUE";
+  const std::string name = setting.substr(0, equals), text = setting.substr(equals + 1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size())
+    return "--set " + name + " is '" + text + "'; allowed: a number";
+  const Variable* v = variable_find(table, name);
+  if (!v)
+    return "--set names the unknown variable '" + name + "'; the nearest is '" +
+           variable_nearest(table, name) + "'";
+  if (v->causality != Causality::kParameter)
+    return "--set names the output '" + name + "'; allowed: parameters";
+  const std::string problem = range_problem(*v, value);
+  if (problem.empty()) *v->value = value;
+  return problem.empty() ? "" : "--set " + problem;
+}
+
+// Sets parameters before the start; prints all problems.
+int apply_settings(const std::vector<std::string>& settings, drape_cloth* cloth,
+                   const std::vector<Variable>& table) {
+  std::vector<std::string> problems;
+  for (const std::string& setting : settings)
+    if (const std::string problem = apply_setting(table, setting); !problem.empty())
+      problems.push_back(problem);
+  for (const std::string& problem : problems) fail(kBadInput, problem);
+  return problems.empty() && drape_commit(cloth) == DRAPE_OK ? kDone : kBadInput;
+}
+
+// The present time and outputs as one row, and as a frame.
+struct Recorder {
+  drape_cloth* cloth;
+  std::vector<const double*> columns;
+  bool nodes;
+  Csv csv;
+  bool with_frames;
+  Frames frames;
+  bool frames_written = true;
+};
+
+bool record(Recorder& r) {
+  drape_outputs_at(r.cloth, r.nodes);
+  std::vector<double> row{drape_time(r.cloth)};
+  for (const double* value : r.columns) row.push_back(*value);
+  csv_row(r.csv, row);
+  if (r.with_frames) r.frames_written = frame_write(r.frames, r.cloth);
+  return r.csv.file.good() && r.frames_written;
+}
+
+void show_progress(double time, double until) {
+  static const bool terminal = isatty(STDERR_FILENO);
+  if (terminal)
+    std::fprintf(stderr, "\r%5.1f %%  t = %.6g s%s", 100 * time / until, time, time < until ? "" : "\n");
+}
+
+// Rows at 0, DT, 2 DT, ... and at the end, each reached from the one before.
+int run_rows(Recorder& r, double until, double every) {
+  const double rows = std::ceil(until / every - 1e-9);  // a last interval below a billionth of DT is rounding
+  if (!record(r)) return kFailedRun;
+  for (double k = 1; k <= rows; ++k) {
+    const double before = drape_time(r.cloth), length = k < rows ? every : until - (rows - 1) * every;
+    if (drape_advance(r.cloth, length) != DRAPE_OK) {
+      if (drape_time(r.cloth) != before) record(r);  // the last good state
+      return kFailedRun;
+    }
+    if (!record(r)) return kFailedRun;
+    show_progress(k < rows ? k * every : until, until);
+  }
+  return kDone;
+}
+
+int run(const Options& options) {
+  const Cloth cloth = cloth_open(options.scene_file, options.verbose);
+  if (!cloth) return kBadInput;
+  const std::vector<Variable> table = variables_of(cloth.get(), options.nodes);
+  if (const int code = apply_settings(options.settings, cloth.get(), table); code != kDone) return code;
+  const double duration = drape_duration(cloth.get());
+  Recorder r{cloth.get(), {}, options.nodes != Nodes::kNone, {}, options.frames, {options.folder, {}}};
+  std::vector<std::string> header{"time"};
+  for (const Variable& v : table) {
+    if (v.causality != Causality::kOutput) continue;
+    header.push_back(v.name());
+    r.columns.push_back(v.value);
+  }
+  std::string problem;
+  if (!csv_open(r.csv, options.folder, problem)) return fail(kBadInput, problem);
+  csv_header(r.csv, header);
+  const int code = run_rows(r, options.until > 0 ? options.until : duration,
+                            options.every > 0 ? options.every : duration / 100);
+  return csv_close(r.csv) && r.frames_written ? code : fail(kFailedRun, "cannot write to " + options.folder);
+}
+
+}  // namespace
+
+void command_run(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("run", "run a scene and write outputs.csv");
+  auto options = std::make_shared<Options>();
+  option_scene(*command, options->scene_file);
+  command->add_option("-o,--output", options->folder, "folder for the results")->required()->type_name("DIR");
+  option_seconds(*command, "--until", options->until, "end time; default: the scene's duration");
+  option_seconds(*command, "--every", options->every,
+                 "time between rows; default: a hundredth of the duration");
+  command->add_option("--set", options->settings, "a parameter's value, before the start")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  command->add_flag("--frames", options->frames, "write frames.pvd and a .vtp for every row");
+  option_nodes(*command, options->nodes);
+  command->add_flag("-v,--verbose", options->verbose, "print events and changes of the step");
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace drape

@@ -1,0 +1,21 @@
+// Pictures of the cloth in motion for ParaView and PyVista: one PolyData file a frame, and a collection with
+// their times.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "drape.h"
+
+namespace drape {
+
+struct Frames {
+  std::filesystem::path folder;
+  std::vector<double> times;  // s, of the frames written
+};
+
+// Writes frames/NNNN.vtp with the particles, the cells between four of them, and the velocity, and frames.pvd
+// anew. False where something could not be written.
+bool frame_write(Frames& frames, drape_cloth* cloth);
+
+}  // namespace drape

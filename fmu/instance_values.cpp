@@ -1,0 +1,58 @@
+#include "instance.h"
+
+namespace drape {
+namespace {
+
+bool is_parameter(const Variable& v) { return v.causality == Causality::kParameter; }
+
+const Variable* row_of(const Instance& s, std::uint32_t reference) {
+  return reference >= 1 && reference <= s.table.size() ? &s.table[reference - 1] : nullptr;
+}
+
+std::string no_row(const Instance& s, std::uint32_t reference) {
+  return "value reference " + std::to_string(reference) + " names no Real variable; allowed: 1 to " +
+         std::to_string(s.table.size());
+}
+
+// Why a variable may not be set to a value now; empty if it may.
+std::string set_problem(const Instance& s, std::uint32_t reference, double value) {
+  const Variable* v = row_of(s, reference);
+  if (!v) return no_row(s, reference);
+  if (!is_parameter(*v)) return v->name() + " is an output; allowed: setting parameters";
+  const bool initialized = s.phase != Phase::kInstantiated && s.phase != Phase::kInitialization;
+  if (v->variability == Variability::kFixed && initialized)
+    return v->name() + " is fixed; allowed: setting it until initialization ends";
+  return range_problem(*v, value);
+}
+
+}  // namespace
+
+drape_status instance_get(Instance& s, const std::uint32_t* references, std::size_t count, double* values) {
+  bool outputs = false, nodes = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Variable* v = row_of(s, references[i]);
+    if (!v) return instance_refuse(s, DRAPE_DISCARD, no_row(s, references[i]));
+    outputs = outputs || !is_parameter(*v);
+    nodes = nodes || v->node;
+  }
+  if ((outputs && !s.outputs_read) || (nodes && !s.nodes_read)) {
+    drape_outputs_at(s.cloth, nodes);
+    s.outputs_read = true;
+    s.nodes_read = nodes;
+  }
+  for (std::size_t i = 0; i < count; ++i) values[i] = *s.table[references[i] - 1].value;
+  return DRAPE_OK;
+}
+
+drape_status instance_set(Instance& s, const std::uint32_t* references, std::size_t count,
+                          const double* values) {
+  drape_status status = DRAPE_OK;
+  for (std::size_t i = 0; i < count; ++i)
+    if (const std::string problem = set_problem(s, references[i], values[i]); !problem.empty())
+      status = instance_refuse(s, DRAPE_DISCARD, problem);
+  if (status != DRAPE_OK) return status;
+  for (std::size_t i = 0; i < count; ++i) *s.table[references[i] - 1].value = values[i];
+  return DRAPE_OK;
+}
+
+}  // namespace drape

@@ -1,0 +1,82 @@
+// The `drape` command.
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <map>
+
+#include "command.h"
+
+namespace drape {
+namespace {
+
+void log_quiet(void*, drape_log_kind kind, const char* message) {
+  if (kind == DRAPE_LOG_ERROR) std::fprintf(stderr, "error: %s\n", message);
+  if (kind == DRAPE_LOG_WARNING) std::fprintf(stderr, "warning: %s\n", message);
+}
+
+void log_verbose(void*, drape_log_kind kind, const char* message) {
+  constexpr const char* kKinds[] = {"error", "warning", "event", "stability"};
+  std::fprintf(stderr, "%s: %s\n", kKinds[kind], message);
+}
+
+}  // namespace
+
+CLI::Option* option_scene(CLI::App& command, std::string& scene_file) {
+  return command.add_option("SCENE", scene_file, "scene file (TOML)")->required();
+}
+
+CLI::Option* option_nodes(CLI::App& command, Nodes& nodes) {
+  static const std::map<std::string, Nodes> kChoices = {
+      {"none", Nodes::kNone}, {"outline", Nodes::kOutline}, {"all", Nodes::kAll}};
+  const auto choose = [&nodes](const std::string& text) {
+    const auto choice = kChoices.find(text);
+    if (choice == kChoices.end())
+      throw CLI::ValidationError("--nodes", "'" + text + "'; allowed: none, outline, all");
+    nodes = choice->second;
+  };
+  return command.add_option_function<std::string>("--nodes", choose, "particles with variables of their own")
+      ->type_name("none|outline|all");
+}
+
+// A time above 0; what is not given stays as it was.
+CLI::Option* option_seconds(CLI::App& command, const char* name, double& seconds, const char* description) {
+  const auto problem = [](const std::string& text) {
+    double value = 0;
+    const bool number = CLI::detail::lexical_cast(text, value);
+    return number && value > 0 && std::isfinite(value) ? "" : "'" + text + "' s; allowed: above 0 s, finite";
+  };
+  return command.add_option(name, seconds, description)->check(problem)->type_name("SECONDS");
+}
+
+Cloth cloth_open(const std::string& scene_file, bool verbose) {
+  return Cloth(drape_open(scene_file.c_str(), verbose ? log_verbose : log_quiet, nullptr));
+}
+
+int fail(ExitCode code, const std::string& sentence) {
+  std::fprintf(stderr, "error: %s\n", sentence.c_str());
+  return code;
+}
+
+}  // namespace drape
+
+int main(int argc, char** argv) {
+  using namespace drape;
+  CLI::App app{"Drape: woven cloth as a co-simulation unit", "drape"};
+  app.set_version_flag("--version", std::string("drape ") + drape_version());
+  app.require_subcommand(1);
+  int exit_code = kDone;
+  command_check(app, exit_code);
+  command_pack(app, exit_code);
+  command_run(app, exit_code);
+  command_reference(app, exit_code);
+  command_variables(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
+    return fail(kBadInput, std::string(e.what()) + "; see drape --help");
+  } catch (const std::exception& e) {
+    return fail(kFailedRun, e.what());
+  }
+  return exit_code;
+}

@@ -1,0 +1,87 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "decimal.h"
+#include "variables.h"
+
+namespace drape {
+namespace {
+
+// Edits (insert, delete, replace a letter) that turn a into b.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t(0));
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] != b[j]);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+// "[1..8]" from "[1]" and "[8]", dimension by dimension.
+std::string index_span(const std::string& first, const std::string& last) {
+  std::string span;
+  for (std::size_t i = 0, j = 0; i < first.size();) {
+    const std::size_t i_end = first.find_first_of(",]", i + 1), j_end = last.find_first_of(",]", j + 1);
+    const std::string from = first.substr(i, i_end - i), to = last.substr(j + 1, j_end - j - 1);
+    span += from.substr(1) == to ? from : from + ".." + to;
+    i = i_end, j = j_end;
+    if (first[i] == ']') return span + "]";
+  }
+  return span;
+}
+
+}  // namespace
+
+const Variable* variable_find(const std::vector<Variable>& table, std::string_view name) {
+  const auto row =
+      std::find_if(table.begin(), table.end(), [&](const Variable& v) { return v.name() == name; });
+  return row == table.end() ? nullptr : &*row;
+}
+
+std::string variable_nearest(const std::vector<Variable>& table, std::string_view name) {
+  std::string nearest;
+  std::size_t least = std::string::npos;
+  for (const Variable& v : table) {
+    const std::size_t distance = edit_distance(name, v.name());
+    if (distance < least) least = distance, nearest = v.name();
+  }
+  return nearest;
+}
+
+std::string range_text(const Range& r) {
+  const bool from = std::isfinite(r.min), to = std::isfinite(r.max);
+  if (!from && !to) return "any finite number";
+  if (!to) return r.min_open ? "above " + decimal_text(r.min) : decimal_text(r.min) + " or more";
+  if (!from) return r.max_open ? "below " + decimal_text(r.max) : decimal_text(r.max) + " or less";
+  return (r.min_open ? "above " : "") + decimal_text(r.min) + (r.max_open ? " to below " : " to ") +
+         decimal_text(r.max);
+}
+
+std::string range_problem(const Variable& v, double value) {
+  const Range& r = v.range;
+  const bool low = r.min_open ? value > r.min : value >= r.min,
+             high = r.max_open ? value < r.max : value <= r.max;
+  if (std::isfinite(value) && low && high) return "";
+  const std::string unit = v.unit == std::string_view("1") ? "" : std::string(" ") + v.unit;
+  return v.name() + " is " + decimal_text(value) + unit + "; allowed: " + range_text(r) + unit;
+}
+
+std::vector<Family> families_of(const std::vector<Variable>& table) {
+  std::vector<Family> families;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    if (!families.empty() && !table[i].index.empty() &&
+        table[families.back().first].family == table[i].family)
+      ++families.back().count;
+    else families.push_back({i, 1, ""});
+  }
+  for (Family& f : families) f.index = index_span(table[f.first].index, table[f.first + f.count - 1].index);
+  return families;
+}
+
+}  // namespace drape

@@ -1,0 +1,37 @@
+#include "table_rows.h"
+
+#include "decimal.h"
+
+namespace drape {
+namespace {
+
+const char* kind_of(const Variable& v) {
+  if (v.causality == Causality::kOutput) return "output";
+  return v.variability == Variability::kTunable ? "parameter, tunable" : "parameter, fixed";
+}
+
+// "along the warp, at 1 % elongation to at 7 % elongation" reads badly for long lists: the ends are enough.
+std::string meaning_of(const Variable& first, const Variable& last) {
+  if (first.detail.empty()) return first.description;
+  return first.description + ", " + first.detail + (&first == &last ? "" : " ... " + last.detail);
+}
+
+std::string start_of(const Variable& first, const Variable& last) {
+  if (first.causality == Causality::kOutput) return "";
+  return decimal_text(*first.value) + (&first == &last ? "" : " ... " + decimal_text(*last.value));
+}
+
+}  // namespace
+
+std::vector<TableRow> table_rows_of(const Description& d) {
+  std::vector<TableRow> rows;
+  for (const Family& f : families_of(d.table)) {
+    const Variable &first = d.table[f.first], &last = d.table[f.first + f.count - 1];
+    const bool parameter = first.causality == Causality::kParameter;
+    rows.push_back({first.family + f.index, meaning_of(first, last), kind_of(first), first.unit,
+                    parameter ? range_text(first.range) : "", start_of(first, last)});
+  }
+  return rows;
+}
+
+}  // namespace drape

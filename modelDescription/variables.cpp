@@ -1,0 +1,190 @@
+#include "variables.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <numeric>
+
+namespace drape {
+namespace {
+
+using Table = std::vector<Variable>;
+
+// What the rows of a family share.
+struct Row {
+  Causality causality;
+  Variability variability;
+  const char* unit;
+  Range range;
+};
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr Range kAny{};
+constexpr Range kNotNegative{0, kInfinity, false, false};
+constexpr Range kPositive{0, kInfinity, true, false};
+constexpr Range kShare{0, 1, false, false};
+
+constexpr Row tunable(const char* unit, Range range) {
+  return {Causality::kParameter, Variability::kTunable, unit, range};
+}
+constexpr Row fixed(const char* unit, Range range) {
+  return {Causality::kParameter, Variability::kFixed, unit, range};
+}
+constexpr Row output(const char* unit) { return {Causality::kOutput, Variability::kContinuous, unit, kAny}; }
+constexpr Row output_discrete(const char* unit) {
+  return {Causality::kOutput, Variability::kDiscrete, unit, kAny};
+}
+
+void add(Table& table, const std::string& name, double* value, const Row& row,
+         const std::string& description) {
+  table.push_back(
+      {name, "", description, "", row.causality, row.variability, row.unit, row.range, value, false});
+}
+
+// name[1] to name[3], along x, y and z.
+void add_vector(Table& table, const std::string& name, double* value, const Row& row,
+                const std::string& description) {
+  for (int k = 0; k < 3; ++k) {
+    add(table, name, value + k, row, description);
+    table.back().index = "[" + std::to_string(k + 1) + "]";
+    table.back().detail = std::string(1, "xyz"[k]);
+  }
+}
+
+// name[1] to name[n] at the diagram's elongations after the origin.
+void add_diagram(Table& table, const std::string& name, const drape_diagram& diagram, const char* direction) {
+  for (int i = 0; i < diagram.count; ++i) {
+    char elongation[48];
+    std::snprintf(elongation, sizeof elongation, "at %.6g %% elongation", 100 * diagram.elongation[i]);
+    add(table, name, diagram.force + i, tunable("N", kNotNegative),
+        std::string("force on the strip cut ") + direction);
+    table.back().index = "[" + std::to_string(i + 1) + "]";
+    table.back().detail = elongation;
+  }
+}
+
+void add_strain(Table& table, const std::string& name, drape_strain& strain, const std::string& direction) {
+  add(table, name + ".min", &strain.min, output("1"), "smallest strain of the cloth " + direction);
+  add(table, name + ".max", &strain.max, output("1"), "largest strain of the cloth " + direction);
+  add(table, name + ".mean", &strain.mean, output("1"),
+      "mean strain of the cloth " + direction + ", weighted by area");
+}
+
+// A name part as FMI's structured naming wants it: an identifier, or quoted.
+std::string name_part(const char* text) {
+  const std::string_view view = text;
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  const bool plain = !view.empty() && letter(view[0]) &&
+                     std::all_of(view.begin(), view.end(), [&](char c) { return letter(c) || digit(c); });
+  if (plain) return text;
+  std::string quoted = "'";
+  for (const char c : view) {
+    if (c == '\'' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + "'";
+}
+
+void add_fabric(Table& table, drape_fabric& f) {
+  const std::string name = "fabric." + name_part(f.name);
+  add(table, name + ".areal_density", &f.areal_density, tunable("kg/m2", kPositive), "mass per area");
+  add_diagram(table, name + ".warp.force", f.warp, "along the warp");
+  add_diagram(table, name + ".weft.force", f.weft, "along the weft");
+  add_diagram(table, name + ".bias.force", f.bias, "at 45 degrees");
+  add(table, name + ".bending.warp", &f.bending_warp, tunable("N.m", kNotNegative),
+      "bending rigidity per width, warp");
+  add(table, name + ".bending.weft", &f.bending_weft, tunable("N.m", kNotNegative),
+      "bending rigidity per width, weft");
+  add(table, name + ".poisson", &f.poisson, tunable("1", {0, 0.999, false, false}),
+      "nu: the rigidity in bending is divided by 1 - nu^2");
+  add(table, name + ".compression", &f.compression, tunable("1", kShare),
+      "slope of the thread's law in compression over its slope at zero");
+}
+
+void add_parameters(Table& table, drape_parameters& p) {
+  for (int i = 0; i < p.fabric_count; ++i) add_fabric(table, p.fabric[i]);
+  add(table, "damping", &p.damping, tunable("1/s", kNotNegative), "c in the braking force -m c v");
+  add_vector(table, "gravity", p.gravity, tunable("m/s2", kAny), "acceleration of gravity");
+  add(table, "step.max", &p.step_max, fixed("s", kPositive), "longest time step of the automatic choice");
+}
+
+void add_outputs(Table& table, drape_outputs& o) {
+  for (int i = 0; i < o.probe_count; ++i) {
+    const std::string name = "probe." + name_part(o.probe[i].name);
+    add_vector(table, name + ".position", o.probe[i].position, output("m"), "where the probe is");
+    add_vector(table, name + ".velocity", o.probe[i].velocity, output("m/s"), "how fast the probe moves");
+  }
+  for (int i = 0; i < o.pin_count; ++i)
+    add_vector(table, "pin." + name_part(o.pin[i].name) + ".force", o.pin[i].force, output("N"),
+               "mean force of the cloth on the pin over the last communication step");
+  add_strain(table, "strain.warp", o.strain_warp, "along the warp");
+  add_strain(table, "strain.weft", o.strain_weft, "along the weft");
+  add_strain(table, "strain.bias", o.strain_bias, "along the diagonals");
+  add(table, "tension.max", &o.tension_max, output("N/m"), "largest tension per width");
+  add(table, "strain.beyond_test.count", &o.strain_beyond_test_count, output_discrete("1"),
+      "links strained beyond the last point of their diagram");
+  add(table, "step.size", &o.step_size, output_discrete("s"), "present time step");
+  add(table, "step.count", &o.step_count, output_discrete("1"), "time steps since the start");
+  add(table, "step.stability", &o.step_stability, output("1"), "h omega_max/2: the motion is stable below 1");
+  if (!o.has_energy) return;
+  add(table, "energy.kinetic", &o.energy.kinetic, output("J"), "energy of motion");
+  add(table, "energy.stretch", &o.energy.stretch, output("J"),
+      "energy of the threads in tension and compression");
+  add(table, "energy.shear", &o.energy.shear, output("J"), "energy of the diagonals");
+  add(table, "energy.bending", &o.energy.bending, output("J"), "energy of the hinges");
+  add(table, "energy.gravity", &o.energy.gravity, output("J"), "potential energy of the weight");
+}
+
+// Particles that have a variable: all, or those of which not all eight neighbours exist.
+std::vector<int> nodes_wanted(const drape_cloth* cloth, Nodes nodes, int node_count) {
+  std::vector<int> wanted;
+  if (nodes == Nodes::kAll) {
+    wanted.resize(std::size_t(node_count));
+    std::iota(wanted.begin(), wanted.end(), 0);
+  }
+  if (nodes != Nodes::kOutline) return wanted;
+  for (int p = 0; p < drape_piece_count(cloth); ++p) {
+    const drape_piece piece = drape_piece_at(cloth, p);
+    const auto node = [&](int i, int j) {
+      return i < 0 || j < 0 || i >= piece.columns || j >= piece.rows ? -1 : piece.node[j * piece.columns + i];
+    };
+    const auto inner = [&](int i, int j) {
+      for (int dj = -1; dj <= 1; ++dj)
+        for (int di = -1; di <= 1; ++di)
+          if (node(i + di, j + dj) < 0) return false;
+      return true;
+    };
+    for (int j = 0; j < piece.rows; ++j)
+      for (int i = 0; i < piece.columns; ++i)
+        if (node(i, j) >= 0 && !inner(i, j)) wanted.push_back(node(i, j));
+  }
+  return wanted;
+}
+
+void add_nodes(Table& table, const std::vector<int>& wanted, const char* name, double* value,
+               const char* unit, const char* description) {
+  for (const int n : wanted)
+    for (int k = 0; k < 3; ++k) {
+      add(table, name, value + 3 * std::size_t(n) + k, output(unit), description);
+      table.back().index = "[" + std::to_string(n + 1) + "," + std::to_string(k + 1) + "]";
+      table.back().detail = "particle " + std::to_string(n + 1) + ", " + "xyz"[k];
+      table.back().node = true;
+    }
+}
+
+}  // namespace
+
+std::vector<Variable> variables_of(drape_cloth* cloth, Nodes nodes) {
+  // The outputs belong to the cloth, which lets us keep pointers into them; that they come as const only says
+  // that a reader has no business writing.
+  auto& outputs = const_cast<drape_outputs&>(*drape_outputs_at(cloth, nodes != Nodes::kNone));
+  Table table;
+  add_parameters(table, *drape_parameters_of(cloth));
+  add_outputs(table, outputs);
+  const std::vector<int> wanted = nodes_wanted(cloth, nodes, outputs.node_count);
+  add_nodes(table, wanted, "node.position", outputs.node_position, "m", "where a particle is");
+  add_nodes(table, wanted, "node.velocity", outputs.node_velocity, "m/s", "how fast a particle moves");
+  return table;
+}
+
+}  // namespace drape

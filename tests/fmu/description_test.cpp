@@ -1,0 +1,117 @@
+// The variable table and what is printed from it.
+#include "description.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <vector>
+
+#include "guid.h"
+#include "units.h"
+
+namespace drape {
+namespace {
+
+const std::string kScene = DRAPE_SAMPLES "/swatch.toml", kSample = DRAPE_SAMPLES "/swatch.xml";
+
+using Cloth = std::unique_ptr<drape_cloth, void (*)(drape_cloth*)>;
+Cloth open_swatch() { return {drape_open(kScene.c_str(), nullptr, nullptr), drape_close}; }
+
+std::vector<std::string> lines_of(std::istream&& text) {
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  return lines;
+}
+
+// Compared line by line, so that a difference reads as one line.
+TEST(Description, xml_is_the_committed_sample) {
+  const Cloth cloth = open_swatch();
+  ASSERT_TRUE(cloth);
+  SCOPED_TRACE("if the change is meant: drape variables " + kScene + " --xml > " + kSample);
+  const auto printed =
+      lines_of(std::istringstream(description_xml_fmi2(description_of(cloth.get(), Nodes::kNone))));
+  const auto sample = lines_of(std::ifstream(kSample));
+  ASSERT_EQ(printed.size(), sample.size());
+  for (std::size_t n = 0; n < sample.size(); ++n) ASSERT_EQ(printed[n], sample[n]) << "in line " << n + 1;
+}
+
+// A saved copy of a scene is the same cloth, so it has the same guid.
+TEST(Description, guid_depends_on_the_scene_and_nothing_else) {
+  const Cloth cloth = open_swatch(), again = open_swatch();
+  ASSERT_TRUE(cloth && again);
+  const std::string text = drape_scene_text(cloth.get());
+  const std::string guid = guid_of(text, Nodes::kNone);
+  EXPECT_EQ(guid, guid_of(drape_scene_text(again.get()), Nodes::kNone));
+  EXPECT_NE(guid, guid_of(text + " ", Nodes::kNone));
+  EXPECT_NE(guid, guid_of(text, Nodes::kAll));
+  const std::string copy = testing::TempDir() + "drape_guid_copy.toml";
+  std::ofstream(copy) << text;
+  const Cloth copied(drape_open(copy.c_str(), nullptr, nullptr), drape_close);
+  ASSERT_TRUE(copied);
+  EXPECT_EQ(guid, guid_of(drape_scene_text(copied.get()), Nodes::kNone));
+}
+
+TEST(Description, rows_are_complete_and_unique) {
+  const Cloth cloth = open_swatch();
+  ASSERT_TRUE(cloth);
+  std::set<std::string> names;
+  for (const Variable& v : variables_of(cloth.get(), Nodes::kAll)) {
+    EXPECT_TRUE(names.insert(v.name()).second) << v.name();
+    EXPECT_FALSE(v.description.empty()) << v.name();
+    ASSERT_NE(v.value, nullptr) << v.name();
+    EXPECT_TRUE(std::isfinite(*v.value)) << v.name();
+    const bool unit_known = std::any_of(std::begin(kUnits), std::end(kUnits),
+                                        [&](const Unit& u) { return std::string(u.name) == v.unit; });
+    EXPECT_TRUE(unit_known) << v.name() << " in " << v.unit;
+    EXPECT_EQ(range_problem(v, *v.value), "");
+  }
+}
+
+// The swatch has 6 by 9 particles; 4 by 7 of them have all their neighbours.
+TEST(Description, node_variables_are_those_asked_for) {
+  const Cloth cloth = open_swatch();
+  ASSERT_TRUE(cloth);
+  const std::size_t none = variables_of(cloth.get(), Nodes::kNone).size();
+  const std::vector<Variable> outline = variables_of(cloth.get(), Nodes::kOutline);
+  EXPECT_EQ(variables_of(cloth.get(), Nodes::kAll).size(), none + 6 * 9 * 6);
+  EXPECT_EQ(outline.size(), none + 6 * (6 * 9 - 4 * 7));
+  EXPECT_NE(variable_find(outline, "node.position[1,1]"), nullptr);
+  EXPECT_NE(variable_find(outline, "node.velocity[54,3]"), nullptr);
+  EXPECT_EQ(variable_find(outline, "node.position[8,1]"), nullptr);  // second node of the second row
+}
+
+// At rest on its place, particle (i, j) of the swatch is at (i b, j b, 1) with b = 0.01 m.
+TEST(Description, node_variables_point_at_their_particle) {
+  const Cloth cloth = open_swatch();
+  ASSERT_TRUE(cloth);
+  const std::vector<Variable> table = variables_of(cloth.get(), Nodes::kAll);
+  drape_outputs_at(cloth.get(), 1);
+  for (int n = 0; n < 6 * 9; ++n) {
+    const auto at = [&](int k) {
+      return *variable_find(table, "node.position[" + std::to_string(n + 1) + "," + std::to_string(k) + "]")
+                  ->value;
+    };
+    EXPECT_NEAR(at(1), 0.01 * (n % 6), 1e-15);
+    EXPECT_NEAR(at(2), 0.01 * (n / 6), 1e-15);
+    EXPECT_EQ(at(3), 1);
+  }
+}
+
+TEST(Description, families_and_ranges_as_text) {
+  const Cloth cloth = open_swatch();
+  ASSERT_TRUE(cloth);
+  const std::string text = description_markdown(description_of(cloth.get(), Nodes::kAll));
+  for (const char* part :
+       {"`fabric.wool.areal_density`", "`fabric.wool.warp.force[1..3]`",
+        "at 1 % elongation ... at 5 % elongation", "`gravity[1..3]`", "`node.position[1..54,1..3]`",
+        "| above 0 |", "| 0 to 0.999 |", "| any finite number |"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " is missing in:\n" << text;
+  EXPECT_EQ(variable_nearest(variables_of(cloth.get(), Nodes::kNone), "tension.mx"), "tension.max");
+}
+
+}  // namespace
+}  // namespace drape

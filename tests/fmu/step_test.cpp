@@ -1,0 +1,100 @@
+// fmi2SetupExperiment and fmi2DoStep: times that make no sense are refused, and the motion does not depend on
+// how a master groups the communication intervals (1 ms in the sample).
+#include <limits>
+
+#include "slave.h"
+
+namespace drape {
+namespace {
+
+const double kNan = std::numeric_limits<double>::quiet_NaN(),
+             kInfinity = std::numeric_limits<double>::infinity();
+
+// From 1 s, for a tenth of a second.
+void initialize_with_stop(Slave& slave) {
+  ASSERT_EQ(fmi2().SetupExperiment(slave.component, fmi2True, 1e-6, 1, fmi2True, 1.1), fmi2OK)
+      << slave.last_message();
+  ASSERT_EQ(fmi2().EnterInitializationMode(slave.component), fmi2OK);
+  ASSERT_EQ(fmi2().ExitInitializationMode(slave.component), fmi2OK);
+}
+
+double last_time(Slave& slave) {
+  double time = kNan;
+  EXPECT_EQ(fmi2().GetRealStatus(slave.component, fmi2LastSuccessfulTime, &time), fmi2OK);
+  return time;
+}
+
+TEST(Step, refused_steps_change_nothing) {
+  struct Case {
+    double time, length;
+    std::vector<std::string> words;
+  };
+  const Case cases[] = {
+      {1, 0, {"communication step is 0 s", "allowed: above 0 s"}},
+      {1, -0.01, {"communication step is -0.01 s", "allowed: above 0 s"}},
+      {1, kNan, {"communication step is nan s", "allowed: above 0 s"}},
+      {1, kInfinity, {"communication step is inf s", "finite"}},
+      {1, 0.2, {"1.2 s", "allowed", "stop time, 1.1 s"}},
+      {1.001, 0.01, {"communication point is 1.001 s", "expected", "1 s"}},
+      {0, 0.01, {"communication point is 0 s", "expected", "1 s"}},
+      {kNan, 0.01, {"communication point is nan s", "expected", "1 s"}},
+  };
+  Slave slave, untouched;
+  initialize_with_stop(slave);
+  initialize_with_stop(untouched);
+  for (const Case& test : cases) {
+    SCOPED_TRACE(test.length);
+    EXPECT_EQ(slave.step(test.time, test.length), fmi2Discard);
+    expect_sentence(slave, fmi2Discard, test.words);
+    EXPECT_EQ(last_time(slave), 1);
+    EXPECT_EQ(slave.outputs(), untouched.outputs());
+  }
+  ASSERT_EQ(slave.step(1, 0.01), fmi2OK) << slave.last_message();
+  ASSERT_EQ(untouched.step(1, 0.01), fmi2OK);
+  EXPECT_EQ(slave.outputs(), untouched.outputs());
+}
+
+// 100 additions of 0.001 do not give 0.1 exactly; neither the clock nor the stop time may mind.
+TEST(Step, a_master_may_add_up_its_own_clock) {
+  Slave slave;
+  initialize_with_stop(slave);
+  double time = 1;
+  for (int i = 0; i < 100; ++i, time += 0.001)
+    ASSERT_EQ(slave.step(time, 0.001), fmi2OK) << slave.last_message();
+  EXPECT_NEAR(last_time(slave), 1.1, 1e-12);
+  EXPECT_EQ(slave.step(time, 0.001), fmi2Discard);
+}
+
+TEST(Step, setup_refuses_times_that_make_no_sense) {
+  Slave slave;
+  const auto setup = [&](double start, bool stop_defined, double stop) {
+    return fmi2().SetupExperiment(slave.component, fmi2False, 0, start, stop_defined, stop);
+  };
+  EXPECT_EQ(setup(kNan, false, 0), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"start time is nan s", "allowed"});
+  EXPECT_EQ(setup(1, true, 1), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"stop time is 1 s", "allowed: above the start time"});
+  EXPECT_EQ(setup(1, true, kNan), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"stop time is nan s", "allowed: above the start time"});
+  EXPECT_EQ(setup(-1, false, -5), fmi2OK) << slave.last_message();  // the stop time is not defined
+}
+
+TEST(Step, grouping_of_intervals_leaves_the_same_bits) {
+  std::vector<std::vector<double>> ends;
+  for (const int steps : {1, 10, 100}) {
+    Slave slave;
+    slave.initialize();
+    for (int i = 0; i < steps; ++i)
+      ASSERT_EQ(slave.step(0.1 * i / steps, 0.1 / steps), fmi2OK) << slave.last_message();
+    ends.push_back(slave.outputs());
+    const std::size_t force =
+        swatch().reference("pin.bar.force[1]") - swatch().reference("probe.hem.position[1]");
+    for (std::size_t k = force; k < force + 3; ++k)
+      ends.back()[k] = 0;  // by definition a mean over the last step
+  }
+  EXPECT_EQ(ends[0], ends[1]);
+  EXPECT_EQ(ends[0], ends[2]);
+}
+
+}  // namespace
+}  // namespace drape
