@@ -1,0 +1,65 @@
+# Sourced by examples/quickstart.sh and tests/run.sh. Installs what is missing, configures and builds into build/.
+# Everything that is already there is left alone, so a second run needs no network and takes seconds.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
+build="$root/build"
+python="$root/.venv/bin/python"
+
+# The one list of Debian packages. The last line is what VTK loads to draw without a screen.
+debian_packages=(
+  g++ cmake ninja-build pkg-config python3 python3-venv
+  libeigen3-dev libsundials-dev libtomlplusplus-dev libzip-dev libcli11-dev libpugixml-dev libgtest-dev
+  libegl1 libgl1-mesa-dri
+)
+
+say() { printf '\n== %s\n' "$*"; }
+die() { printf 'drape: %s\n' "$*" >&2; exit 1; }
+
+install_debian_packages() {
+  if ! command -v dpkg-query >/dev/null; then
+    say "Not a Debian system: going on with the compiler and libraries that are installed"
+    return
+  fi
+  local missing=() package
+  for package in "${debian_packages[@]}"; do
+    dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
+  done
+  [[ ${#missing[@]} -eq 0 ]] && return
+  local as_root=()
+  if [[ $(id -u) -ne 0 ]]; then
+    command -v sudo >/dev/null && { sudo -n true 2>/dev/null || [[ -t 0 ]]; } ||
+      die "these Debian packages are missing and need an administrator to install them: ${missing[*]}"
+    as_root=(sudo)
+  fi
+  say "Installing Debian packages: ${missing[*]}"
+  "${as_root[@]}" apt-get update -q </dev/null
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -q -y --no-install-recommends "${missing[@]}" </dev/null
+}
+
+install_python_packages() {
+  local wanted="$root/tests/requirements.txt" installed="$root/.venv/installed.txt" candidate
+  cmp -s "$wanted" "$installed" && "$python" -c 'import fmpy' 2>/dev/null && return
+  if ! "$python" -m pip --version >/dev/null 2>&1; then
+    for candidate in python3 python3.14 python3.13 python3.12 python3.11 none; do
+      "$candidate" -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && break
+    done
+    [[ $candidate != none ]] || die "Python 3.11 or newer is needed; python3 is $(python3 --version 2>&1)"
+    say "Making a Python environment in .venv"
+    rm -rf "$root/.venv"
+    "$candidate" -m venv "$root/.venv"
+  fi
+  say "Installing Python packages into .venv"
+  "$python" -m pip install --quiet --disable-pip-version-check -r "$wanted" </dev/null
+  cp "$wanted" "$installed"
+}
+
+# build_drape [cmake options]: options given once stay in build/, so the two scripts can share the folder.
+build_drape() {
+  local fresh=()
+  if [[ -f $build/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"; then
+    fresh=(--fresh) # the tree was moved or copied together with its build folder
+  fi
+  say "Building into build/"
+  (cd "$root" && cmake --preset release "${fresh[@]}" --log-level=WARNING "$@" && cmake --build "$build")
+}
