@@ -26,7 +26,6 @@ struct LogFilter {
 // All of an instance that changes, kept aside.
 struct Saved {
   drape_snapshot* cloth = nullptr;  // freed with the instance or by instance_forget
-  std::vector<double> parameters;   // written but not yet committed ones too, in table order
   Phase phase;
   double stop_time;
 };

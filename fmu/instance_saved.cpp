@@ -5,22 +5,14 @@
 namespace drape {
 namespace {
 
-bool is_parameter(const Variable& v) { return v.causality == Causality::kParameter; }
-
 void save_into(Instance& s, Saved& saved) {
   saved.cloth = drape_save(s.cloth, saved.cloth);
-  saved.parameters.clear();
-  for (const Variable& v : s.table)
-    if (is_parameter(v)) saved.parameters.push_back(*v.value);
   saved.phase = s.phase;
   saved.stop_time = s.stop_time;
 }
 
 void restore_from(Instance& s, const Saved& saved) {
   drape_restore(s.cloth, saved.cloth);
-  std::size_t next = 0;
-  for (const Variable& v : s.table)
-    if (is_parameter(v)) *v.value = saved.parameters[next++];
   s.phase = saved.phase;
   s.stop_time = saved.stop_time;
   s.outputs_read = s.nodes_read = false;
