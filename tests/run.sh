@@ -12,7 +12,7 @@ failed=0
 say "C++ tests"
 ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)" 2>&1 | tee "$build/ctest.log" || failed=1
 say "FMU tests"
-"$python" -m pytest "$root/tests/fmpy" 2>&1 | tee "$build/pytest.log" || failed=1
+(cd "$root" && "$python" -m pytest tests/fmpy) 2>&1 | tee "$build/pytest.log" || failed=1
 
 say "Summary"
 grep -E 'tests passed' "$build/ctest.log" || echo "ctest did not finish"

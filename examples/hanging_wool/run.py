@@ -94,13 +94,11 @@ def draw(positions, tensions, pegs, file):
         plotter.add_light(pyvista.Light(position=place, focal_point=(0, -0.2, 0.8), intensity=intensity))
     legend = {"title": "warp tension, N/m\n", "vertical": True, "fmt": "%.0f", "n_labels": 4, "color": "black"}
     legend |= {"position_x": 0.86, "position_y": 0.3, "height": 0.5, "title_font_size": 20, "label_font_size": 18}
+    look = {"cmap": "YlOrRd", "clim": (0, 12), "smooth_shading": True, "ambient": 0.3, "diffuse": 0.9, "specular": 0}
     for position, tension in zip(positions, tensions):
         cloth = pyvista.StructuredGrid(*np.moveaxis(position, 2, 0))
         cloth["tension"] = tension.ravel(order="F")
-        plotter.add_mesh(
-            cloth, scalars="tension", cmap="YlOrRd", clim=(0, 12), smooth_shading=True, ambient=0.3, diffuse=0.9,
-            specular=0.0, scalar_bar_args=legend,
-        )  # fmt: skip
+        plotter.add_mesh(cloth, scalars="tension", scalar_bar_args=legend, **look)
     for peg in pegs:
         plotter.add_mesh(pyvista.Sphere(radius=0.008, center=peg), color="#404040")
     plotter.camera_position = [(1.05, -1.21, 1.19), (0.05, -0.22, 0.74), (0, 0, 1)]
@@ -115,8 +113,8 @@ def check(result, position, velocity, mass, damping):
 
         M v(T) = M g T - c M [x(T) - x(0)] - sum F H             E(0) - E(T) = integral of 2 c E_kinetic dt
 
-    Leapfrog with centred damping keeps the first balance up to M c h^2 a/4 of the last step: 1e-9 of M g T. The integral
-    is a sum over the rows by the trapezium rule, good to H^2 E_kinetic''/12: 1e-3 of it for a swing of 5 Hz.
+    Leapfrog with centred damping keeps the first balance up to M c h^2 a/4 of the last step: 1e-9 of M g T. The
+    integral is a sum over the rows by the trapezium rule, good to H^2 E_kinetic''/12: 1e-3 of it for a swing of 5 Hz.
     """
     duration, total = result["time"][-1], mass.sum()
     weight = -total * GRAVITY[2]
@@ -159,7 +157,8 @@ def main():
     summary = [name for name in result.dtype.names if not name.startswith("node.")]
     np.savetxt(table, result[summary].tolist(), delimiter=",", header=",".join(summary), comments="")
     drawn = [np.argmin(abs(result["time"] - t)) for t in DRAWN]
-    pegs = [position[0, round(y / piece["cell"]), round(x / piece["cell"])] for x, y in (p["at"][0] for p in scene["pin"])]
+    place = piece["place"]["origin"]  # the sheet lies in the plane z = 1 m, its axes along x and y
+    pegs = [(place[0] + x, place[1] + y, place[2]) for [(x, y)] in (pin["at"] for pin in scene["pin"])]
     draw(position[drawn], [warp_tension(position[k], piece, fabric) for k in drawn], pegs, picture)
     check(result, position, velocity, mass, scene["scene"]["damping"])
     print(f"\nFMU      {fmu}\noutputs  {table}\npicture  {picture}")

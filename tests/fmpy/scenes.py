@@ -70,7 +70,10 @@ def toml(scene):
     tables += [(f"[fabric.{name}]", fabric) for name, fabric in scene["fabric"].items()]
     for key in scene.keys() - {"scene", "fabric"}:
         tables += [(f"[[{key}]]", item) for item in scene[key]]
-    return "\n".join("\n".join([head, *(f"{k} = {_value(v)}" for k, v in body.items())]) for head, body in tables) + "\n"
+    lines = []
+    for head, body in tables:
+        lines += [head, *(f"{key} = {_value(v)}" for key, v in body.items()), ""]
+    return "\n".join(lines)
 
 
 def read_csv(file):

@@ -13,7 +13,7 @@ from master import Fmu, Instance, same_bits
 from scenes import swinging_sheet
 
 SYSTEM = {"PATH": "/usr/sbin:/usr/bin:/sbin:/bin"}
-INTO = ["unshare", "--map-root-user", "chroot"]  # into another root folder, without being root
+INTO_ROOT_FOLDER = (["chroot"], ["unshare", "--map-root-user", "chroot"])  # for root, for other users
 GLIBC = {"libc.so.6", "libm.so.6", "ld-linux-x86-64.so.2"}
 
 
@@ -76,7 +76,12 @@ def test_carries_all_that_the_scene_names(drape, write, tmp_path):
 
 def test_runs_where_there_is_only_glibc(pack, tmp_path):
     """In a root folder that holds glibc, the FMU and a master written in C, the result is that of FMPy."""
-    if subprocess.run([*INTO, "/", "true"], capture_output=True, env=SYSTEM).returncode:
+
+    def allowed(into):
+        return subprocess.run([*into, "/", "true"], capture_output=True, env=SYSTEM).returncode == 0
+
+    into = next(filter(allowed, INTO_ROOT_FOLDER), None)
+    if not into:
         pytest.skip("this user may not change the root folder")
     fmu = pack(swinging_sheet())
     with Instance(fmu) as cloth:
@@ -93,7 +98,7 @@ def test_runs_where_there_is_only_glibc(pack, tmp_path):
     source = Path(__file__).with_name("bare_master.c")
     subprocess.run(["cc", "-std=gnu11", f"-I{headers}", source, "-o", bare / "master", "-ldl"], check=True)
     done = subprocess.run(
-        [*INTO, bare, "/master"]
+        [*into, bare, "/master"]
         + ["/fmu" / fmu.library.relative_to(fmu.folder), fmu.description.guid, "file:///fmu/resources"]
         + [str(fmu.variables["probe.hem.position[3]"].valueReference), "10", "0.001"],
         capture_output=True,

@@ -1,6 +1,7 @@
 #include "slave.h"
 
 #include <dlfcn.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdarg>
@@ -51,7 +52,9 @@ Swatch make_swatch(Nodes nodes) {
   const fs::path folder =
       fs::path(testing::TempDir()) / ("drape swatch " + d.guid);  // a space, to be percent-encoded
   fs::create_directories(folder);
-  std::ofstream(folder / "scene.toml") << drape_scene_text(cloth);
+  const fs::path own = folder / ("scene.toml." + std::to_string(getpid()));  // tests run side by side
+  std::ofstream(own) << drape_scene_text(cloth);
+  fs::rename(own, folder / "scene.toml");
   drape_close(cloth);
   Swatch s;
   s.guid = d.guid;
