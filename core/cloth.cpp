@@ -24,6 +24,7 @@ struct drape_cloth {
   std::vector<std::vector<int>> node;     // [pieces][rows x columns]
   std::vector<std::vector<double>> rest;  // [pieces][rows x columns x 2]
   std::string limit_link;
+  bool stuck = false;  // the last advance met a step limit below the given step
 };
 
 struct drape_snapshot {
@@ -33,6 +34,8 @@ struct drape_snapshot {
 
 namespace drape {
 namespace {
+
+constexpr double kIntervalsMost = 1e9;  // in one advance
 
 void say(const drape_cloth& c, drape_log_kind kind, const std::string& message) {
   if (c.log) c.log(c.log_user, kind, message.c_str());
@@ -48,13 +51,40 @@ std::string number(double value, int digits = 6) {
   return text;
 }
 
-// A given step must respect the limit from the start.
+// What keeps the cloth from stepping on from its present state: no step limit, a given step above it, or more
+// than kSubsMost steps in an interval.
 void step_check(const drape_cloth& c, std::vector<Problem>& problems) {
-  const double limit = step_limit_of(c.system, c.state.omega2);
-  if (c.system.step_given <= limit) return;
-  problems.push_back({"scene.step", "= " + number(c.system.step_given) +
-                                        " s; allowed: above 0, at most the step limit " + number(limit) +
-                                        " s, set by the " + step_limit_link(c.system, c.scene, c.state)});
+  const double omega2 = step_limit_omega2(c.system, *c.motion.kernel, c.state), q = c.system.communication,
+               limit = step_limit_of(c.system, omega2), steps = leapfrog_steps(c.system, omega2),
+               most = kSubsMost, given = c.system.step_given, longest = given > 0 ? given : c.system.step_max;
+  const auto set_by = [&] { return ", set by the " + step_limit_link(c.system, c.scene, c.state); };
+  if (!(limit > 0) || !std::isfinite(omega2)) {
+    problems.push_back({"scene.step", "has no limit above 0 s: stiffness over mass is not finite" +
+                                          (omega2 > 0 ? set_by() : std::string())});
+  } else if (given > limit) {
+    problems.push_back({"scene.step", "= " + number(given) + " s; allowed: above 0, at most the step limit " +
+                                          number(limit) + " s" + set_by()});
+  } else if (!(steps <= most) && longest * most < q) {
+    problems.push_back({longest == given ? "scene.step" : "step.max",
+                        "= " + number(longest) + " s takes " + number(steps) +
+                            " steps in a communication interval of " + number(q) + " s; allowed: at most " +
+                            number(most) + ", " + number(q / most) + " s or more each"});
+  } else if (!(steps <= most)) {
+    problems.push_back({"scene.communication",
+                        "= " + number(q) + " s takes " + number(steps) + " steps; allowed: at most " +
+                            number(most) + ", but the step limit is " + number(limit) + " s" + set_by()});
+  }
+}
+
+// The fabric of the piece that sets the step limit.
+int step_fabric(const drape_cloth& c) {
+  int fabric = 0;
+  double most = -1;
+  for (const Lattice& l : c.system.lattices)
+    for (int j = 0; j + 1 < l.rows; ++j)
+      if (const double omega2 = c.motion.kernel->omega2(c.system, l, c.state, j, 0); !(omega2 <= most))
+        most = omega2, fabric = l.fabric;
+  return fabric;
 }
 
 void pieces_describe(drape_cloth& c) {
@@ -100,6 +130,26 @@ void parameters_take(drape_cloth& c, std::vector<Problem>& problems) {
   c.in_force = parameters_read(c.parameters);
 }
 
+// Takes the parameters if the cloth can step on with them. Otherwise puts back what stands in the way, a
+// diagram or all of a fabric, tells of it, and is true: to be tried again.
+bool parameters_try(drape_cloth& c, const ParameterValues& before, std::vector<Problem>& problems) {
+  const auto put_back = [&](const std::string& stem, const std::string& name, const std::string& why) {
+    if (!parameters_restore(c.parameters, c.scene, before, stem)) return false;
+    problems.push_back({name, why});
+    return true;
+  };
+  std::vector<Problem> found;
+  parameters_take(c, found);
+  if (!found.empty()) return put_back(found[0].place, found[0].place, found[0].message);
+  step_check(c, found);
+  if (found.empty()) return false;
+  if (found[0].place == "step.max") return put_back("step.max", "step.max", found[0].message);
+  const std::string fabric = "fabric." + c.scene.fabrics[std::size_t(step_fabric(c))].name;
+  const std::string why = "keeps its values: with those set, " + problem_text(found[0]);
+  // Where neither has been set, the motion itself has come to this: a matter of the next advance.
+  return put_back(fabric + ".", fabric, why) || put_back("damping", "damping", why);
+}
+
 // Where a run left the finite numbers, and the likely reason.
 std::string trouble_text(const drape_cloth& c) {
   const State& s = c.state;
@@ -112,7 +162,7 @@ std::string trouble_text(const drape_cloth& c) {
         return "piece '" + c.scene.pieces[std::size_t(l.piece)].name + "', column " + std::to_string(i + 1) +
                ", row " + std::to_string(j + 1);
       }
-  return "the step limit, which fell below every reasonable step";
+  return "no particle";
 }
 
 void say_trouble(const drape_cloth& c, Advance how, double length) {
@@ -127,6 +177,15 @@ void say_trouble(const drape_cloth& c, Advance how, double length) {
     return;
   }
   const double limit = step_limit_of(c.system, c.state.omega2);
+  if (how == Advance::kTooManySteps) {
+    say(c, DRAPE_LOG_ERROR,
+        when + " the step limit fell to " + number(limit) + " s, more than " + number(double(kSubsMost)) +
+            " steps in a communication interval, set by the " +
+            step_limit_link(c.system, c.scene, c.state, c.state.h_old) +
+            "; loads or strains grew beyond what the fabric's laws can carry; the state is that of " +
+            number(from, 9) + " s");
+    return;
+  }
   say(c, DRAPE_LOG_ERROR,
       "scene.step = " + number(c.system.step_given) + " s is above the step limit, which fell to " +
           number(limit) + " s " + when + ", set by the " + step_limit_link(c.system, c.scene, c.state) +
@@ -146,7 +205,10 @@ drape_cloth* drape_open(const char* scene_file, drape_log_fn* log, void* user) {
   try {
     c->scene = scene_read(scene_file, problems);
     if (problems.empty()) c->text = scene_resolve(scene_file, problems);
-    if (problems.empty()) cloth_assemble(*c, problems);
+    if (problems.empty()) {
+      cloth_assemble(*c, problems);
+      for (Problem& p : problems) p.place = scene_place(scene_file, p.place);
+    }
   } catch (const std::bad_alloc&) {
     problems.push_back(
         {std::string(scene_file) + ":", "does not fit into this machine's memory; use larger cells"});
@@ -179,20 +241,23 @@ drape_piece drape_piece_at(const drape_cloth* c, int index) {
 drape_parameters* drape_parameters_of(drape_cloth* c) { return &c->parameters.shown; }
 
 drape_status drape_commit(drape_cloth* c) {
-  if (parameters_read(c->parameters) == c->in_force) return DRAPE_OK;
+  const ParameterValues before = c->in_force;
+  if (parameters_read(c->parameters) == before) return DRAPE_OK;
   std::vector<Problem> problems;
-  parameters_check(c->parameters, c->scene, problems);
-  if (c->state.steps > 0 && c->parameters.shown.step_max != c->system.step_max)
-    problems.push_back(
-        {"step.max", "is fixed once the cloth has moved; it stays " + number(c->system.step_max) + " s"});
-  if (problems.empty()) parameters_take(*c, problems);
-  if (problems.empty()) {
-    leapfrog_retuned(c->system, c->motion, c->state);
-    return DRAPE_OK;
+  parameters_mend(c->parameters, c->scene, before, problems);
+  double& step_max = c->parameters.shown.step_max;
+  if (c->state.steps > 0 && step_max != c->system.step_max) {
+    problems.push_back({"step.max", "= " + number(step_max) +
+                                        " s; it is fixed once the cloth has moved, at " +
+                                        number(c->system.step_max) + " s"});
+    step_max = c->system.step_max;
+  }
+  if (!(parameters_read(c->parameters) == before)) {
+    while (parameters_try(*c, before, problems)) continue;
+    if (!(c->in_force == before)) leapfrog_retuned(c->system, c->motion, c->state);
   }
   say_problems(*c, problems);
-  parameters_write(c->parameters, c->in_force);
-  return DRAPE_DISCARD;
+  return problems.empty() ? DRAPE_OK : DRAPE_DISCARD;
 }
 
 drape_status drape_start(drape_cloth* c, double time) {
@@ -214,6 +279,14 @@ drape_status drape_advance(drape_cloth* c, double length) {
         "the length of an advance is " + number(length) + " s; allowed: above 0 s, finite");
     return DRAPE_DISCARD;
   }
+  if (length / c->system.communication > kIntervalsMost) {
+    say(*c, DRAPE_LOG_ERROR,
+        "the length of an advance is " + number(length) + " s; allowed: at most " +
+            number(kIntervalsMost * c->system.communication) + " s, " + number(kIntervalsMost) +
+            " communication intervals");
+    return DRAPE_DISCARD;
+  }
+  c->stuck = false;
   if (drape_commit(c) != DRAPE_OK) return DRAPE_DISCARD;
   c->good = c->state;
   std::string event;
@@ -223,8 +296,11 @@ drape_status drape_advance(drape_cloth* c, double length) {
   if (how == Advance::kDone) return DRAPE_OK;
   say_trouble(*c, how, length);
   c->state = c->good;
-  return how == Advance::kNotFinite ? DRAPE_ERROR : DRAPE_DISCARD;
+  c->stuck = how == Advance::kStepAboveLimit;
+  return c->stuck ? DRAPE_DISCARD : DRAPE_ERROR;
 }
+
+int drape_stuck(const drape_cloth* c) { return c->stuck; }
 
 const drape_outputs* drape_outputs_at(drape_cloth* c, int want_nodes) {
   outputs_fill(c->outputs, c->system, c->motion, c->state, want_nodes != 0);
@@ -248,6 +324,7 @@ drape_snapshot* drape_save(drape_cloth* c, drape_snapshot* into) {
 }
 
 void drape_restore(drape_cloth* c, const drape_snapshot* from) {
+  c->stuck = false;
   c->state = from->state;
   parameters_write(c->parameters, from->in_force);
   std::vector<Problem> problems;  // none: these values were in force once

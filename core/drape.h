@@ -107,8 +107,9 @@ int drape_piece_count(const drape_cloth*);
 drape_piece drape_piece_at(const drape_cloth*, int index);
 
 /* Parameters: write into the returned struct (it and its arrays keep their addresses for the cloth's life), then commit. A
- * commit checks all of them (single values and their combinations); on DRAPE_DISCARD each problem has been logged and the
- * struct again holds the values in force. drape_advance commits by itself. */
+ * commit checks all of them (single values and their combinations); on DRAPE_DISCARD each problem has been logged, what is at
+ * fault (a value, a diagram, or a fabric that leaves no step to make) again holds the values in force, and the rest has been
+ * taken. drape_advance commits by itself. */
 drape_parameters* drape_parameters_of(drape_cloth*);
 drape_status drape_commit(drape_cloth*);
 
@@ -116,8 +117,11 @@ drape_status drape_commit(drape_cloth*);
 drape_status drape_start(drape_cloth*, double time);
 double drape_time(const drape_cloth*);
 
-/* Advances by `length` > 0 seconds. */
+/* Advances by `length` > 0 seconds, at most 1e9 communication intervals. */
 drape_status drape_advance(drape_cloth*, double length);
+
+/* True where the last advance was refused because the step limit had fallen below the scene's step: it would be again. */
+int drape_stuck(const drape_cloth*);
 
 /* The outputs at the present time; valid until the next call that takes a non-const cloth (the struct and its arrays keep
  * their addresses for the cloth's life). `want_nodes` != 0 fills the node arrays too. Reading never changes the motion. */

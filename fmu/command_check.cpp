@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -23,12 +24,14 @@ bool print_cost(drape_cloth* cloth) {
   using Clock = std::chrono::steady_clock;
   drape_snapshot* start = drape_save(cloth, nullptr);
   const Clock::time_point began = Clock::now();
+  // An interval may have a million steps: from one step on, twice as many until it is full.
   const double interval = drape_communication(cloth);
-  double simulated = 0, spent = 0;
+  double length = std::min(drape_outputs_at(cloth, 0)->step_size, interval), simulated = 0, spent = 0;
   drape_status status = DRAPE_OK;
   while (status == DRAPE_OK && spent < 0.25 && simulated < 1) {
-    status = drape_advance(cloth, interval);
-    simulated += interval;
+    status = drape_advance(cloth, length);
+    simulated += length;
+    length = std::min(2 * length, interval);
     spent = std::chrono::duration<double>(Clock::now() - began).count();
   }
   const drape_outputs& o = *drape_outputs_at(cloth, 0);

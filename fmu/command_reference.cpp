@@ -14,6 +14,7 @@ struct Options {
 };
 
 int run_reference(const Options& options) {
+  if (options.folder.empty()) return fail(kBadInput, "--output is empty; allowed: the name of a folder");
   std::vector<Problem> problems;
   const Scene scene = scene_read(options.scene_file, problems);
   for (const Problem& problem : problems) fail(kBadInput, problem.place + " " + problem.message);
@@ -26,14 +27,15 @@ int run_reference(const Options& options) {
   sink.row = [&](const std::vector<double>& values) { csv_row(csv, values); };
   sink.error = [](const std::string& sentence) { fail(kFailedRun, sentence); };
   const int code = reference::reference_run(scene, options.run, sink);
-  return csv_close(csv) ? code : fail(kFailedRun, "cannot write to " + options.folder);
+  return csv_close(csv, trouble) ? code : fail(kFailedRun, trouble);
 }
 
 }  // namespace
 
 void command_reference(CLI::App& app, int& exit_code) {
-  CLI::App* command =
-      app.add_subcommand("reference", "integrate the same equations by ARKODE, to a tolerance");
+  CLI::App* command = app.add_subcommand(
+      "reference",
+      "integrate the same equations by ARKODE, to a tolerance; columns as of `run`, without step.stability");
   auto options = std::make_shared<Options>();
   option_scene(*command, options->scene_file);
   command->add_option("-o,--output", options->folder, "folder for outputs.csv")->required()->type_name("DIR");

@@ -26,13 +26,16 @@ std::string apply_setting(const std::vector<Variable>& table, const std::string&
   if (equals == std::string::npos) return "--set is '" + setting + "'; allowed: NAME=VALUE";
   const std::string name = setting.substr(0, equals), text = setting.substr(equals + 1);
   double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';  // from_chars takes no plus
+  const auto [end, error] = std::from_chars(text.data() + plus, text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size())
     return "--set " + name + " is '" + text + "'; allowed: a number";
   const Variable* v = variable_find(table, name);
-  if (!v)
-    return "--set names the unknown variable '" + name + "'; the nearest is '" +
-           variable_nearest(table, name) + "'";
+  if (!v) {
+    const std::string nearest = variable_nearest(table, name);
+    return "--set names the unknown variable '" + name + "'; " +
+           (nearest.empty() ? "`drape variables SCENE` lists them" : "the nearest is '" + nearest + "'");
+  }
   if (v->causality != Causality::kParameter)
     return "--set names the output '" + name + "'; allowed: parameters";
   const std::string problem = range_problem(*v, value);
@@ -62,12 +65,12 @@ struct Recorder {
   bool frames_written = true;
 };
 
-bool record(Recorder& r) {
+bool record(Recorder& r, double time) {
   drape_outputs_at(r.cloth, r.nodes);
-  std::vector<double> row{drape_time(r.cloth)};
+  std::vector<double> row{time};
   for (const double* value : r.columns) row.push_back(*value);
   csv_row(r.csv, row);
-  if (r.with_frames) r.frames_written = frame_write(r.frames, r.cloth);
+  if (r.with_frames) r.frames_written = frame_write(r.frames, r.cloth, time);
   return r.csv.file.good() && r.frames_written;
 }
 
@@ -77,29 +80,32 @@ void show_progress(double time, double until) {
     std::fprintf(stderr, "\r%5.1f %%  t = %.6g s%s", 100 * time / until, time, time < until ? "" : "\n");
 }
 
-// Rows at 0, DT, 2 DT, ... and at the end, each reached from the one before.
+// Rows at 0, DT, 2 DT, ... and at the end, each reached from the one before; their times are written as these
+// products, from which the cloth's clock may be off by the rounding of its sums.
 int run_rows(Recorder& r, double until, double every) {
   const double rows = std::ceil(until / every - 1e-9);  // a last interval below a billionth of DT is rounding
-  if (!record(r)) return kFailedRun;
+  if (!record(r, 0)) return kFailedRun;
   for (double k = 1; k <= rows; ++k) {
     const double before = drape_time(r.cloth), length = k < rows ? every : until - (rows - 1) * every;
+    const double time = k < rows ? k * every : until;
     if (drape_advance(r.cloth, length) != DRAPE_OK) {
-      if (drape_time(r.cloth) != before) record(r);  // the last good state
+      if (drape_time(r.cloth) != before) record(r, drape_time(r.cloth));  // the last good state
       return kFailedRun;
     }
-    if (!record(r)) return kFailedRun;
-    show_progress(k < rows ? k * every : until, until);
+    if (!record(r, time)) return kFailedRun;
+    show_progress(time, until);
   }
   return kDone;
 }
 
 int run(const Options& options) {
+  if (options.folder.empty()) return fail(kBadInput, "--output is empty; allowed: the name of a folder");
   const Cloth cloth = cloth_open(options.scene_file, options.verbose);
   if (!cloth) return kBadInput;
   const std::vector<Variable> table = variables_of(cloth.get(), options.nodes);
   if (const int code = apply_settings(options.settings, cloth.get(), table); code != kDone) return code;
   const double duration = drape_duration(cloth.get());
-  Recorder r{cloth.get(), {}, options.nodes != Nodes::kNone, {}, options.frames, {options.folder, {}}};
+  Recorder r{cloth.get(), {}, options.nodes != Nodes::kNone, {}, options.frames, {options.folder, {}, {}}};
   std::vector<std::string> header{"time"};
   for (const Variable& v : table) {
     if (v.causality != Causality::kOutput) continue;
@@ -111,7 +117,8 @@ int run(const Options& options) {
   csv_header(r.csv, header);
   const int code = run_rows(r, options.until > 0 ? options.until : duration,
                             options.every > 0 ? options.every : duration / 100);
-  return csv_close(r.csv) && r.frames_written ? code : fail(kFailedRun, "cannot write to " + options.folder);
+  if (!csv_close(r.csv, problem)) return fail(kFailedRun, problem);
+  return r.frames_written ? code : fail(kFailedRun, r.frames.trouble);
 }
 
 }  // namespace
@@ -125,7 +132,7 @@ void command_run(CLI::App& app, int& exit_code) {
   option_seconds(*command, "--every", options->every,
                  "time between rows; default: a hundredth of the duration");
   command->add_option("--set", options->settings, "a parameter's value, before the start")
-      ->type_name("NAME=VALUE")
+      ->type_name("NAME=VALUE ...")
       ->allow_extra_args(false);
   command->add_flag("--frames", options->frames, "write frames.pvd and a .vtp for every row");
   option_nodes(*command, options->nodes);

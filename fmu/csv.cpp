@@ -1,16 +1,34 @@
 #include "csv.h"
 
-#include <cstdio>
+#include <cerrno>
+#include <cstring>
 #include <system_error>
 
+#include "decimal.h"
+
 namespace drape {
+namespace {
+
+// Keeps the reason of the first failure: later calls would overwrite errno.
+void csv_note(Csv& csv) {
+  if (!csv.file && csv.trouble.empty()) csv.trouble = cannot_write(csv.path);
+}
+
+}  // namespace
+
+std::string cannot_write(const std::filesystem::path& file) {
+  return "cannot write " + file.string() + (errno ? std::string(": ") + std::strerror(errno) : "");
+}
 
 bool csv_open(Csv& csv, const std::filesystem::path& folder, std::string& problem) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  csv.file.open(folder / "outputs.csv", std::ios::binary);
+  csv.path = folder / "outputs.csv";
+  errno = 0;
+  csv.file.open(csv.path, std::ios::binary);
   if (csv.file) return true;
-  problem = "cannot write " + (folder / "outputs.csv").string();
+  problem =
+      error ? "cannot make the folder " + folder.string() + ": " + error.message() : cannot_write(csv.path);
   return false;
 }
 
@@ -26,18 +44,21 @@ void csv_header(Csv& csv, const std::vector<std::string>& names) {
 
 void csv_row(Csv& csv, const std::vector<double>& values) {
   const char* separator = "";
+  errno = 0;
   for (const double value : values) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.17g", value);
-    csv.file << separator << text;
+    csv.file << separator << decimal_text(value);
     separator = ",";
   }
   csv.file << "\n";
+  csv_note(csv);
 }
 
-bool csv_close(Csv& csv) {
+bool csv_close(Csv& csv, std::string& problem) {
+  errno = 0;
   csv.file.close();
-  return !csv.file.fail();
+  csv_note(csv);
+  problem = csv.trouble;
+  return csv.trouble.empty();
 }
 
 }  // namespace drape

@@ -1,4 +1,5 @@
-// Comma-separated values: a header, then rows of numbers with all their digits.
+// Comma-separated values: a header, then rows of numbers as the shortest decimals that read back to the same
+// bits.
 #pragma once
 #include <filesystem>
 #include <fstream>
@@ -8,7 +9,9 @@
 namespace drape {
 
 struct Csv {
+  std::filesystem::path path;
   std::ofstream file;
+  std::string trouble;  // why it could not be written, once it could not
 };
 
 void csv_header(Csv& csv, const std::vector<std::string>& names);
@@ -17,7 +20,10 @@ void csv_row(Csv& csv, const std::vector<double>& values);
 // Creates the folder and outputs.csv in it. False, with a sentence in `problem`, where that fails.
 bool csv_open(Csv& csv, const std::filesystem::path& folder, std::string& problem);
 
-// Ends the file. False where something could not be written.
-bool csv_close(Csv& csv);
+// Ends the file. False, with a sentence in `problem`, where something could not be written.
+bool csv_close(Csv& csv, std::string& problem);
+
+// "cannot write FILE: No space left on device", from errno.
+std::string cannot_write(const std::filesystem::path& file);
 
 }  // namespace drape

@@ -1,10 +1,12 @@
 #include "frames.h"
 
+#include <cerrno>
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <system_error>
 
+#include "csv.h"
 #include "decimal.h"
 
 namespace drape {
@@ -89,13 +91,19 @@ bool write_collection(const Frames& frames) {
 
 }  // namespace
 
-bool frame_write(Frames& frames, drape_cloth* cloth) {
+bool frame_write(Frames& frames, drape_cloth* cloth, double time) {
   std::error_code error;
   std::filesystem::create_directories(frames.folder / "frames", error);
   const std::filesystem::path path = frames.folder / frame_name(frames.times.size());
-  if (!write_polydata(path, *drape_outputs_at(cloth, 1), cells_of(cloth))) return false;
-  frames.times.push_back(drape_time(cloth));
-  return write_collection(frames);
+  errno = 0;
+  if (!write_polydata(path, *drape_outputs_at(cloth, 1), cells_of(cloth))) {
+    frames.trouble = cannot_write(path);
+    return false;
+  }
+  frames.times.push_back(time);
+  if (write_collection(frames)) return true;
+  frames.trouble = cannot_write(frames.folder / "frames.pvd");
+  return false;
 }
 
 }  // namespace drape

@@ -12,10 +12,11 @@ namespace drape {
 struct Frames {
   std::filesystem::path folder;
   std::vector<double> times;  // s, of the frames written
+  std::string trouble;        // why a file could not be written
 };
 
 // Writes frames/NNNN.vtp with the particles, the cells between four of them, and the velocity, and frames.pvd
-// anew. False where something could not be written.
-bool frame_write(Frames& frames, drape_cloth* cloth);
+// anew. False, with the sentence in `trouble`, where something could not be written.
+bool frame_write(Frames& frames, drape_cloth* cloth, double time);
 
 }  // namespace drape

@@ -9,9 +9,12 @@
 namespace drape {
 namespace {
 
-// A master that adds up its own clock is off by a unit in the last place for each step it has made: 1e-9
-// allows for millions of them. Times this close, relative to the larger of time and step, are the same.
-constexpr double kSameTime = 1e-9;
+// Times this close to the clock are the same. A master that adds up its own clock is off by half a unit in
+// the last place for each step it has made, and may have rounded its own step.
+double same_time(const Instance& s, double clock, double length) {
+  constexpr double kUlp = std::numeric_limits<double>::epsilon();
+  return 1e-9 * length + double(4 + s.steps) * kUlp * std::max(std::abs(clock), length);
+}
 
 bool log_passes(const LogFilter& filter, drape_log_kind kind) {
   switch (kind) {
@@ -52,19 +55,20 @@ bool nodes_of_guid(Instance& s, const std::string& guid, Nodes& nodes) {
       return true;
     }
   instance_refuse(s, DRAPE_ERROR,
-                  "the guid is " + guid + "; expected " + guid_of(text, Nodes::kNone) +
-                      ": modelDescription.xml was not made for this scene and this version of Drape");
+                  "the guid is " + guid + ", but this scene and version of Drape have " +
+                      guid_of(text, Nodes::kNone) + ", " + guid_of(text, Nodes::kOutline) + " or " +
+                      guid_of(text, Nodes::kAll) + " (node variables: none, outline, all)");
   return false;
 }
 
 std::string step_problem(const Instance& s, double time, double length) {
-  const double clock = drape_time(s.cloth), scale = std::max(std::abs(clock), length);
+  const double clock = drape_time(s.cloth), same = same_time(s, clock, length);
   if (!(length > 0) || !std::isfinite(length))
     return "the communication step is " + decimal_text(length) + " s; allowed: above 0 s, finite";
-  if (!(std::abs(time - clock) <= kSameTime * scale))
+  if (!(std::abs(time - clock) <= same))
     return "the communication point is " + decimal_text(time) + " s; expected: the cloth's time, " +
            decimal_text(clock) + " s";
-  if (clock + length > s.stop_time + kSameTime * scale)
+  if (clock + length > s.stop_time + same)
     return "the communication step ends at " + decimal_text(clock + length) +
            " s; allowed: up to the stop time, " + decimal_text(s.stop_time) + " s";
   return "";
@@ -136,6 +140,7 @@ drape_status instance_step(Instance& s, double time, double length) {
     return instance_refuse(s, DRAPE_DISCARD, problem);
   const drape_status status = log_flush(s, drape_advance(s.cloth, length));
   if (status == DRAPE_ERROR) s.phase = Phase::kError;
+  if (status == DRAPE_OK) ++s.steps;
   s.outputs_read = s.nodes_read = false;
   return status;
 }

@@ -1,10 +1,12 @@
 // The `drape` command.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <exception>
 #include <map>
 
 #include "command.h"
+#include "scene/nearest.h"
 
 namespace drape {
 namespace {
@@ -17,6 +19,38 @@ void log_quiet(void*, drape_log_kind kind, const char* message) {
 void log_verbose(void*, drape_log_kind kind, const char* message) {
   constexpr const char* kKinds[] = {"error", "warning", "event", "stability"};
   std::fprintf(stderr, "%s: %s\n", kKinds[kind], message);
+}
+
+// `--set A=1 B=2` means `--set A=1 --set B=2`: the words after a setting that look like one. In reverse, as
+// CLI11 takes them.
+std::vector<std::string> arguments_of(int argc, char** argv) {
+  std::vector<std::string> arguments;
+  bool setting = false;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const bool option = word == "--set" || word.rfind("--set=", 0) == 0;
+    const bool value = !option && !word.empty() && word[0] != '-' && word.find('=') != std::string::npos;
+    if (setting && value && arguments.back() != "--set") arguments.push_back("--set");
+    setting = option || (setting && value);
+    arguments.push_back(word);
+  }
+  std::reverse(arguments.begin(), arguments.end());
+  return arguments;
+}
+
+// Empty, or what is wrong with the first word.
+std::string command_problem(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return "";
+  std::vector<std::string> commands;
+  std::string all;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    commands.push_back(command->get_name());
+    all += (all.empty() ? "" : ", ") + command->get_name();
+  }
+  if (std::find(commands.begin(), commands.end(), argv[1]) != commands.end()) return "";
+  const std::string nearest = name_nearest(argv[1], commands);
+  return "unknown command '" + std::string(argv[1]) + "'; " +
+         (nearest.empty() ? "known: " + all : "the nearest is '" + nearest + "'") + "; see drape --help";
 }
 
 }  // namespace
@@ -70,8 +104,10 @@ int main(int argc, char** argv) {
   command_run(app, exit_code);
   command_reference(app, exit_code);
   command_variables(app, exit_code);
+  if (const std::string problem = command_problem(app, argc, argv); !problem.empty())
+    return fail(kBadInput, problem);
   try {
-    app.parse(argc, argv);
+    app.parse(arguments_of(argc, argv));
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
     return fail(kBadInput, std::string(e.what()) + "; see drape --help");

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "description.h"
+#include "licenses/licenses.h"
 
 namespace drape {
 namespace {
@@ -67,12 +68,13 @@ bool fmu_pack(drape_cloth* cloth, Nodes nodes, const std::string& picture, const
     return false;
   }
   const Description d = description_of(cloth, nodes);
-  return archive_write(file,
-                       {{"modelDescription.xml", description_xml_fmi2(d)},
-                        {"binaries/linux64/" + d.identifier + ".so", binary.str()},
-                        {"resources/scene.toml", drape_scene_text(cloth)},
-                        {"documentation/index.html", description_html(d, picture)}},
-                       problem);
+  std::vector<Entry> entries = {{"modelDescription.xml", description_xml_fmi2(d)},
+                                {"binaries/linux64/" + d.identifier + ".so", binary.str()},
+                                {"resources/scene.toml", drape_scene_text(cloth)},
+                                {"documentation/index.html", description_html(d, picture)}};
+  for (const License& license : kLicenses)
+    entries.emplace_back("documentation/licenses/" + license.name, license.text);
+  return archive_write(file, entries, problem);
 }
 
 }  // namespace drape

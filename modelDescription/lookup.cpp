@@ -1,27 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "decimal.h"
+#include "scene/nearest.h"
 #include "variables.h"
 
 namespace drape {
 namespace {
-
-// Edits (insert, delete, replace a letter) that turn a into b.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t(0));
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] != b[j]);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
 
 // "[1..8]" from "[1]" and "[8]", dimension by dimension.
 std::string index_span(const std::string& first, const std::string& last) {
@@ -45,13 +30,9 @@ const Variable* variable_find(const std::vector<Variable>& table, std::string_vi
 }
 
 std::string variable_nearest(const std::vector<Variable>& table, std::string_view name) {
-  std::string nearest;
-  std::size_t least = std::string::npos;
-  for (const Variable& v : table) {
-    const std::size_t distance = edit_distance(name, v.name());
-    if (distance < least) least = distance, nearest = v.name();
-  }
-  return nearest;
+  std::vector<std::string> names;
+  for (const Variable& v : table) names.push_back(v.name());
+  return name_nearest(name, names);
 }
 
 std::string range_text(const Range& r) {

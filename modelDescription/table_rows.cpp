@@ -16,9 +16,13 @@ std::string meaning_of(const Variable& first, const Variable& last) {
   return first.description + ", " + first.detail + (&first == &last ? "" : " ... " + last.detail);
 }
 
+// A vector in full, of a long list the ends.
 std::string start_of(const Variable& first, const Variable& last) {
   if (first.causality == Causality::kOutput) return "";
-  return decimal_text(*first.value) + (&first == &last ? "" : " ... " + decimal_text(*last.value));
+  std::string text = decimal_text(*first.value);
+  if (&last - &first > 2) return text + " ... " + decimal_text(*last.value);
+  for (const Variable* v = &first + 1; v <= &last; ++v) text += ", " + decimal_text(*v->value);
+  return text;
 }
 
 }  // namespace

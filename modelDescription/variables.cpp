@@ -1,5 +1,7 @@
 #include "variables.h"
 
+#include "scene/ranges.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <numeric>
@@ -17,17 +19,14 @@ struct Row {
   Range range;
 };
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Range kAny{};
-constexpr Range kNotNegative{0, kInfinity, false, false};
-constexpr Range kPositive{0, kInfinity, true, false};
-constexpr Range kShare{0, 1, false, false};
+constexpr Range range_of(const Quantity& l) { return {l.low, l.high, l.above, false}; }
 
-constexpr Row tunable(const char* unit, Range range) {
-  return {Causality::kParameter, Variability::kTunable, unit, range};
+constexpr Row tunable(const Quantity& l) {
+  return {Causality::kParameter, Variability::kTunable, l.unit, range_of(l)};
 }
-constexpr Row fixed(const char* unit, Range range) {
-  return {Causality::kParameter, Variability::kFixed, unit, range};
+constexpr Row fixed(const Quantity& l) {
+  return {Causality::kParameter, Variability::kFixed, l.unit, range_of(l)};
 }
 constexpr Row output(const char* unit) { return {Causality::kOutput, Variability::kContinuous, unit, kAny}; }
 constexpr Row output_discrete(const char* unit) {
@@ -55,8 +54,7 @@ void add_diagram(Table& table, const std::string& name, const drape_diagram& dia
   for (int i = 0; i < diagram.count; ++i) {
     char elongation[48];
     std::snprintf(elongation, sizeof elongation, "at %.6g %% elongation", 100 * diagram.elongation[i]);
-    add(table, name, diagram.force + i, tunable("N", kNotNegative),
-        std::string("force on the strip cut ") + direction);
+    add(table, name, diagram.force + i, tunable(kForce), std::string("force on the strip cut ") + direction);
     table.back().index = "[" + std::to_string(i + 1) + "]";
     table.back().detail = elongation;
   }
@@ -87,25 +85,23 @@ std::string name_part(const char* text) {
 
 void add_fabric(Table& table, drape_fabric& f) {
   const std::string name = "fabric." + name_part(f.name);
-  add(table, name + ".areal_density", &f.areal_density, tunable("kg/m2", kPositive), "mass per area");
+  add(table, name + ".areal_density", &f.areal_density, tunable(kArealDensity), "mass per area");
   add_diagram(table, name + ".warp.force", f.warp, "along the warp");
   add_diagram(table, name + ".weft.force", f.weft, "along the weft");
   add_diagram(table, name + ".bias.force", f.bias, "at 45 degrees");
-  add(table, name + ".bending.warp", &f.bending_warp, tunable("N.m", kNotNegative),
-      "bending rigidity per width, warp");
-  add(table, name + ".bending.weft", &f.bending_weft, tunable("N.m", kNotNegative),
-      "bending rigidity per width, weft");
-  add(table, name + ".poisson", &f.poisson, tunable("1", {0, 0.999, false, false}),
+  add(table, name + ".bending.warp", &f.bending_warp, tunable(kBending), "bending rigidity per width, warp");
+  add(table, name + ".bending.weft", &f.bending_weft, tunable(kBending), "bending rigidity per width, weft");
+  add(table, name + ".poisson", &f.poisson, tunable(kPoisson),
       "nu: the rigidity in bending is divided by 1 - nu^2");
-  add(table, name + ".compression", &f.compression, tunable("1", kShare),
+  add(table, name + ".compression", &f.compression, tunable(kCompression),
       "slope of the thread's law in compression over its slope at zero");
 }
 
 void add_parameters(Table& table, drape_parameters& p) {
   for (int i = 0; i < p.fabric_count; ++i) add_fabric(table, p.fabric[i]);
-  add(table, "damping", &p.damping, tunable("1/s", kNotNegative), "c in the braking force -m c v");
-  add_vector(table, "gravity", p.gravity, tunable("m/s2", kAny), "acceleration of gravity");
-  add(table, "step.max", &p.step_max, fixed("s", kPositive), "longest time step of the automatic choice");
+  add(table, "damping", &p.damping, tunable(kDamping), "c in the braking force -m c v");
+  add_vector(table, "gravity", p.gravity, tunable(kGravity), "acceleration of gravity");
+  add(table, "step.max", &p.step_max, fixed(kStepMax), "longest time step of the automatic choice");
 }
 
 void add_outputs(Table& table, drape_outputs& o) {

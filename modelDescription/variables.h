@@ -45,7 +45,7 @@ std::vector<Variable> variables_of(drape_cloth* cloth, Nodes nodes);
 // Row of a name, or null.
 const Variable* variable_find(const std::vector<Variable>& table, std::string_view name);
 
-// The closest name in the table, for messages about names that are not in it.
+// The closest name in the table, for messages about names that are not in it; empty where none is near.
 std::string variable_nearest(const std::vector<Variable>& table, std::string_view name);
 
 // "above 0", "0 to 1", "any finite number".

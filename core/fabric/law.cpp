@@ -9,6 +9,11 @@ namespace {
 // Where a trellis' threads meet: 1 + L = sqrt(2), less a margin that keeps l2 away from 0.
 const double kLocked = std::sqrt(2.0) - 1 - 1e-6;
 
+std::vector<double> below_locking(std::vector<double> e) {
+  e.erase(std::lower_bound(e.begin(), e.end(), kLocked), e.end());
+  return e;
+}
+
 // Points of a diagram as force per width; the origin included.
 std::vector<double> per_width(const DiagramSpec& diagram, double strip_width, double factor) {
   std::vector<double> f(diagram.force);
@@ -31,7 +36,7 @@ double jaw_factor(double r) { return r * (r - 1.25) / ((r - 1) * (r - 1)); }
 // solved for the values g at the points; g(.) between them is the curve through them. Near 0 the left side is
 // 2 g, so a half step of the residual converges at once there and by about 1/3 a sweep at 7 % of elongation.
 Curve odd_law(std::vector<double> e, const std::vector<double>& p, bool& at_rest) {
-  e.erase(std::lower_bound(e.begin(), e.end(), kLocked), e.end());
+  e = below_locking(std::move(e));
   const std::size_t n = e.size();
   std::vector<double> g(n), next(n, 0.0);
   for (std::size_t i = 0; i < n; ++i) g[i] = p[i] / 2;
@@ -70,12 +75,12 @@ Curve bias_law(const FabricSpec& fabric, const LawOptions& options, double cell,
     case BiasModel::kOdd:
       break;
   }
-  if (corrected) return curve_make(fabric.bias.elongation, p, {.odd = true});
   if (fabric.bias.elongation.size() > 1 && fabric.bias.elongation[1] >= kLocked) {
     problems.push_back(
-        {place + ".bias", "its first elongation after 0 is past the trellis' locking at 41.4 %"});
+        {place + ".bias", "its first elongation after 0 is past the trellis' locking at 41.4 percent"});
     return {};
   }
+  if (corrected) return curve_make(below_locking(fabric.bias.elongation), p, {.odd = true});
   bool at_rest = false;
   Curve curve = odd_law(fabric.bias.elongation, p, at_rest);
   if (!at_rest)

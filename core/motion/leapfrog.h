@@ -15,7 +15,13 @@ struct Motion {
 };
 Motion motion_make(const System& system);
 
-enum class Advance { kDone, kStepAboveLimit, kNotFinite };
+// Steps in a communication interval, at most.
+inline constexpr std::int64_t kSubsMost = 1000000;
+
+enum class Advance { kDone, kStepAboveLimit, kTooManySteps, kNotFinite };
+
+// Steps in an interval of q that a state with this omega^2 (1/s^2) needs; may be infinite.
+double leapfrog_steps(const System& system, double omega2);
 
 // Looks at the step limit of a new state and chooses the number of steps in an interval of q.
 void leapfrog_begin(const System& system, Motion& motion, State& state);
@@ -28,9 +34,9 @@ void leapfrog_step(const System& system, Motion& motion, State& state, double h)
 
 // Advances by `length` > 0: whole communication intervals of q on the grid, or one interval of its own
 // length. Each interval of q has state.subs steps; that number doubles when the step limit falls and is
-// chosen anew after 100 calm intervals. kStepAboveLimit: a given step met a limit below it. kNotFinite: the
-// run left the finite numbers; the caller holds the state from before. `event` receives a sentence when the
-// step changed.
+// chosen anew after 100 calm intervals. kStepAboveLimit: a given step met a limit below it. kTooManySteps:
+// the automatic step fell below q / kSubsMost. kNotFinite: the run left the finite numbers; the caller holds
+// the state from before. `event` receives a sentence when the step changed.
 Advance leapfrog_advance(const System& system, Motion& motion, State& state, double length,
                          std::string& event);
 

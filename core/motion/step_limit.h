@@ -13,7 +13,7 @@ double step_limit_omega2(const System& system, const Kernel& kernel, const State
 // The limit that follows from it (s); infinite where nothing oscillates.
 double step_limit_of(const System& system, double omega2);
 
-// What sets it, in words: "warp link of piece 'sheet' at (0.205, 0.6) m, strain 1.31 %".
-std::string step_limit_link(const System& system, const Scene& scene, const State& state);
+// What sets it, in words: "warp link of piece 'sheet', column 3, row 12, strain 0.0131".
+std::string step_limit_link(const System& system, const Scene& scene, const State& state, double ahead = 0);
 
 }  // namespace drape

@@ -33,7 +33,7 @@ std::string entry(const std::string& path, std::size_t i) { return path + "[" + 
 
 void diagram_check(const DiagramSpec& d, const std::string& path, Problems& problems) {
   const std::string elongation = path + ".elongation_percent", force = path + ".force";
-  const auto percent = [](double e) { return rounded(100 * e) + " %"; };
+  const auto percent = [](double e) { return rounded(100 * e) + " percent"; };
   const auto length_check = [&](const std::vector<double>& list, const std::string& name) {
     if (!list.empty() && !d.elongation.empty() && list.size() != d.elongation.size())
       problems.push_back({name, "has " + entries_text(list.size()) + ", elongation_percent has " +
@@ -45,7 +45,8 @@ void diagram_check(const DiagramSpec& d, const std::string& path, Problems& prob
   length_check(d.correction, path + ".correction");
 
   if (!d.elongation.empty() && d.elongation[0] != 0)
-    problems.push_back({entry(elongation, 0), "= " + percent(d.elongation[0]) + "; a diagram starts at 0 %"});
+    problems.push_back(
+        {entry(elongation, 0), "= " + percent(d.elongation[0]) + "; a diagram starts at 0 percent"});
   if (!d.force.empty() && d.force[0] != 0)
     problems.push_back({entry(force, 0), "= " + number_text(d.force[0]) + " N; a diagram starts at 0 N"});
   for (std::size_t i = 1; i < d.elongation.size(); ++i)
@@ -81,10 +82,10 @@ void bias_check(const Scene& scene, const FabricSpec& f, const std::string& path
                               "options.clamp_correction = false)"});
   if (scene.bias_model == BiasModel::kOdd && f.bias.elongation.size() > 1 && f.bias.elongation[1] > kLocking)
     problems.push_back(
-        {path + ".bias.elongation_percent[1]",
-         "= " + rounded(100 * f.bias.elongation[1]) +
-             " %; bias_model \"odd\" takes at least one point above 0 % and below 41.42 %, where the threads "
-             "of a strip lie along the pull"});
+        {path + ".bias.elongation_percent[1]", "= " + rounded(100 * f.bias.elongation[1]) +
+                                                   " percent; bias_model \"odd\" takes at least one point "
+                                                   "above 0 and below 41.42 percent, where the threads "
+                                                   "of a strip lie along the pull"});
 }
 
 // ---- Pieces

@@ -52,7 +52,8 @@ void table_underlay(toml::table& over, toml::table&& base) {
 }
 
 // Folds the file that a fabric names into its table; false if that cannot be done.
-bool fabric_fold(toml::table& fabric, const std::string& path, const fs::path& folder, Faults& faults) {
+bool fabric_fold(toml::table& fabric, const std::string& path, const fs::path& folder, Faults& faults,
+                 std::vector<fs::path>& files) {
   const toml::node* named = fabric.get("file");
   if (!named || !named->is_string()) return true;
   const std::string& name = named->as_string()->get();
@@ -60,6 +61,7 @@ bool fabric_fold(toml::table& fabric, const std::string& path, const fs::path& f
   faults.places[key] = {faults.file, named->source().begin.line};
 
   const fs::path file = (folder / name).lexically_normal();
+  files.push_back(file);
   std::string hindrance;
   const std::string text = file_text(file, hindrance);
   if (!hindrance.empty()) {
@@ -82,6 +84,7 @@ bool fabric_fold(toml::table& fabric, const std::string& path, const fs::path& f
 Document document_load(const std::filesystem::path& file, Faults& faults) {
   Document document;
   faults.file = file.string();
+  document.files.push_back(file);
   std::string hindrance;
   const std::string text = file_text(file, hindrance);
   if (!hindrance.empty()) return fault_add(faults, "", hindrance), document;
@@ -94,7 +97,8 @@ Document document_load(const std::filesystem::path& file, Faults& faults) {
   if (toml::table* fabrics = document.root["fabric"].as_table())
     for (auto&& [name, node] : *fabrics)
       if (toml::table* fabric = node.as_table())
-        if (!fabric_fold(*fabric, "fabric." + std::string(name.str()), file.parent_path(), faults))
+        if (!fabric_fold(*fabric, "fabric." + std::string(name.str()), file.parent_path(), faults,
+                         document.files))
           document.unread.emplace(name.str());
   return document;
 }

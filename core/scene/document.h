@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <vector>
 
 // Shortest decimals: read back, they give the same bits. And no assertions about the text inside the parser
 // (3.3 asserts where it should report, `[ =`): NDEBUG would turn them into promises to the compiler.
@@ -18,9 +19,10 @@
 namespace drape {
 
 struct Document {
-  bool loaded = false;           // false: the scene file itself could not be read
-  toml::table root;              // each fabric.<f> holds the keys of its file, its own keys on top
-  std::set<std::string> unread;  // fabrics whose file could not be read
+  bool loaded = false;  // false: the scene file itself could not be read
+  toml::table root;     // each fabric.<f> holds the keys of its file, its own keys on top
+  std::vector<std::filesystem::path> files;  // the scene file and those that it names
+  std::set<std::string> unread;              // fabrics whose file could not be read
 };
 
 Document document_load(const std::filesystem::path& file, Faults& faults);

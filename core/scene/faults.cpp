@@ -26,11 +26,15 @@ Place place_find(const Faults& faults, std::string path) {
 
 }  // namespace
 
-void fault_add(Faults& faults, const std::string& path, const std::string& message) {
+std::string fault_place(const Faults& faults, const std::string& path) {
   const Place at = place_find(faults, path);
   std::string place = at.file;
   if (at.line) place += ":" + std::to_string(at.line);
-  fault_add_at(faults, at, place + (path.empty() ? ":" : ": " + path), message);
+  return place + (path.empty() ? ":" : ": " + path);
+}
+
+void fault_add(Faults& faults, const std::string& path, const std::string& message) {
+  fault_add_at(faults, place_find(faults, path), fault_place(faults, path), message);
 }
 
 void fault_add_at(Faults& faults, const Place& at, const std::string& place, const std::string& message) {

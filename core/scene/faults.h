@@ -27,6 +27,9 @@ struct Faults {
 // on the line of its table, an entry on that of its list.
 void fault_add(Faults& faults, const std::string& path, const std::string& message);
 
+// "scene.toml:12: scene.step", the place of such a fault.
+std::string fault_place(const Faults& faults, const std::string& path);
+
 // The same where no path stands for the place.
 void fault_add_at(Faults& faults, const Place& at, const std::string& place, const std::string& message);
 

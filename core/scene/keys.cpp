@@ -1,7 +1,8 @@
 #include "scene/keys.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "scene/nearest.h"
 
 namespace drape {
 
@@ -13,22 +14,6 @@ std::string joined(const std::string& path, const std::string& key) {
   return path.empty() ? shown : path + "." + shown;
 }
 
-// Insertions, deletions and replacements that turn a into b (Levenshtein 1966).
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] != b[j]);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({diagonal + 1, row[j] + 1, replaced});
-    }
-  }
-  return row[b.size()];
-}
-
 // The part of a row's name that stands directly in the table `prefix`; "" if the row belongs elsewhere.
 std::string key_within(const Key& key, const std::string& prefix) {
   if (key.name.compare(0, prefix.size(), prefix) != 0) return "";
@@ -37,15 +22,19 @@ std::string key_within(const Key& key, const std::string& prefix) {
 
 void unknown_key(Faults& faults, const std::string& path, const std::string& name, const std::string& prefix,
                  const std::vector<Key>& keys) {
-  std::string nearest;
-  std::size_t least = std::string::npos;
+  std::vector<std::string> known;
+  std::string all;
   for (const Key& key : keys) {
-    const std::string known = key_within(key, prefix);
-    if (known.empty() || std::holds_alternative<Later>(key.lands)) continue;
-    if (const std::size_t distance = edit_distance(name, known); distance < least)
-      least = distance, nearest = known;
+    const std::string name_known = key_within(key, prefix);
+    if (name_known.empty() || std::holds_alternative<Later>(key.lands)) continue;
+    if (std::find(known.begin(), known.end(), name_known) != known.end()) continue;
+    known.push_back(name_known);
+    all += (all.empty() ? "" : ", ") + name_known;
   }
-  fault_add(faults, path, "is no known key; the nearest is " + in_quotes(nearest));
+  const std::string nearest = name_nearest(name, known);
+  fault_add(
+      faults, path,
+      "is no known key; " + (nearest.empty() ? "known: " + all : "the nearest is " + in_quotes(nearest)));
 }
 
 void level_read(Faults& faults, const toml::table& table, const std::string& path, const std::string& prefix,

@@ -152,4 +152,17 @@ Scene scene_read(const std::filesystem::path& file, std::vector<Problem>& proble
   return scene;
 }
 
+std::string scene_place(const std::filesystem::path& file, const std::string& path) {
+  Scene scene;
+  Faults faults;
+  const Document document = document_load(file, faults);
+  if (document.loaded) document_read(faults, document, scene);
+  return fault_place(faults, path);
+}
+
+std::vector<std::filesystem::path> scene_files(const std::filesystem::path& file) {
+  Faults faults;
+  return document_load(file, faults).files;
+}
+
 }  // namespace drape

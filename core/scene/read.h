@@ -10,6 +10,13 @@ namespace drape {
 // each fault; the scene is usable only when none was appended.
 Scene scene_read(const std::filesystem::path& file, std::vector<Problem>& problems);
 
+// A dotted path with where it stands, "scene.toml:12: scene.step", for faults that only the assembled cloth
+// shows. Reads the files once more.
+std::string scene_place(const std::filesystem::path& file, const std::string& path);
+
+// The files that a scene is read from: its own first.
+std::vector<std::filesystem::path> scene_files(const std::filesystem::path& file);
+
 // The same scene as one TOML text that refers to no other file; reading it gives the same Scene bit for bit.
 // Reports only what hinders the folding (files, syntax): the rest is scene_read's.
 std::string scene_resolve(const std::filesystem::path& file, std::vector<Problem>& problems);

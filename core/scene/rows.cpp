@@ -1,5 +1,7 @@
 #include "scene/rows.h"
 
+#include "scene/ranges.h"
+
 namespace drape {
 
 namespace {
@@ -8,17 +10,22 @@ constexpr double kPercent = 100;     // per 1
 constexpr double kMicroNcm2 = 1e10;  // uN cm^2 per N m^2
 constexpr Range kPosition{-1e4, 1e4};
 
+// In the unit of the key.
+constexpr Range range_of(const Quantity& q, double per_si = 1) {
+  return {q.low * per_si, q.high * per_si, q.above};
+}
+
 }  // namespace
 
 std::vector<Key> scene_keys(Scene& s) {
   return {
       {"scene.name", Name{&s.name}, kRequired},
       {"scene.duration", &s.duration, kOptional, {0, 1e7, kAbove}, "s"},
-      {"scene.gravity", &s.gravity, kOptional, {-1e4, 1e4}, "m/s^2"},
+      {"scene.gravity", &s.gravity, kOptional, range_of(kGravity), "m/s^2"},
       {"scene.integrator", Choice{{"leapfrog", "paper"}, [&s](int k) { s.integrator = Integrator(k); }}},
       {"scene.step", Auto{&s.step}, kOptional, {0, 1, kAbove}, "s"},
-      {"scene.communication", &s.communication, kOptional, {1e-9, 1e3}, "s"},
-      {"scene.damping", &s.damping, kOptional, {0, 1e6}, "1/s"},
+      {"scene.communication", &s.communication, kOptional, range_of(kCommunication), "s"},
+      {"scene.damping", &s.damping, kOptional, range_of(kDamping), "1/s"},
       {"scene.energy", Flag{&s.energy}},
       {"options.scaling", Choice{{"width", "paper_area"}, [&s](int k) { s.scaling = Scaling(k); }}},
       {"options.bias_model",
@@ -46,21 +53,22 @@ std::vector<Key> fabric_keys(FabricText& t) {
       {"file", &t.file},
       {"description", &t.description},
       {"source", &t.source},
-      {"areal_density", &f.areal_density, kRequired, {1e-4, 100}, "kg/m^2"},
+      {"areal_density", &f.areal_density, kRequired, range_of(kArealDensity), "kg/m^2"},
       {"thickness", &f.thickness, kRequired, {1e-6, 0.1}, "m"},
       {"strip.width", &f.strip_width, kOptional, {1e-4, 10}, "m"},
       {"strip.gauge", &f.strip_gauge, kOptional, {1e-4, 100}, "m"},
-      {"bending.rigidity_uN_cm2", &t.rigidity, kRequired, {0, 1e9}, "uN cm^2", kMicroNcm2},
-      {"bending.width", &t.bending_width, kOptional, {1e-4, 10}, "m"},
-      {"bending.poisson", &f.poisson, kOptional, {0, 0.999}},
-      {"compression", &f.compression, kOptional, {0, 1}},
+      {"bending.rigidity_uN_cm2", &t.rigidity, kRequired, range_of(kSpecimenRigidity, kMicroNcm2), "uN cm^2",
+       kMicroNcm2},
+      {"bending.width", &t.bending_width, kOptional, range_of(kSpecimenWidth), "m"},
+      {"bending.poisson", &f.poisson, kOptional, range_of(kPoisson)},
+      {"compression", &f.compression, kOptional, range_of(kCompression)},
       {"compression_blend", &f.compression_blend, kOptional, {1e-6, 0.5}},
       {"friction", Later{}},
       {"damping", Later{}},
   };
   const auto diagram = [&](const std::string& name, DiagramSpec& d) {
-    keys.push_back({name + ".elongation_percent", &d.elongation, kRequired, {0, 1e3}, "%", kPercent});
-    keys.push_back({name + ".force", &d.force, kRequired, {0, 1e6}, "N"});
+    keys.push_back({name + ".elongation_percent", &d.elongation, kRequired, {0, 1e3}, "percent", kPercent});
+    keys.push_back({name + ".force", &d.force, kRequired, range_of(kForce), "N"});
     keys.push_back({name + ".correction", &d.correction, kOptional, {1e-3, 1e3}});
   };
   diagram("warp", f.warp);

@@ -1,7 +1,8 @@
 #include "system/parameters.h"
 
-#include <cmath>
 #include <cstdio>
+
+#include "scene/ranges.h"
 
 namespace drape {
 namespace {
@@ -26,30 +27,54 @@ void each_value(P& p, Visit visit) {
     for (auto& v : list) visit(v);
 }
 
-std::string with_unit(double value, const char* unit) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.9g%s%s", value, *unit ? " " : "", unit);
+// "= -1 kg/m2; allowed: from 0.0001 to 100 kg/m2"
+std::string limits_text(const Quantity& q, double value) {
+  const std::string unit = std::string(q.unit) == "1" ? "" : std::string(" ") + q.unit;
+  char text[160];
+  std::snprintf(text, sizeof text, "= %.9g%s; allowed: %s %.9g to %.9g%s", value, unit.c_str(),
+                q.above ? "above" : "from", q.low, q.high, unit.c_str());
   return text;
 }
 
-void check_range(double value, bool inside, const std::string& place, const char* allowed, const char* unit,
-                 std::vector<Problem>& problems) {
-  if (inside) return;
-  problems.push_back({place, "is " + with_unit(value, unit) + "; allowed: " + allowed});
+// Name and range of every number, in the order of each_value.
+struct ValueRow {
+  std::string place;
+  const Quantity* limits;
+};
+std::vector<ValueRow> value_rows(const Parameters& p, const Scene& scene) {
+  std::vector<ValueRow> rows{{"damping", &kDamping}};
+  for (int k = 1; k <= 3; ++k) rows.push_back({"gravity[" + std::to_string(k) + "]", &kGravity});
+  rows.push_back({"step.max", &kStepMax});
+  for (const FabricSpec& f : scene.fabrics) {
+    const std::string place = "fabric." + f.name;
+    rows.push_back({place + ".areal_density", &kArealDensity});
+    rows.push_back({place + ".bending.warp", &kBending});
+    rows.push_back({place + ".bending.weft", &kBending});
+    rows.push_back({place + ".poisson", &kPoisson});
+    rows.push_back({place + ".compression", &kCompression});
+  }
+  for (std::size_t list = 0; list < p.force.size(); ++list)
+    for (std::size_t i = 1; i <= p.force[list].size(); ++i)
+      rows.push_back({"fabric." + scene.fabrics[list / 3].name + "." + kDiagram[list % 3] + ".force[" +
+                          std::to_string(i) + "]",
+                      &kForce});
+  return rows;
 }
 
-void check_diagram(const drape_diagram& d, const std::string& place, std::vector<Problem>& problems) {
+// The first point of a diagram that lies below the one before it; its size where none does.
+std::size_t fall_of(const std::vector<double>& force) {
   double before = 0;
-  for (int i = 0; i < d.count; ++i) {
-    const std::string at = place + ".force[" + std::to_string(i + 1) + "]";
-    if (!std::isfinite(d.force[i])) {
-      problems.push_back({at, "is not a finite number (N on the strip)"});
-    } else if (d.force[i] < before) {
-      problems.push_back({at, "is " + with_unit(d.force[i], "N") + ", below the force before it, " +
-                                  with_unit(before, "N") + "; a diagram may not fall"});
-    }
-    before = d.force[i];
-  }
+  for (std::size_t i = 0; i < force.size(); before = force[i++])
+    if (force[i] < before) return i;
+  return force.size();
+}
+
+std::string fall_text(const std::vector<double>& force, std::size_t i) {
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "= %.9g N; allowed: at least the force before it, %.9g N: a diagram does not fall", force[i],
+                i > 0 ? force[i - 1] : 0.0);
+  return text;
 }
 
 }  // namespace
@@ -107,31 +132,36 @@ std::vector<FabricSpec> parameters_fabrics(const Parameters& p, const Scene& sce
   return fabrics;
 }
 
-void parameters_check(const Parameters& p, const Scene& scene, std::vector<Problem>& problems) {
-  const drape_parameters& s = p.shown;
-  const auto not_negative = [](double v) { return std::isfinite(v) && v >= 0; };
-  check_range(s.damping, not_negative(s.damping), "damping", "0 and above, 1/s", "1/s", problems);
-  for (int k = 0; k < 3; ++k)
-    check_range(s.gravity[k], std::isfinite(s.gravity[k]), "gravity[" + std::to_string(k + 1) + "]",
-                "finite, m/s2", "m/s2", problems);
-  check_range(s.step_max, std::isfinite(s.step_max) && s.step_max > 0, "step.max", "above 0, s", "s",
-              problems);
-  for (std::size_t k = 0; k < p.fabrics.size(); ++k) {
-    const drape_fabric& f = p.fabrics[k];
-    const std::string place = "fabric." + scene.fabrics[k].name;
-    check_range(f.areal_density, std::isfinite(f.areal_density) && f.areal_density > 0,
-                place + ".areal_density", "above 0, kg/m2", "kg/m2", problems);
-    check_range(f.bending_warp, not_negative(f.bending_warp), place + ".bending.warp", "0 and above, N m",
-                "N m", problems);
-    check_range(f.bending_weft, not_negative(f.bending_weft), place + ".bending.weft", "0 and above, N m",
-                "N m", problems);
-    check_range(f.poisson, f.poisson >= 0 && f.poisson <= 0.999, place + ".poisson", "0 to 0.999", "",
-                problems);
-    check_range(f.compression, f.compression >= 0 && f.compression <= 1, place + ".compression", "0 to 1", "",
-                problems);
-    for (int d = 0; d < 3; ++d)
-      check_diagram(*shown_of(const_cast<drape_fabric&>(f), d), place + "." + kDiagram[d], problems);
+void parameters_mend(Parameters& p, const Scene& scene, const ParameterValues& in_force,
+                     std::vector<Problem>& problems) {
+  const std::vector<ValueRow> rows = value_rows(p, scene);
+  ParameterValues now = parameters_read(p);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (quantity_fits(*rows[k].limits, now.value[k])) continue;
+    problems.push_back({rows[k].place, limits_text(*rows[k].limits, now.value[k])});
+    now.value[k] = in_force.value[k];
   }
+  parameters_write(p, now);
+  std::size_t first = now.value.size();
+  for (std::size_t list = p.force.size(); list-- > 0;) {
+    std::vector<double>& force = p.force[list];
+    first -= force.size();
+    const std::size_t fall = fall_of(force);
+    if (fall == force.size()) continue;
+    problems.push_back({rows[first + fall].place, fall_text(force, fall)});
+    for (std::size_t i = 0; i < force.size(); ++i) force[i] = in_force.value[first + i];
+  }
+}
+
+bool parameters_restore(Parameters& p, const Scene& scene, const ParameterValues& in_force,
+                        const std::string& stem) {
+  const std::vector<ValueRow> rows = value_rows(p, scene);
+  const ParameterValues now = parameters_read(p);
+  ParameterValues mended = now;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    if (rows[k].place.compare(0, stem.size(), stem) == 0) mended.value[k] = in_force.value[k];
+  parameters_write(p, mended);
+  return !(mended == now);
 }
 
 }  // namespace drape

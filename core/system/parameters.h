@@ -27,7 +27,13 @@ void parameters_write(Parameters& parameters, const ParameterValues& values);
 // The fabrics of the scene with the values of the parameters.
 std::vector<FabricSpec> parameters_fabrics(const Parameters& parameters, const Scene& scene);
 
-// Faults that no single value can show, and numbers that are not finite.
-void parameters_check(const Parameters& parameters, const Scene& scene, std::vector<Problem>& problems);
+// Puts back what may not be: single values out of their range, and diagrams that fall as a whole. One problem
+// each.
+void parameters_mend(Parameters& parameters, const Scene& scene, const ParameterValues& in_force,
+                     std::vector<Problem>& problems);
+
+// Puts back all values whose names begin so; false if they were there already.
+bool parameters_restore(Parameters& parameters, const Scene& scene, const ParameterValues& in_force,
+                        const std::string& stem);
 
 }  // namespace drape

@@ -17,19 +17,19 @@ const char* kScene = R"(
 [scene]
 name = "cloth"
 energy = true
-%s
+%scene
 [fabric.f]
 areal_density = 0.15
 thickness = 0.0005
-warp = { elongation_percent = [0, 1, 3], force = [0, 1, 9] }
+warp = { elongation_percent = %warp }
 weft = { elongation_percent = [0, 2, 6], force = [0, 1, 6] }
 bias = { elongation_percent = [0, 2, 6], force = [0, 0.3, 2] }
 bending = { rigidity_uN_cm2 = [1370, 900] }
 [[piece]]
 name = "sheet"
 fabric = "f"
-cell = 0.01
-outline = [[0, 0], [0.1, 0], [0.1, 0.1], [0, 0.1]]
+cell = %cell
+outline = [[0, 0], [%side, 0], [%side, %side], [0, %side]]
 [[pin]]
 name = "corner"
 piece = "sheet"
@@ -37,7 +37,7 @@ at = [[0, 0]]
 [[probe]]
 name = "far"
 piece = "sheet"
-at = [0.1, 0.1]
+at = [%side, %side]
 )";
 
 struct Heard {
@@ -55,12 +55,16 @@ using Cloth = std::unique_ptr<drape_cloth, Close>;
 class ClothTest : public testing::Test {
  protected:
   Heard heard;
-  Cloth open(const std::string& scene_keys = "") {
+  Cloth open(const std::string& scene_keys = "", const std::string& warp = "[0, 1, 3], force = [0, 1, 9]",
+             const std::string& cell = "0.01", const std::string& side = "0.1") {
     const auto file = std::filesystem::path(testing::TempDir()) /
                       ("drape_cloth_test_" +
                        std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".toml");
     std::string text = kScene;
-    text.replace(text.find("%s"), 2, scene_keys);
+    const std::pair<std::string, std::string> edits[] = {
+        {"%scene", scene_keys}, {"%warp", warp}, {"%cell", cell}, {"%side", side}};
+    for (const auto& [from, to] : edits)
+      for (std::size_t at; (at = text.find(from)) != std::string::npos;) text.replace(at, from.size(), to);
     std::ofstream(file) << text;
     Cloth cloth(drape_open(file.c_str(), hear, &heard));
     std::filesystem::remove(file);
@@ -105,20 +109,82 @@ TEST_F(ClothTest, DiscardsLengthsThatAreNoTimeStep) {
   for (double length : {0.0, -0.001, std::nan(""), double(INFINITY)})
     EXPECT_EQ(drape_advance(c.get(), length), DRAPE_DISCARD);
   EXPECT_EQ(heard.errors.size(), 4u);
+  // 1e9 intervals of 1 ms at most: the clock counts them, and no master waits so long.
+  EXPECT_EQ(drape_advance(c.get(), 1e20), DRAPE_DISCARD);
+  EXPECT_EQ(drape_advance(c.get(), 1.001e6), DRAPE_DISCARD);
+  EXPECT_EQ(
+      heard.errors.back(),
+      "the length of an advance is 1.001e+06 s; allowed: at most 1e+06 s, 1e+09 communication intervals");
   EXPECT_EQ(drape_time(c.get()), 0);
 }
 
-TEST_F(ClothTest, KeepsItsValuesWhenACommitIsRefused) {
+// Each fault is told and its value put back, a diagram that falls as a whole; what else was set is in force.
+TEST_F(ClothTest, PutsBackOnlyWhatIsAtFault) {
   const Cloth c = open();
-  drape_fabric& f = drape_parameters_of(c.get())->fabric[0];
-  f.areal_density = -1;
-  f.warp.force[1] = 0.5;  // below the force before it
+  drape_parameters& p = *drape_parameters_of(c.get());
+  drape_fabric& f = p.fabric[0];
+  p.damping = 3;
+  p.gravity[0] = INFINITY;
+  f.areal_density = 0.3;
+  f.warp.force[0] = 8;
+  f.warp.force[1] = 7;  // below the force before it
+  f.weft.force[1] = 12;
   f.poisson = std::nan("");
+  f.bending_warp = -1;
   EXPECT_EQ(drape_commit(c.get()), DRAPE_DISCARD);
-  EXPECT_EQ(heard.errors.size(), 3u);
-  EXPECT_EQ(f.areal_density, 0.15);
+  EXPECT_EQ(heard.errors,
+            (std::vector<std::string>{"gravity[1] = inf m/s2; allowed: from -10000 to 10000 m/s2",
+                                      "fabric.f.bending.warp = -1 N.m; allowed: from 0 to 1000 N.m",
+                                      "fabric.f.poisson = nan; allowed: from 0 to 0.999",
+                                      "fabric.f.warp.force[2] = 7 N; allowed: at least the force before it, "
+                                      "8 N: a diagram does not fall"}));
+  EXPECT_EQ(p.gravity[0], 0);
+  EXPECT_EQ(f.warp.force[0], 1);
   EXPECT_EQ(f.warp.force[1], 9);
+  EXPECT_EQ(f.poisson, 0);
+  EXPECT_EQ(f.bending_warp, 1370e-10 / 0.03);
+  EXPECT_EQ(p.damping, 3);
+  EXPECT_EQ(f.areal_density, 0.3);
+  EXPECT_EQ(f.weft.force[1], 12);
   EXPECT_EQ(drape_commit(c.get()), DRAPE_OK);
+  // In force: the motion is that of a cloth in which the good values were all that was set.
+  const Cloth same = open();
+  drape_parameters_of(same.get())->damping = 3;
+  drape_parameters_of(same.get())->fabric[0].areal_density = 0.3;
+  drape_parameters_of(same.get())->fabric[0].weft.force[1] = 12;
+  for (drape_cloth* cloth : {c.get(), same.get()}) ASSERT_EQ(drape_advance(cloth, 0.02), DRAPE_OK);
+  for (int k = 0; k < 3; ++k)
+    EXPECT_EQ(drape_outputs_at(c.get(), 0)->probe[0].position[k],
+              drape_outputs_at(same.get(), 0)->probe[0].position[k]);
+}
+
+// What the scene's rows allow a commit allows as well, and no more.
+TEST_F(ClothTest, TakesTheEndsOfEveryRange) {
+  const Cloth c = open();
+  drape_parameters& p = *drape_parameters_of(c.get());
+  const auto takes = [&](double& value, double low, double high) {
+    const double before = value;
+    for (const double end : {low, high}) {
+      value = end;
+      EXPECT_EQ(drape_commit(c.get()), DRAPE_OK) << heard.errors.back();
+      EXPECT_EQ(value, end);
+      const double beyond = end == low ? std::nextafter(low, -1e30) : std::nextafter(high, 1e30);
+      value = beyond;
+      EXPECT_EQ(drape_commit(c.get()), DRAPE_DISCARD) << beyond;
+      EXPECT_EQ(value, end);
+    }
+    value = before;
+    EXPECT_EQ(drape_commit(c.get()), DRAPE_OK);
+  };
+  takes(p.damping, 0, 1e6);
+  for (double& g : p.gravity) takes(g, -1e4, 1e4);
+  takes(p.step_max, 1e-9, 1e3);
+  takes(p.fabric[0].areal_density, 1e-4, 100);
+  takes(p.fabric[0].bending_warp, 0, 1000);
+  takes(p.fabric[0].bending_weft, 0, 1000);
+  takes(p.fabric[0].poisson, 0, 0.999);
+  takes(p.fabric[0].compression, 0, 1);
+  takes(p.fabric[0].warp.force[1], 1, 1e6);  // the force before it is 1 N
 }
 
 // Twice the gravity pulls twice as far in the first moment; twice the density falls the same.
@@ -135,33 +201,127 @@ TEST_F(ClothTest, TakesTunedValuesIntoTheMotion) {
   EXPECT_NEAR(fall(-9.81, 0.3), -9.81 * 2e-6, 1e-12);
 }
 
-// A load that no diagram can carry: the cloth is thrown apart, the error names the place, the state is the
-// last good one.
-TEST_F(ClothTest, EndsARunThatLeavesTheFiniteNumbersAtItsLastGoodState) {
-  const Cloth c = open();
+// A warp that gives way up to 1 % and then hardly at all, at 1 N within a millionth of strain: once it has
+// fallen that far, no step short enough is left. The error names the place, the state is the last good one.
+TEST_F(ClothTest, EndsARunThatNoStepCanFollowAtItsLastGoodState) {
+  const Cloth c = open("", "[0, 1, 1.0001], force = [0, 1e-6, 1e6]");
+  drape_parameters_of(c.get())->gravity[2] = 0;
   ASSERT_EQ(drape_advance(c.get(), 0.01), DRAPE_OK);
-  const double before = drape_outputs_at(c.get(), 0)->probe[0].position[2];
-  drape_parameters_of(c.get())->gravity[2] = -1e300;
+  const double before = drape_outputs_at(c.get(), 0)->probe[0].position[1];
+  drape_parameters_of(c.get())->gravity[1] = 1000;
   EXPECT_EQ(drape_advance(c.get(), 0.01), DRAPE_ERROR);
   ASSERT_EQ(heard.errors.size(), 1u);
-  EXPECT_NE(heard.errors[0].find("left the finite numbers"), std::string::npos) << heard.errors[0];
+  EXPECT_NE(
+      heard.errors[0].find("more than 1e+06 steps in a communication interval, set by the warp link of piece "
+                           "'sheet'"),
+      std::string::npos)
+      << heard.errors[0];
+  EXPECT_EQ(heard.errors[0].find('%'), std::string::npos);
   EXPECT_EQ(drape_time(c.get()), 0.01);
-  EXPECT_EQ(drape_outputs_at(c.get(), 0)->probe[0].position[2], before);
-  drape_parameters_of(c.get())->gravity[2] = -9.81;
+  EXPECT_EQ(drape_outputs_at(c.get(), 0)->probe[0].position[1], before);
+  EXPECT_FALSE(drape_stuck(c.get()));
+  drape_parameters_of(c.get())->gravity[1] = 0;
   EXPECT_EQ(drape_advance(c.get(), 0.01), DRAPE_OK);
 }
 
-// A given step that becomes too large is refused, with the state kept.
-TEST_F(ClothTest, DiscardsWhenTheLimitFallsBelowAGivenStep) {
+// More than a million steps in an interval of 1 ms: refused when the scene is opened, and when values are
+// set.
+TEST_F(ClothTest, RefusesMoreThanAMillionStepsAnInterval) {
+  EXPECT_FALSE(open("", "[0, 1e-6, 3], force = [0, 1e6, 1e6]"));
+  EXPECT_FALSE(open("step = 0.999e-9"));
+  EXPECT_TRUE(open("step = 1.001e-9"));
+  ASSERT_EQ(heard.errors.size(), 2u);
+  EXPECT_NE(heard.errors[0].find("scene.communication = 0.001 s takes "), std::string::npos)
+      << heard.errors[0];
+  EXPECT_NE(heard.errors[0].find(" steps; allowed: at most 1e+06, but the step limit is "),
+            std::string::npos);
+  EXPECT_NE(heard.errors[0].find(" s, set by the warp link of piece 'sheet', column 1, row "),
+            std::string::npos);
+  EXPECT_NE(heard.errors[1].find(
+                "scene.step = 9.99e-10 s takes 1.001e+06 steps in a communication interval of 0.001 s; "
+                "allowed: at most 1e+06, 1e-09 s or more each"),
+            std::string::npos)
+      << heard.errors[1];
+
+  const Cloth c = open("communication = 10");
+  drape_parameters_of(c.get())->step_max = 1e-6;
+  drape_parameters_of(c.get())->damping = 2;
+  EXPECT_EQ(drape_commit(c.get()), DRAPE_DISCARD);
+  EXPECT_EQ(heard.errors.back(),
+            "step.max = 1e-06 s takes 1e+07 steps in a communication interval of 10 s; allowed: at most "
+            "1e+06, 1e-05 s "
+            "or more each");
+  EXPECT_EQ(drape_parameters_of(c.get())->step_max, 10);
+  EXPECT_EQ(drape_parameters_of(c.get())->damping, 2);
+}
+
+// Lengths whose squares underflow leave no masses, and no step limit.
+TEST_F(ClothTest, RefusesACellWithoutAStepLimit) {
+  EXPECT_FALSE(open("", "[0, 1, 3], force = [0, 1, 9]", "1e-170", "1e-169"));
+  ASSERT_EQ(heard.errors.size(), 1u);
+  EXPECT_NE(heard.errors[0].find("scene.step has no limit above 0 s"), std::string::npos) << heard.errors[0];
+}
+
+// No law, no limit: the step is the communication interval.
+TEST_F(ClothTest, NeedsNoStepLimitWhereNoLawActs) {
+  const Cloth c = open("", "[0, 1], force = [0, 0]");
+  ASSERT_TRUE(c);
+  drape_fabric& f = drape_parameters_of(c.get())->fabric[0];
+  f.bending_warp = f.bending_weft = 0;
+  for (double* force : {f.weft.force, f.bias.force}) force[0] = force[1] = 0;
+  ASSERT_EQ(drape_commit(c.get()), DRAPE_OK) << heard.errors[0];
+  EXPECT_EQ(drape_step_limit(c.get(), nullptr), INFINITY);
+  EXPECT_EQ(drape_advance(c.get(), 0.01), DRAPE_OK);
+  EXPECT_EQ(drape_outputs_at(c.get(), 0)->step_count, 10);
+}
+
+// Values that would bring the limit below a given step are refused as they are committed; the fabric keeps
+// its old ones, the rest is taken, and the run goes on.
+TEST_F(ClothTest, RefusesAFabricThatAGivenStepCannotFollow) {
   const Cloth probe = open();
   const double limit = drape_step_limit(probe.get(), nullptr);
   const Cloth c = open("step = " + std::to_string(0.9 * limit));
   ASSERT_TRUE(c);
-  drape_parameters_of(c.get())->fabric[0].areal_density = 0.05;
+  ASSERT_EQ(drape_advance(c.get(), 0.01), DRAPE_OK);
+  drape_parameters& p = *drape_parameters_of(c.get());
+  p.fabric[0].areal_density = 0.05;
+  p.fabric[0].compression = 0.5;
+  p.damping = 2;
   EXPECT_EQ(drape_advance(c.get(), 0.01), DRAPE_DISCARD);
   ASSERT_EQ(heard.errors.size(), 1u);
-  EXPECT_NE(heard.errors[0].find("is above the step limit"), std::string::npos) << heard.errors[0];
-  EXPECT_EQ(drape_time(c.get()), 0);
+  EXPECT_EQ(heard.errors[0].find("fabric.f keeps its values: with those set, scene.step = "), 0u)
+      << heard.errors[0];
+  EXPECT_NE(heard.errors[0].find(" s; allowed: above 0, at most the step limit "), std::string::npos);
+  EXPECT_NE(heard.errors[0].find(" of piece 'sheet', column "), std::string::npos);
+  EXPECT_EQ(drape_time(c.get()), 0.01);
+  EXPECT_FALSE(drape_stuck(c.get()));
+  EXPECT_EQ(p.fabric[0].areal_density, 0.15);
+  EXPECT_EQ(p.fabric[0].compression, 1);
+  EXPECT_EQ(p.damping, 2);
+  EXPECT_EQ(drape_advance(c.get(), 0.01), DRAPE_OK);
+}
+
+// The motion itself stretches the cloth to where a given step is too large: the advance is refused for good,
+// unless something changes.
+TEST_F(ClothTest, IsStuckWhereTheLimitFallsBelowAGivenStep) {
+  const std::string stiffening = "[0, 1, 3], force = [0, 0.1, 1000]";
+  const Cloth probe = open("", stiffening);
+  const double limit = drape_step_limit(probe.get(), nullptr);
+  const Cloth c = open("step = " + std::to_string(0.9 * limit), stiffening);
+  ASSERT_TRUE(c);
+  drape_parameters& p = *drape_parameters_of(c.get());
+  p.gravity[1] = 300;
+  drape_status status = DRAPE_OK;
+  for (int k = 0; k < 1000 && status == DRAPE_OK; ++k) status = drape_advance(c.get(), 0.001);
+  ASSERT_EQ(status, DRAPE_DISCARD);
+  EXPECT_NE(heard.errors[0].find("is above the step limit, which fell to"), std::string::npos)
+      << heard.errors[0];
+  EXPECT_TRUE(drape_stuck(c.get()));
+  EXPECT_EQ(drape_advance(c.get(), 0.001), DRAPE_DISCARD);
+  EXPECT_TRUE(drape_stuck(c.get()));
+  p.fabric[0].warp.force[1] = 0.3;  // softer again
+  EXPECT_EQ(drape_advance(c.get(), 0.001), DRAPE_OK) << heard.errors.back();
+  EXPECT_FALSE(drape_stuck(c.get()));
 }
 
 TEST_F(ClothTest, ASnapshotIsTheWholeTruth) {

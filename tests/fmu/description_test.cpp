@@ -108,9 +108,10 @@ TEST(Description, families_and_ranges_as_text) {
   for (const char* part :
        {"`fabric.wool.areal_density`", "`fabric.wool.warp.force[1..3]`",
         "at 1 % elongation ... at 5 % elongation", "`gravity[1..3]`", "`node.position[1..54,1..3]`",
-        "| above 0 |", "| 0 to 0.999 |", "| any finite number |"})
+        "| 1e-04 to 100 |", "| 0 to 0.999 |", "| -10000 to 10000 |"})
     EXPECT_NE(text.find(part), std::string::npos) << part << " is missing in:\n" << text;
   EXPECT_EQ(variable_nearest(variables_of(cloth.get(), Nodes::kNone), "tension.mx"), "tension.max");
+  EXPECT_EQ(variable_nearest(variables_of(cloth.get(), Nodes::kNone), "colour"), "");
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ TEST(Instantiate, says_its_version_and_platform) {
 
 TEST(Instantiate, wrong_guid) {
   Slave slave("{00000000-0000-0000-0000-000000000000}", swatch().resources);
-  expect_refused(slave, {"guid", "{00000000-0000-0000-0000-000000000000}", "expected", swatch().guid});
+  expect_refused(slave, {"guid is {00000000-0000-0000-0000-000000000000}", "none, outline, all",
+                         swatch(Nodes::kNone).guid, swatch(Nodes::kOutline).guid, swatch(Nodes::kAll).guid});
 }
 
 TEST(Instantiate, missing_resources) {

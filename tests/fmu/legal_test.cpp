@@ -105,9 +105,9 @@ const Case kAskPending[] = {
      [](fmi2Component c) { return fmi2().GetStringStatus(c, fmi2PendingStatus, &string); }},
 };
 
-// A weight of 1e300 leaves the finite numbers within a step.
+// A thousand times its weight stretches the brittle warp beyond 2 % within a step.
 void lead_to_error(Slave& slave) {
-  EXPECT_EQ(slave.set("gravity[3]", 1e300), fmi2OK);
+  EXPECT_EQ(slave.set("gravity[2]", -1e4), fmi2OK);
   EXPECT_EQ(slave.step(0.001, 0.001), fmi2Error);
 }
 
@@ -135,7 +135,7 @@ std::string phase_of(Slave& slave) {
 void expect_order(const Case& test, fmi2Status in_order) {
   for (std::size_t i = 0; i < kPhases.size(); ++i) {
     SCOPED_TRACE(std::string(test.name) + " while " + kPhaseNames[i]);
-    Slave slave;
+    Slave slave(swatch_brittle());
     lead_to(slave, kPhases[i]);
     const fmi2Status answer = test.call(slave.component);
     if (std::string(test.legal).find(kPhases[i]) != std::string::npos) {
@@ -159,7 +159,7 @@ TEST(Legal, nothing_is_ever_pending) {
 TEST(Legal, a_saved_state_can_be_set_in_every_phase) {
   for (const char phase : kPhases) {
     SCOPED_TRACE(phase);
-    Slave slave;
+    Slave slave(swatch_brittle());
     fmi2FMUstate state = nullptr;
     ASSERT_EQ(fmi2().GetFMUstate(slave.component, &state), fmi2OK);
     lead_to(slave, phase);
@@ -177,7 +177,7 @@ TEST(Legal, no_component_is_an_error) {
 
 // The run ends with a reason, and the state is that of before the step.
 TEST(Legal, after_an_error_the_last_good_state_can_be_read) {
-  Slave slave;
+  Slave slave(swatch_brittle());
   slave.initialize();
   ASSERT_EQ(slave.step(0, 0.001), fmi2OK);
   const double height = slave.get("probe.hem.position[3]"), count = slave.get("step.count");

@@ -52,13 +52,24 @@ std::string pack_swatch(const std::string& name, Nodes nodes) {
 TEST(Pack, holds_description_binary_scene_and_documentation) {
   const Cloth cloth = open_swatch();
   std::map<std::string, std::string> entries = entries_of(pack_swatch("drape_pack.fmu", Nodes::kOutline));
-  EXPECT_EQ(entries.size(), 4u);
+  EXPECT_EQ(entries.size(), 7u);
   EXPECT_EQ(entries["modelDescription.xml"],
             description_xml_fmi2(description_of(cloth.get(), Nodes::kOutline)));
   EXPECT_EQ(entries["binaries/linux64/swatch.so"], bytes_of(DRAPE_FMI2_BINARY));
   EXPECT_EQ(entries["resources/scene.toml"], drape_scene_text(cloth.get()));
   EXPECT_NE(entries["documentation/index.html"].find("<title>here</title>"), std::string::npos);
   EXPECT_NE(entries["documentation/index.html"].find("fabric.wool.areal_density"), std::string::npos);
+}
+
+// What is compiled into the binary asks for its notice to travel with it.
+TEST(Pack, carries_the_licences_of_what_it_holds) {
+  std::map<std::string, std::string> entries = entries_of(pack_swatch("drape_licences.fmu", Nodes::kNone));
+  const std::string permission = "Permission is hereby granted, free of charge",
+                    folder = "documentation/licenses/";
+  EXPECT_EQ(entries[folder + "drape.txt"], bytes_of(DRAPE_LICENSE));
+  EXPECT_NE(entries[folder + "tomlplusplus.txt"].find("Mark Gillard"), std::string::npos);
+  EXPECT_NE(entries[folder + "tomlplusplus.txt"].find(permission), std::string::npos);
+  EXPECT_NE(entries[folder + "eigen.txt"].find("https://mozilla.org/MPL/2.0/"), std::string::npos);
 }
 
 TEST(Pack, same_scene_same_bytes) {

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "description.h"
 
@@ -43,9 +44,8 @@ Fmi2 load() {
   return f;
 }
 
-Swatch make_swatch(Nodes nodes) {
+Swatch make_swatch(Nodes nodes, const std::string& file = DRAPE_SAMPLES "/swatch.toml") {
   namespace fs = std::filesystem;
-  const std::string file = DRAPE_SAMPLES "/swatch.toml";
   drape_cloth* cloth = drape_open(file.c_str(), nullptr, nullptr);
   if (!cloth) std::fprintf(stderr, "cannot open %s\n", file.c_str()), std::abort();
   const Description d = description_of(cloth, nodes);
@@ -91,6 +91,24 @@ fmi2ValueReference Swatch::reference(const std::string& name) const {
   const auto row = std::find(names.begin(), names.end(), name);
   if (row == names.end()) ADD_FAILURE() << "no variable " << name;
   return fmi2ValueReference(row - names.begin() + 1);
+}
+
+Swatch swatch_with(const std::string& from, const std::string& to) {
+  std::ostringstream text;
+  text << std::ifstream(DRAPE_SAMPLES "/swatch.toml").rdbuf();
+  std::string scene = text.str();
+  scene.replace(scene.find(from), from.size(), to);
+  const std::string file = testing::TempDir() + "drape_swatch_" + std::to_string(getpid()) + ".toml";
+  std::ofstream(file) << scene;
+  Swatch made = make_swatch(Nodes::kNone, file);
+  std::filesystem::remove(file);
+  return made;
+}
+
+const Swatch& swatch_brittle() {
+  static const Swatch brittle =
+      swatch_with("[0, 1, 2, 5], force = [0, 2, 6, 30]", "[0, 1, 2, 2.00001], force = [0, 2, 6, 1e6]");
+  return brittle;
 }
 
 Slave::Slave(const Swatch& cloth, bool logging_on) : callbacks{logger, nullptr, nullptr, nullptr, this} {

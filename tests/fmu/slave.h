@@ -74,6 +74,12 @@ struct Swatch {
 };
 const Swatch& swatch(Nodes nodes = Nodes::kNone);
 
+// The sample with another text in place of one of its own; the variables must stay.
+Swatch swatch_with(const std::string& from, const std::string& to);
+
+// With a warp that gives way up to 2 % and hardly beyond: no step is short enough there.
+const Swatch& swatch_brittle();
+
 struct Slave {
   std::vector<LogEntry> log;
   fmi2CallbackFunctions callbacks{};

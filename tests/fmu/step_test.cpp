@@ -96,5 +96,65 @@ TEST(Step, grouping_of_intervals_leaves_the_same_bits) {
   EXPECT_EQ(ends[0], ends[2]);
 }
 
+// Late on the clock a step is as sharp as at its start: a tenth of a step is no rounding.
+TEST(Step, a_late_clock_is_as_sharp_as_an_early_one) {
+  Slave slave;
+  ASSERT_EQ(fmi2().SetupExperiment(slave.component, fmi2False, 0, 1e6, fmi2True, 1e6 + 0.01), fmi2OK);
+  ASSERT_EQ(fmi2().EnterInitializationMode(slave.component), fmi2OK);
+  ASSERT_EQ(fmi2().ExitInitializationMode(slave.component), fmi2OK);
+  EXPECT_EQ(slave.step(1e6 + 1e-4, 0.001), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"communication point is 1000000.0001 s", "expected", "1e+06 s"});
+  EXPECT_EQ(slave.step(1e6, 0.0101), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"allowed: up to the stop time"});
+  double time = 1e6;
+  for (int i = 0; i < 10; ++i, time += 0.001)
+    ASSERT_EQ(slave.step(time, 0.001), fmi2OK) << slave.last_message();
+}
+
+// 1e9 intervals at most; the clock stays where it was.
+TEST(Step, refuses_more_intervals_than_can_be_counted) {
+  Slave slave;
+  slave.initialize();
+  EXPECT_EQ(slave.step(0, 1e20), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"1e+20 s", "allowed: at most 1e+06 s, 1e+09 communication intervals"});
+  EXPECT_EQ(last_time(slave), 0);
+  EXPECT_EQ(slave.step(0, 0.001), fmi2OK) << slave.last_message();
+}
+
+bool terminated(Slave& slave) {
+  fmi2Boolean value = fmi2True;
+  EXPECT_EQ(fmi2().GetBooleanStatus(slave.component, fmi2Terminated, &value), fmi2OK);
+  return value;
+}
+
+// A given step that the motion has made too large: the slave wants to end, for every retry would be
+// discarded. A value that is refused is put back, and the next try succeeds.
+TEST(Step, asks_for_the_end_only_where_every_retry_would_be_discarded) {
+  const Swatch fixed =
+      swatch_with("damping = 0.5\nenergy = true", "damping = 0.5\nenergy = true\nstep = 2e-5");
+  Slave slave(fixed);
+  slave.initialize();
+  EXPECT_FALSE(terminated(slave));
+  ASSERT_EQ(slave.set("fabric.wool.warp.force[2]", 1), fmi2OK);
+  EXPECT_EQ(slave.step(0, 0.001), fmi2Discard);
+  EXPECT_FALSE(terminated(slave));
+  ASSERT_EQ(slave.set("fabric.wool.areal_density", 1e-4), fmi2OK);
+  EXPECT_EQ(slave.step(0, 0.001), fmi2Discard);
+  EXPECT_FALSE(terminated(slave));
+  EXPECT_EQ(slave.step(0, 0.001), fmi2OK) << slave.last_message();
+  ASSERT_EQ(slave.set("fabric.wool.warp.force[3]", 20000), fmi2OK);  // stiff beyond 2 %
+  ASSERT_EQ(slave.set("gravity[2]", -1e4), fmi2OK);
+  slave.log.clear();
+  EXPECT_EQ(slave.step(0.001, 0.01), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"scene.step = 2e-05 s is above the step limit", "set by the"});
+  EXPECT_TRUE(terminated(slave));
+  EXPECT_EQ(last_time(slave), 0.001);
+  EXPECT_EQ(slave.step(0.001, 0.01), fmi2Discard);
+  EXPECT_TRUE(terminated(slave));
+  ASSERT_EQ(slave.set("gravity[2]", 0), fmi2OK);
+  EXPECT_EQ(slave.step(0.001, 0.001), fmi2OK) << slave.last_message();
+  EXPECT_FALSE(terminated(slave));
+}
+
 }  // namespace
 }  // namespace drape

@@ -1,5 +1,7 @@
 // Strain e = l/rest - 1 of a link; its mean over a direction is weighted by the area width x rest.
-// Tension T/w of a thread is its law at e. Energies: sums over the lists; gravity: -sum m g.r.
+// Tension T/w of a thread is its law at e. Energies: sums over the lists; gravity: -sum m g.r. Columns stand
+// in the order of the variable table; step.stability is left out, as an error-controlled step has no limit to
+// be compared with.
 #include "reference/outputs.h"
 
 #include <algorithm>
@@ -71,12 +73,12 @@ std::vector<std::string> output_columns(const Scene& scene, const Lattice& latti
     push_axes(names, "probe." + probe.name + ".position");
     push_axes(names, "probe." + probe.name + ".velocity");
   }
+  for (const std::string& pin : lattice.pins) push_axes(names, "pin." + pin + ".force");
   for (const char* direction : {"warp", "weft", "bias"}) {
     for (const char* what : {".min", ".max", ".mean"})
       names.push_back(std::string("strain.") + direction + what);
   }
   names.insert(names.end(), {"tension.max", "strain.beyond_test.count", "step.size", "step.count"});
-  for (const std::string& pin : lattice.pins) push_axes(names, "pin." + pin + ".force");
   if (choice.energy) {
     for (const char* kind : {"kinetic", "stretch", "shear", "bending", "gravity"}) {
       names.push_back(std::string("energy.") + kind);
@@ -100,12 +102,12 @@ std::vector<double> output_row(const Motion& motion, OutputChoice choice, double
     push(row, point_value(probe, r));
     push(row, point_value(probe, v));
   }
+  row.insert(row.end(), pin_force.begin(), pin_force.end());
   push_strain(row, lattice.warp, r);
   push_strain(row, lattice.weft, r);
   push_strain(row, lattice.bias, r);
   row.insert(row.end(),
              {tension_max(lattice, r), beyond_test_count(lattice, r), last_step, double(step_count)});
-  row.insert(row.end(), pin_force.begin(), pin_force.end());
   if (choice.energy) push_energies(row, motion, r, v);
   if (!choice.nodes) return row;
   row.insert(row.end(), r.begin(), r.end());

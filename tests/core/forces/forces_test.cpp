@@ -16,6 +16,7 @@ struct LawCase {
   bool warp, weft, bias, bending;
   BiasModel model = BiasModel::kOdd;
   double crumple = 0.15;  // of a cell: strains to 30 %, folds to 60 degrees
+  Scaling scaling = Scaling::kWidth;
 };
 
 const LawCase kLaws[] = {{"warp", true, false, false, false},
@@ -25,6 +26,7 @@ const LawCase kLaws[] = {{"warp", true, false, false, false},
                          {"bias_paper", false, false, true, false, BiasModel::kPaper},
                          {"bending", false, false, false, true},
                          {"bending_sharp_folds", false, false, false, true, BiasModel::kOdd, 0.8},
+                         {"paper_area", true, true, true, true, BiasModel::kOdd, 0.15, Scaling::kPaperArea},
                          {"all", true, true, true, true},
                          {"all_sharp_folds", true, true, true, true, BiasModel::kOdd, 0.8}};
 
@@ -38,6 +40,7 @@ Scene scene_of(const LawCase& law, bool cut = true) {
   const double odd = cut ? 0.004 : 0;
   Scene scene = reference::rectangle(fabric, 0.07 + odd, 0.05 + odd / 2, 0.01);
   scene.bias_model = law.model;
+  scene.scaling = law.scaling;
   return scene;
 }
 

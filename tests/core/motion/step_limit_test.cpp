@@ -44,7 +44,7 @@ TEST(StepLimit, BoundsEveryCrumpledLatticeWithoutBending) {
   std::printf("40 crumpled lattices: the true omega reaches %.4f of the bound\n", std::sqrt(closest));
 }
 
-// Bending beside it: sharp folds stiffen by their geometry too, which the automatic step's factor 0.8 covers.
+// Bending beside it: sharp folds stiffen by their geometry too, which the automatic step's safety factor covers.
 TEST(StepLimit, BoundsCrumpledLatticesWithBendingWithinTheSafetyFactor) {
   double closest = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {

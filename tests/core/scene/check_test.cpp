@@ -115,7 +115,8 @@ const Case kFabrics[] = {
     {"key_with_a_dot",
      "[warp]",
      "\"warp.force\" = 1\n[warp]",
-     {"wool.toml:9: fabric.wool.\"warp.force\" is no known key; the nearest is \"warp\""}},
+     {"wool.toml:9: fabric.wool.\"warp.force\" is no known key; known: file, description, source, "
+      "areal_density, thickness, strip, bending, compression, compression_blend, warp, weft, bias"}},
     {"negative_density",
      "areal_density = 0.15",
      "areal_density = -0.15",
@@ -145,12 +146,13 @@ const Case kFabrics[] = {
     {"elongation_starts_high",
      "[0, 1, 2.5]",
      "[0.5, 1, 2.5]",
-     {"wool.toml:10: fabric.wool.warp.elongation_percent[0] = 0.5 %; a diagram starts at 0 %"}},
+     {"wool.toml:10: fabric.wool.warp.elongation_percent[0] = 0.5 percent; a diagram starts at 0 percent"}},
     {"elongation_rests",
      "[0, 1, 2.5]",
      "[0, 1, 1]",
-     {"wool.toml:10: fabric.wool.warp.elongation_percent[2] = 1 % after 1 %; wanted: a rise of at least "
-      "1e-06 %"}},
+     {"wool.toml:10: fabric.wool.warp.elongation_percent[2] = 1 percent after 1 percent; wanted: a rise of "
+      "at least "
+      "1e-06 percent"}},
     {"force_too_short",
      "[0, 2, 7]",
      "[0, 2]",
@@ -181,9 +183,9 @@ const Case kFabrics[] = {
     {"bias_beyond_locking",
      "[0, 3, 6]",
      "[0, 41.5, 50]",
-     {"wool.toml:17: fabric.wool.bias.elongation_percent[1] = 41.5 %; bias_model \"odd\" takes at least one "
-      "point above 0 % "
-      "and below 41.42 %, where the threads of a strip lie along the pull"}},
+     {"wool.toml:17: fabric.wool.bias.elongation_percent[1] = 41.5 percent; bias_model \"odd\" takes at "
+      "least one "
+      "point above 0 and below 41.42 percent, where the threads of a strip lie along the pull"}},
 };
 
 INSTANTIATE_TEST_SUITE_P(Fabric, FabricFault, testing::ValuesIn(kFabrics), name_of);

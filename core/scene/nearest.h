@@ -1,0 +1,12 @@
+// Which known name a word was meant to be.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace drape {
+
+// The nearest of the known names if no more than a third of its letters are wrong, else "".
+std::string name_nearest(std::string_view word, const std::vector<std::string>& known);
+
+}  // namespace drape

@@ -1,0 +1,34 @@
+// What each tunable quantity may be, in SI units. The keys of a scene, the checks of a commit and the ranges
+// of the variables are read from here.
+#pragma once
+
+namespace drape {
+
+struct Quantity {
+  const char* name;
+  double low, high;
+  bool above;  // the low end itself is not allowed
+  const char* unit;
+};
+
+constexpr bool quantity_fits(const Quantity& q, double value) {  // false for what is no number
+  return (q.above ? value > q.low : value >= q.low) && value <= q.high;
+}
+
+inline constexpr Quantity kArealDensity{"areal_density", 1e-4, 100, false, "kg/m2"};
+inline constexpr Quantity kForce{"force", 0, 1e6, false, "N"};
+inline constexpr Quantity kPoisson{"poisson", 0, 0.999, false, "1"};
+inline constexpr Quantity kCompression{"compression", 0, 1, false, "1"};
+inline constexpr Quantity kGravity{"gravity", -1e4, 1e4, false, "m/s2"};
+inline constexpr Quantity kDamping{"damping", 0, 1e6, false, "1/s"};
+
+// EI of a bending specimen over the width of the specimen.
+inline constexpr Quantity kSpecimenRigidity{"bending.rigidity", 0, 0.1, false, "N.m2"};
+inline constexpr Quantity kSpecimenWidth{"bending.width", 1e-4, 10, false, "m"};
+inline constexpr Quantity kBending{"bending", 0, kSpecimenRigidity.high / kSpecimenWidth.low, false, "N.m"};
+
+// A step longer than the longest communication interval is as good as none.
+inline constexpr Quantity kCommunication{"communication", 1e-9, 1e3, false, "s"};
+inline constexpr Quantity kStepMax{"step.max", kCommunication.low, kCommunication.high, false, "s"};
+
+}  // namespace drape
