@@ -86,12 +86,9 @@ int run_rows(Recorder& r, double until, double every) {
   const double rows = std::ceil(until / every - 1e-9);  // a last interval below a billionth of DT is rounding
   if (!record(r, 0)) return kFailedRun;
   for (double k = 1; k <= rows; ++k) {
-    const double before = drape_time(r.cloth), length = k < rows ? every : until - (rows - 1) * every;
+    const double length = k < rows ? every : until - (rows - 1) * every;
     const double time = k < rows ? k * every : until;
-    if (drape_advance(r.cloth, length) != DRAPE_OK) {
-      if (drape_time(r.cloth) != before) record(r, drape_time(r.cloth));  // the last good state
-      return kFailedRun;
-    }
+    if (drape_advance(r.cloth, length) != DRAPE_OK) return kFailedRun;  // its last good state is the last row
     if (!record(r, time)) return kFailedRun;
     show_progress(time, until);
   }

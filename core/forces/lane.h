@@ -2,7 +2,7 @@
 //
 //   kWidth                      doubles in a lane; mask type Mask, index type Index
 //   load(p) loadu(p) store(p,v) aligned and unaligned
-//   + - * / unary -             rounded correctly
+//   + - * /                     rounded correctly
 //   fma(a,b,c)                  a b + c, rounded once (the portable lane rounds twice: within 1e-12 of the
 //   others) sqrt abs max min            sqrt rounded correctly; max(a,b) = a > b ? a : b ge lt gt,
 //   select(m,a,b)     m ? a : b copysign(a,b) find(e, start, n)           the last k < n with start[k] <= e,

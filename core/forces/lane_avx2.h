@@ -31,7 +31,6 @@ struct Avx2Lane {
   friend DRAPE_INLINE Avx2Lane operator-(Avx2Lane a, Avx2Lane b) { return _mm256_sub_pd(a.v, b.v); }
   friend DRAPE_INLINE Avx2Lane operator*(Avx2Lane a, Avx2Lane b) { return _mm256_mul_pd(a.v, b.v); }
   friend DRAPE_INLINE Avx2Lane operator/(Avx2Lane a, Avx2Lane b) { return _mm256_div_pd(a.v, b.v); }
-  friend DRAPE_INLINE Avx2Lane operator-(Avx2Lane a) { return _mm256_xor_pd(a.v, _mm256_set1_pd(-0.0)); }
   friend DRAPE_INLINE Avx2Lane fma(Avx2Lane a, Avx2Lane b, Avx2Lane c) {
     return _mm256_fmadd_pd(a.v, b.v, c.v);
   }
@@ -41,7 +40,6 @@ struct Avx2Lane {
   friend DRAPE_INLINE Avx2Lane min(Avx2Lane a, Avx2Lane b) { return _mm256_min_pd(a.v, b.v); }
   friend DRAPE_INLINE Mask ge(Avx2Lane a, Avx2Lane b) { return _mm256_cmp_pd(a.v, b.v, _CMP_GE_OQ); }
   friend DRAPE_INLINE Mask gt(Avx2Lane a, Avx2Lane b) { return _mm256_cmp_pd(a.v, b.v, _CMP_GT_OQ); }
-  friend DRAPE_INLINE Mask lt(Avx2Lane a, Avx2Lane b) { return _mm256_cmp_pd(a.v, b.v, _CMP_LT_OQ); }
   friend DRAPE_INLINE Avx2Lane copysign(Avx2Lane a, Avx2Lane b) {
     const __m256d sign = _mm256_set1_pd(-0.0);
     return _mm256_or_pd(_mm256_andnot_pd(sign, a.v), _mm256_and_pd(sign, b.v));

@@ -32,7 +32,6 @@ struct Avx512Lane {
   friend DRAPE_INLINE Avx512Lane operator-(Avx512Lane a, Avx512Lane b) { return _mm512_sub_pd(a.v, b.v); }
   friend DRAPE_INLINE Avx512Lane operator*(Avx512Lane a, Avx512Lane b) { return _mm512_mul_pd(a.v, b.v); }
   friend DRAPE_INLINE Avx512Lane operator/(Avx512Lane a, Avx512Lane b) { return _mm512_div_pd(a.v, b.v); }
-  friend DRAPE_INLINE Avx512Lane operator-(Avx512Lane a) { return _mm512_xor_pd(a.v, _mm512_set1_pd(-0.0)); }
   friend DRAPE_INLINE Avx512Lane fma(Avx512Lane a, Avx512Lane b, Avx512Lane c) {
     return _mm512_fmadd_pd(a.v, b.v, c.v);
   }
@@ -42,7 +41,6 @@ struct Avx512Lane {
   friend DRAPE_INLINE Avx512Lane min(Avx512Lane a, Avx512Lane b) { return _mm512_min_pd(a.v, b.v); }
   friend DRAPE_INLINE Mask ge(Avx512Lane a, Avx512Lane b) { return _mm512_cmp_pd_mask(a.v, b.v, _CMP_GE_OQ); }
   friend DRAPE_INLINE Mask gt(Avx512Lane a, Avx512Lane b) { return _mm512_cmp_pd_mask(a.v, b.v, _CMP_GT_OQ); }
-  friend DRAPE_INLINE Mask lt(Avx512Lane a, Avx512Lane b) { return _mm512_cmp_pd_mask(a.v, b.v, _CMP_LT_OQ); }
   friend DRAPE_INLINE Avx512Lane copysign(Avx512Lane a, Avx512Lane b) {
     const __m512d sign = _mm512_set1_pd(-0.0);
     return _mm512_or_pd(_mm512_andnot_pd(sign, a.v), _mm512_and_pd(sign, b.v));

@@ -31,7 +31,6 @@ struct ScalarLane {
   friend DRAPE_INLINE ScalarLane operator-(ScalarLane a, ScalarLane b) { return a.v - b.v; }
   friend DRAPE_INLINE ScalarLane operator*(ScalarLane a, ScalarLane b) { return a.v * b.v; }
   friend DRAPE_INLINE ScalarLane operator/(ScalarLane a, ScalarLane b) { return a.v / b.v; }
-  friend DRAPE_INLINE ScalarLane operator-(ScalarLane a) { return -a.v; }
   friend DRAPE_INLINE ScalarLane fma(ScalarLane a, ScalarLane b, ScalarLane c) {
     return kFused ? __builtin_fma(a.v, b.v, c.v) : a.v * b.v + c.v;
   }
@@ -41,7 +40,6 @@ struct ScalarLane {
   friend DRAPE_INLINE ScalarLane min(ScalarLane a, ScalarLane b) { return a.v < b.v ? a.v : b.v; }
   friend DRAPE_INLINE Mask ge(ScalarLane a, ScalarLane b) { return a.v >= b.v; }
   friend DRAPE_INLINE Mask gt(ScalarLane a, ScalarLane b) { return a.v > b.v; }
-  friend DRAPE_INLINE Mask lt(ScalarLane a, ScalarLane b) { return a.v < b.v; }
   friend DRAPE_INLINE ScalarLane copysign(ScalarLane a, ScalarLane b) { return __builtin_copysign(a.v, b.v); }
 };
 
