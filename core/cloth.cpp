@@ -19,10 +19,15 @@ struct drape_cloth {
   drape::Motion motion;
   drape::State state, good;  // now, and when the running advance began
   drape::Parameters parameters;
+  drape_inputs inputs{}, input_rates{};
   drape::ParameterValues in_force;
   drape::Outputs outputs;
-  std::vector<std::vector<int>> node;     // [pieces][rows x columns]
-  std::vector<std::vector<double>> rest;  // [pieces][rows x columns x 2]
+  struct Piece {
+    int first = 0;
+    std::vector<double> rest;  // [particles x 2]
+    std::vector<int> corner;   // [cells x 4]
+  };
+  std::vector<Piece> pieces;
   std::string limit_link;
   bool stuck = false;  // the last advance met a step limit below the given step
 };
@@ -91,16 +96,18 @@ void pieces_describe(drape_cloth& c) {
   int particle = 0;
   for (const Lattice& l : c.system.lattices) {
     const Grid grid = grid_make(c.scene, l.piece);
-    std::vector<int> node;
-    std::vector<double> rest;
-    for (int j = 0; j < l.rows; ++j)
-      for (int i = 0; i < l.columns; ++i) {
-        node.push_back(c.system.mass[l.node(i, j)] > 0 ? particle++ : -1);
-        rest.push_back(grid.x0 + i * grid.cell);
-        rest.push_back(grid.y0 + j * grid.cell);
-      }
-    c.node.push_back(std::move(node));
-    c.rest.push_back(std::move(rest));
+    drape_cloth::Piece piece;
+    piece.first = particle;
+    std::vector<int> number(std::size_t(grid.nodes()), -1);
+    for (int n = 0; n < grid.nodes(); ++n) {
+      if (grid.area[std::size_t(n)] == 0) continue;
+      number[std::size_t(n)] = particle++;
+      const Vec2 place = grid.place(n);
+      piece.rest.insert(piece.rest.end(), place.begin(), place.end());
+    }
+    for (const GridCell& cell : grid.cells)
+      for (int k : {0, 1, 3, 2}) piece.corner.push_back(number[std::size_t(cell.node[k])]);
+    c.pieces.push_back(std::move(piece));
   }
 }
 
@@ -229,13 +236,14 @@ int drape_piece_count(const drape_cloth* c) { return int(c->system.lattices.size
 
 drape_piece drape_piece_at(const drape_cloth* c, int index) {
   const Lattice& l = c->system.lattices[std::size_t(index)];
-  const auto k = std::size_t(index);
+  const drape_cloth::Piece& p = c->pieces[std::size_t(index)];
   return {c->scene.pieces[std::size_t(l.piece)].name.c_str(),
-          l.columns,
-          l.rows,
-          c->node[k].data(),
-          c->rest[k].data(),
-          l.cell};
+          l.cell,
+          p.first,
+          int(p.rest.size() / 2),
+          p.rest.data(),
+          int(p.corner.size() / 4),
+          p.corner.data()};
 }
 
 drape_parameters* drape_parameters_of(drape_cloth* c) { return &c->parameters.shown; }
@@ -259,6 +267,10 @@ drape_status drape_commit(drape_cloth* c) {
   say_problems(*c, problems);
   return problems.empty() ? DRAPE_OK : DRAPE_DISCARD;
 }
+
+drape_inputs* drape_inputs_of(drape_cloth* c) { return &c->inputs; }
+drape_inputs* drape_input_rates_of(drape_cloth* c) { return &c->input_rates; }
+int drape_at_rest(const drape_cloth*) { return 0; }
 
 drape_status drape_start(drape_cloth* c, double time) {
   if (!std::isfinite(time) || c->state.steps > 0) {

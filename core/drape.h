@@ -39,15 +39,40 @@ typedef struct drape_fabric {
   double bending_warp, bending_weft; /* N m per width, before the Poisson factor */
   double poisson;                    /* 1 */
   double compression;                /* 1 */
+  double damping;                    /* s, of the springs */
+  double friction;                   /* 1 */
 } drape_fabric;
 
 typedef struct drape_parameters {
   double damping;    /* 1/s */
   double gravity[3]; /* m/s^2 */
+  int has_air;       /* the scene has air; 0: the next two do nothing */
+  double air_normal, air_tangential; /* 1 */
+  double ramp;       /* s, parameter_ramp */
   double step_max;   /* s; fixed after the first step */
   int fabric_count;
   drape_fabric* fabric; /* [fabric_count] */
 } drape_parameters;
+
+/* What the outside world does with the cloth: where each value is to be at the end of the next drape_advance. */
+enum { DRAPE_DRIVE_POSITION = 1, DRAPE_DRIVE_VELOCITY = 2 };
+
+typedef struct drape_pin_input {
+  const char* name;
+  int drive;                   /* bits: which of the values below act */
+  int clamp;                   /* the rotation acts too */
+  double position[3];          /* m */
+  double orientation[4];       /* w, x, y, z: the rotation since the start; any length above 0 */
+  double velocity[3];          /* m/s */
+  double angular_velocity[3];  /* rad/s */
+} drape_pin_input;
+
+typedef struct drape_inputs {
+  int has_wind;    /* the scene has air */
+  double wind[3];  /* m/s */
+  int pin_count;
+  drape_pin_input* pin; /* [pin_count] the driven ones */
+} drape_inputs;
 
 /* What a cloth tells of itself at the present time. */
 typedef struct drape_strain {
@@ -61,11 +86,13 @@ typedef struct drape_probe {
 
 typedef struct drape_pin {
   const char* name;
-  double force[3]; /* N on the outside world: impulse over the last drape_advance divided by its length */
+  double force[3];  /* N on the outside world: impulse over the last drape_advance divided by its length */
+  double torque[3]; /* N m likewise, about the pin's present position */
 } drape_pin;
 
 typedef struct drape_energy { /* J; only with scene.energy */
   double kinetic, stretch, shear, bending, gravity;
+  double dissipated, input, balance_error; /* since the start */
 } drape_energy;
 
 typedef struct drape_outputs {
@@ -73,6 +100,8 @@ typedef struct drape_outputs {
   double tension_max;                                 /* N/m */
   double strain_beyond_test_count;                    /* links past the last point of their diagram */
   double step_size, step_count, step_stability;       /* s, 1, h omega_max / 2 */
+  int has_fit; /* scene.mode = "fit" */
+  double fit_residual; /* 1 */
   int has_energy;
   drape_energy energy;
   int probe_count;
@@ -84,13 +113,15 @@ typedef struct drape_outputs {
   double* node_velocity; /* [node_count x 3] m/s, synchronous */
 } drape_outputs;
 
-/* A piece as rows of nodes; absent nodes are marked. */
+/* A piece as its particles and the cells between them. */
 typedef struct drape_piece {
   const char* name;
-  int columns, rows;
-  const int* node;            /* [rows x columns] index into drape_outputs.node_position, -1 where no particle is */
-  const double* rest;         /* [rows x columns x 2] m, in the piece's plane */
-  double cell;                /* m */
+  double cell;        /* b, m */
+  int node_first;     /* its first particle in drape_outputs.node_position */
+  int node_count;
+  const double* rest; /* [node_count x 2] m, in the piece's plane */
+  int cell_count;
+  const int* corner;  /* [cell_count x 4] particles, counter-clockwise */
 } drape_piece;
 
 /* Reads, checks and assembles a scene. On faulty input: NULL, and one DRAPE_LOG_ERROR message per problem. The log function
@@ -112,6 +143,15 @@ drape_piece drape_piece_at(const drape_cloth*, int index);
  * taken. drape_advance commits by itself. */
 drape_parameters* drape_parameters_of(drape_cloth*);
 drape_status drape_commit(drape_cloth*);
+
+/* Inputs: write into the returned struct (it and its arrays keep their addresses for the cloth's life); the next drape_advance
+ * goes there. Before the first advance, the wind that is written holds from the start. Rates are the values' time derivatives at the
+ * beginning of the next advance: the value reached is value + length x rate; they are 0 again after it. */
+drape_inputs* drape_inputs_of(drape_cloth*);
+drape_inputs* drape_input_rates_of(drape_cloth*);
+
+/* True once a cloth in fit mode is at rest: it stays. */
+int drape_at_rest(const drape_cloth*);
 
 /* Moves the clock to the start time (s). Before the first step only. */
 drape_status drape_start(drape_cloth*, double time);

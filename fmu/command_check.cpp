@@ -11,10 +11,8 @@ namespace {
 void print_pieces(const drape_cloth* cloth) {
   for (int p = 0; p < drape_piece_count(cloth); ++p) {
     const drape_piece piece = drape_piece_at(cloth, p);
-    int particles = 0;
-    for (int n = 0; n < piece.rows * piece.columns; ++n) particles += piece.node[n] >= 0;
-    std::printf("piece %s: %d particles in %d rows of %d, cell %.6g mm\n", piece.name, particles, piece.rows,
-                piece.columns, 1e3 * piece.cell);
+    std::printf("piece %s: %d particles, %d cells of %.6g mm\n", piece.name, piece.node_count,
+                piece.cell_count, 1e3 * piece.cell);
   }
 }
 

@@ -12,18 +12,12 @@
 namespace drape {
 namespace {
 
-// Corners of all cells whose four nodes are particles, counter-clockwise. [4 x cells]
+// Corners of all cells, counter-clockwise. [4 x cells]
 std::vector<std::int32_t> cells_of(const drape_cloth* cloth) {
   std::vector<std::int32_t> corners;
   for (int p = 0; p < drape_piece_count(cloth); ++p) {
     const drape_piece piece = drape_piece_at(cloth, p);
-    for (int j = 0; j + 1 < piece.rows; ++j)
-      for (int i = 0; i + 1 < piece.columns; ++i) {
-        const int* low = piece.node + std::size_t(j) * piece.columns + i;
-        const int* high = low + piece.columns;
-        if (low[0] < 0 || low[1] < 0 || high[0] < 0 || high[1] < 0) continue;
-        corners.insert(corners.end(), {low[0], low[1], high[1], high[0]});
-      }
+    corners.insert(corners.end(), piece.corner, piece.corner + 4 * std::size_t(piece.cell_count));
   }
   return corners;
 }

@@ -5,7 +5,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "piece/grid.h"
+#include "piece/hold.h"
 
 namespace drape {
 namespace {
@@ -61,7 +61,7 @@ void draw_piece(pugi::xml_node svg, const Scene& scene, int index, const Grid& g
       .set(piece.name.c_str());
   for (const PinSpec& pin : scene.pins) {
     if (pin.piece != index) continue;
-    for (const Vec2& point : pin_points(grid, piece, pin))
+    for (const Vec2& point : hold_make(grid, scene, pin).points)
       append(svg, "rect",
              {{"x", text_of(view.x(point[0]) - 3)},
               {"y", text_of(view.y(point[1]) - 3)},

@@ -131,7 +131,7 @@ void add_outputs(Table& table, drape_outputs& o) {
   add(table, "energy.gravity", &o.energy.gravity, output("J"), "potential energy of the weight");
 }
 
-// Particles that have a variable: all, or those of which not all eight neighbours exist.
+// Particles that have a variable: all, or those at fewer than four cells.
 std::vector<int> nodes_wanted(const drape_cloth* cloth, Nodes nodes, int node_count) {
   std::vector<int> wanted;
   if (nodes == Nodes::kAll) {
@@ -139,21 +139,13 @@ std::vector<int> nodes_wanted(const drape_cloth* cloth, Nodes nodes, int node_co
     std::iota(wanted.begin(), wanted.end(), 0);
   }
   if (nodes != Nodes::kOutline) return wanted;
+  std::vector<int> cells_at(std::size_t(node_count), 0);
   for (int p = 0; p < drape_piece_count(cloth); ++p) {
     const drape_piece piece = drape_piece_at(cloth, p);
-    const auto node = [&](int i, int j) {
-      return i < 0 || j < 0 || i >= piece.columns || j >= piece.rows ? -1 : piece.node[j * piece.columns + i];
-    };
-    const auto inner = [&](int i, int j) {
-      for (int dj = -1; dj <= 1; ++dj)
-        for (int di = -1; di <= 1; ++di)
-          if (node(i + di, j + dj) < 0) return false;
-      return true;
-    };
-    for (int j = 0; j < piece.rows; ++j)
-      for (int i = 0; i < piece.columns; ++i)
-        if (node(i, j) >= 0 && !inner(i, j)) wanted.push_back(node(i, j));
+    for (int k = 0; k < 4 * piece.cell_count; ++k) ++cells_at[std::size_t(piece.corner[k])];
   }
+  for (int n = 0; n < node_count; ++n)
+    if (cells_at[std::size_t(n)] < 4) wanted.push_back(n);
   return wanted;
 }
 

@@ -14,7 +14,7 @@ namespace drape {
 enum class Causality { kParameter, kOutput };
 enum class Variability { kFixed, kTunable, kDiscrete, kContinuous };
 
-// Which particles have variables of their own; `outline`: those with a missing neighbour cell.
+// Which particles have variables of their own; `outline`: those at fewer than four cells.
 enum class Nodes { kNone, kOutline, kAll };
 inline constexpr const char* kNodesNames[] = {"none", "outline", "all"};
 

@@ -52,7 +52,7 @@ void nodes_fill(Outputs& o, const System& system, const State& s) {
 
 void outputs_make(Outputs& o, const Scene& scene, const System& system) {
   for (const ProbeSpec& probe : scene.probes) o.probes.push_back({probe.name.c_str(), {}, {}});
-  for (const PinSpec& pin : scene.pins) o.pins.push_back({pin.name.c_str(), {}});
+  for (const PinSpec& pin : scene.pins) o.pins.push_back({pin.name.c_str(), {}, {}});
   o.node_position.assign(3 * system.particle.size(), 0.0);
   o.node_velocity.assign(3 * system.particle.size(), 0.0);
   for (Array* a : {&o.vx, &o.vy, &o.vz}) a->assign(system.nodes, 0.0);

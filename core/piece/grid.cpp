@@ -63,20 +63,6 @@ double cells_from(double origin, double cell, double v) {
   return std::abs(u - whole) <= kSnap ? whole : u;
 }
 
-// A held point, moved onto the rim and the grid lines that it touches, so that equal points compare equal.
-Vec2 settled(const Grid& grid, const PieceSpec& piece, Vec2 p) {
-  const Extent extent[2] = {outline_extent(piece.outline, 0), outline_extent(piece.outline, 1)};
-  const double origin[2] = {grid.x0, grid.y0};
-  const double size = std::max(extent[0].high - extent[0].low, extent[1].high - extent[1].low);
-  for (int k = 0; k < 2; ++k) {
-    for (double rim : {extent[k].low, extent[k].high})
-      if (std::abs(p[k] - rim) <= kSnap + kSnap * size) p[k] = rim;
-    const double u = cells_from(origin[k], grid.cell, p[k]);
-    if (u == std::round(u)) p[k] = origin[k] + u * grid.cell;
-  }
-  return p;
-}
-
 }  // namespace
 
 Grid grid_make(const Scene& scene, int piece) {
@@ -89,9 +75,16 @@ Grid grid_make(const Scene& scene, int piece) {
   grid.y0 = y.origin;
   grid.columns = static_cast<int>(x.share.size()) + 1;
   grid.rows = static_cast<int>(y.share.size()) + 1;
-  grid.share.reserve(x.share.size() * y.share.size());
-  for (double row : y.share)
-    for (double column : x.share) grid.share.push_back(row * column);
+  grid.area.assign(std::size_t(grid.nodes()), 0.0);
+  for (int j = 0; j + 1 < grid.rows; ++j)
+    for (int i = 0; i + 1 < grid.columns; ++i) {
+      const int n = j * grid.columns + i;
+      grid.cells.push_back(
+          {i, j, {n, n + 1, n + grid.columns, n + grid.columns + 1}, y.share[j] * x.share[i]});
+      for (int corner : grid.cells.back().node)
+        grid.area[std::size_t(corner)] += grid.cell * grid.cell * grid.cells.back().share / 4;
+    }
+  grid.regular = int(grid.cells.size());
   return grid;
 }
 
@@ -100,31 +93,9 @@ GridPoint grid_locate(const Grid& grid, Vec2 point) {
   const int i = static_cast<int>(std::clamp(std::floor(u), 0.0, grid.columns - 2.0));
   const int j = static_cast<int>(std::clamp(std::floor(v), 0.0, grid.rows - 2.0));
   const double s = u - i, t = v - j;
-  return {{i, i + 1, i, i + 1}, {j, j, j + 1, j + 1}, {(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t}};
-}
-
-std::vector<Vec2> pin_points(const Grid& grid, const PieceSpec& piece, const PinSpec& pin) {
-  std::vector<Vec2> points;
-  for (const Vec2& p : pin.at) points.push_back(settled(grid, piece, p));
-  for (int edge : pin.edges) {
-    const Vec2 from = settled(grid, piece, piece.outline[edge]);
-    const Vec2 to = settled(grid, piece, piece.outline[(edge + 1) % piece.outline.size()]);
-    const int along = from[0] == to[0];  // the axis along which the edge runs
-    const double origin = along ? grid.y0 : grid.x0;
-    points.push_back(from);
-    points.push_back(to);
-    for (int k = 0; k < (along ? grid.rows : grid.columns); ++k) {
-      Vec2 crossing = from;
-      crossing[along] = origin + k * grid.cell;
-      if (crossing[along] > std::min(from[along], to[along]) &&
-          crossing[along] < std::max(from[along], to[along]))
-        points.push_back(crossing);
-    }
-  }
-  std::sort(points.begin(), points.end(),
-            [](Vec2 p, Vec2 q) { return p[1] != q[1] ? p[1] < q[1] : p[0] < q[0]; });
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  return points;
+  const int n = j * grid.columns + i;
+  return {{n, n + 1, n + grid.columns, n + grid.columns + 1},
+          {(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t}};
 }
 
 }  // namespace drape

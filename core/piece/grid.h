@@ -1,46 +1,58 @@
-// The grid of a piece: nodes along the threads, the share of each cell inside the outline. See
-// core/README.md, section 1.
+// The grid of a piece: cells along the threads, cut by the outline, and the nodes at their corners. core/README.md,
+// section 1.
 #pragma once
+#include <array>
 #include <vector>
 
 #include "scene/scene.h"
 
 namespace drape {
 
-struct Grid {
-  double cell = 0;            // b, m
-  double x0 = 0, y0 = 0;      // node (0,0) in the piece's plane, m
-  int columns = 0, rows = 0;  // nodes along weft (x) and warp (y)
-  std::vector<double> share;  // [(rows-1) x (columns-1)] phi, row-major
+// A cell with its corners a (i,j), b (i+1,j), c (i,j+1), d (i+1,j+1).
+struct GridCell {
+  int i, j;
+  int node[4];
+  double share;  // phi
+};
 
-  double share_at(int i, int j) const {  // phi(i,j); 0 outside the grid
-    return i < 0 || j < 0 || i >= columns - 1 || j >= rows - 1 ? 0.0
-                                                               : share[std::size_t(j) * (columns - 1) + i];
+// A connected part of the piece within one place of the grid, cut by the outline.
+struct GridPart {
+  int i, j;
+  int cell;                              // whose map its points use
+  std::vector<std::vector<Vec2>> loops;  // the rim, then holes; the plane of the outline, m
+};
+
+// Node (i,j) of the rows is node j columns + i; the twins follow.
+struct Grid {
+  double cell = 0;                       // b, m
+  double cosine = 1, sine = 0;           // of the grain
+  double x0 = 0, y0 = 0;                 // node (0,0) in the turned plane, m
+  int columns = 0, rows = 0;             // regular nodes along weft and warp
+  std::vector<std::array<int, 2>> twin;  // [twins] (i, j)
+  std::vector<GridCell> cells;           // regular ones first, row by row: one at most in a place, without twins
+  int regular = 0;                       // their number
+  std::vector<double> area;              // [columns rows + twins] m^2 that a node carries; 0: no particle
+  std::vector<GridPart> parts;           // of cells that the outline cuts
+
+  int nodes() const { return columns * rows + int(twin.size()); }
+  std::array<int, 2> index(int node) const {
+    if (node >= columns * rows) return twin[std::size_t(node - columns * rows)];
+    return {node % columns, node / columns};
   }
-  double node_share(int i, int j) const {  // s(i,j): node mass over rho b^2
-    return (share_at(i - 1, j - 1) + share_at(i, j - 1) + share_at(i - 1, j) + share_at(i, j)) / 4;
+  Vec2 place(int node) const {  // in the plane of the outline, m
+    const std::array<int, 2> at = index(node);
+    const double x = x0 + at[0] * cell, y = y0 + at[1] * cell;
+    return {x * cosine - y * sine, x * sine + y * cosine};
   }
 };
 
-// The grid of a piece; pinned edges of it decide on which side a cut row lies.
 Grid grid_make(const Scene& scene, int piece);
 
-// Where a point of the piece sits: r(point) = sum_k weight[k] r(i[k], j[k]) over 4 corners of a cell.
+// Where a point of the piece sits: r(point) = sum_k weight[k] r(node[k]).
 struct GridPoint {
-  int i[4], j[4];
+  int node[4];
   double weight[4];  // sum 1; exact zeros where the point lies on a grid line or node
 };
 GridPoint grid_locate(const Grid& grid, Vec2 point);
-
-// The points at which a pin holds the cloth: its own points, or its edges' corners and crossings with
-// threads, without duplicates.
-std::vector<Vec2> pin_points(const Grid& grid, const PieceSpec& piece, const PinSpec& pin);
-
-// A point of the piece's plane, placed in space.
-inline Vec3 place_point(const PlaceSpec& p, Vec2 q) {
-  Vec3 r;
-  for (int k = 0; k < 3; ++k) r[k] = p.origin[k] + q[0] * p.axis_x[k] + q[1] * p.axis_y[k];
-  return r;
-}
 
 }  // namespace drape

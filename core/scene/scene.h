@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +16,9 @@ using Vec3 = std::array<double, 3>;
 enum class Integrator { kLeapfrog, kPaper };
 enum class Scaling { kWidth, kPaperArea };
 enum class BiasModel { kOdd, kTension, kPaper };
+enum class OutlineModel { kCutCell, kPaper };
+enum class Mode { kDynamic, kFit };
+enum class Drive { kNone, kPosition, kVelocity, kBoth };
 
 // A load-elongation diagram of a strip: point k is (elongation[k], force[k]); point 0 is the origin.
 struct DiagramSpec {
@@ -33,27 +37,47 @@ struct FabricSpec {
   double poisson = 0;                            // B = EI / (1 - poisson^2)
   double compression = 1;                        // slope below zero over the slope at zero
   double compression_blend = 0.002;              // strain over which it gets there
+  double damping = 0;                            // s, of the springs: tension + damping x its rate
+  Vec2 friction{0.3, 0.3};                       // static, kinetic
 };
 
-// r = origin + x axis_x + y axis_y; the axes orthonormal after reading.
+// r = origin + x axis_x + y axis_y; the axes orthonormal after reading. On a cylinder the plane is rolled up:
+// core/README.md, section 1.
 struct PlaceSpec {
   Vec3 origin{0, 0, 0}, axis_x{1, 0, 0}, axis_y{0, 1, 0};
+  double radius = 0;  // m, of the cylinder; 0: flat
+  Vec3 axis_point{0, 0, 0}, axis{0, 0, 1};  // of the cylinder; axis of length 1 after reading
+};
+
+// A curved edge of an outline: with control points, a Bezier curve (1: quadratic, 2: cubic); without, an arc.
+struct CurveSpec {
+  int edge = -1;
+  std::vector<Vec2> bezier;          // [1 or 2] m
+  double radius = 0;                 // m, of an arc
+  bool large = false, right = true;  // the longer of two arcs; the one along which the angle rises
 };
 
 struct PieceSpec {
   std::string name;
-  int fabric = -1;            // index into Scene::fabrics
-  double cell = 0;            // m
-  std::vector<Vec2> outline;  // [n] m; edge i runs from point i to point i + 1
-  Vec3 velocity{0, 0, 0};     // m/s
+  int fabric = -1;                         // index into Scene::fabrics
+  double cell = 0;                         // m
+  std::vector<Vec2> outline;               // [n] m; edge i runs from point i to point i + 1
+  std::vector<CurveSpec> curves;           // edges of the outline that are not straight
+  std::vector<std::vector<Vec2>> holes;    // m
+  double grain = 0;                        // rad, counter-clockwise, from y to the warp
+  std::optional<Vec2> grid_origin;         // m; none: core/README.md, section 1
+  Vec3 velocity{0, 0, 0};                  // m/s
   PlaceSpec place;
 };
 
 struct PinSpec {
   std::string name;
-  int piece = -1;          // index into Scene::pieces
-  std::vector<Vec2> at;    // points of the piece ...
-  std::vector<int> edges;  // ... or outline edges, counted from 0
+  int piece = -1;            // index into Scene::pieces
+  std::vector<Vec2> at;      // points of the piece ...
+  std::vector<int> edges;    // ... or outline edges, counted from 0 ...
+  std::vector<Vec2> region{};  // ... or a polygon
+  bool clamp = false;        // holds the slope too
+  Drive drive = Drive::kNone;
 };
 
 struct ProbeSpec {
@@ -74,6 +98,14 @@ struct Scene {
   Scaling scaling = Scaling::kWidth;
   BiasModel bias_model = BiasModel::kOdd;
   bool clamp_correction = true;
+  OutlineModel outline = OutlineModel::kCutCell;
+  Mode mode = Mode::kDynamic;
+  Vec3 wind{0, 0, 0};                 // m/s
+  bool has_air = false;               // coefficients are given
+  double air_density = 1.2;           // kg/m^3
+  double air_normal = 0, air_tangential = 0;
+  double imperfection_amplitude = 0;  // m
+  std::int64_t imperfection_seed = 0;
   std::vector<FabricSpec> fabrics;
   std::vector<PieceSpec> pieces;
   std::vector<PinSpec> pins;

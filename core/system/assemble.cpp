@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "piece/hold.h"
+#include "piece/place.h"
+
 namespace drape {
 namespace {
 
@@ -23,6 +26,8 @@ Lattice lattice_reserve(const Grid& grid, const PieceSpec& spec, int piece, std:
 // Shares and places of all nodes; unused ones get the place the flat grid would give them, so that no edge is
 // of length 0.
 void lattice_fill(const Lattice& l, const Grid& grid, const PieceSpec& spec, System& system, State& state) {
+  for (int c = 0; c < grid.regular; ++c)
+    system.share[l.node(grid.cells[c].i, grid.cells[c].j)] = grid.cells[c].share;
   for (int j = -1; j <= l.rows; ++j) {
     for (int i = 0; i < l.stride; ++i) {
       const std::size_t n = l.first + std::size_t(std::ptrdiff_t(j) * l.stride + i);
@@ -30,8 +35,7 @@ void lattice_fill(const Lattice& l, const Grid& grid, const PieceSpec& spec, Sys
       state.x[n] = r[0];
       state.y[n] = r[1];
       state.z[n] = r[2];
-      system.share[n] = grid.share_at(i, j);
-      if (i >= l.columns || grid.node_share(i, j) == 0) continue;
+      if (i >= l.columns || j < 0 || j >= l.rows || grid.area[std::size_t(j * l.columns + i)] == 0) continue;
       state.vx[n] = spec.velocity[0];
       state.vy[n] = spec.velocity[1];
       state.vz[n] = spec.velocity[2];
@@ -61,7 +65,7 @@ ConstraintRow row_at(const Lattice& l, const GridPoint& at) {
   ConstraintRow row{};
   for (int k = 0; k < 4; ++k) {
     if (at.weight[k] == 0) continue;
-    row.node.push_back(l.node(at.i[k], at.j[k]));
+    row.node.push_back(l.node_of(at.node[k]));
     row.weight.push_back(at.weight[k]);
   }
   return row;
@@ -74,10 +78,11 @@ std::vector<ConstraintRow> pin_rows(const Scene& scene, const std::vector<Grid>&
     const PinSpec& pin = scene.pins[p];
     const PieceSpec& piece = scene.pieces[std::size_t(pin.piece)];
     const Grid& grid = grids[std::size_t(pin.piece)];
-    for (Vec2 point : pin_points(grid, piece, pin)) {
-      ConstraintRow row = row_at(system.lattices[std::size_t(pin.piece)], grid_locate(grid, point));
+    const Hold hold = hold_make(grid, scene, pin);
+    for (std::size_t k = 0; k < hold.points.size(); ++k) {
+      ConstraintRow row = row_at(system.lattices[std::size_t(pin.piece)], hold.at[k]);
       row.pin = int(p);
-      row.target = place_point(piece.place, point);
+      row.target = place_point(piece.place, hold.points[k]);
       rows.push_back(std::move(row));
     }
   }
@@ -87,7 +92,7 @@ std::vector<ConstraintRow> pin_rows(const Scene& scene, const std::vector<Grid>&
 Probe probe_make(const Lattice& l, const GridPoint& at) {
   Probe probe{};
   for (int k = 0; k < 4; ++k) {
-    probe.node[k] = l.node(at.i[k], at.j[k]);
+    probe.node[k] = l.node_of(at.node[k]);
     probe.weight[k] = at.weight[k];
   }
   return probe;

@@ -13,16 +13,22 @@ namespace drape {
 
 // One piece as rows of nodes in the common arrays. Node (i,j) is at first + j stride + i; a guard row on
 // either side and at least one unused node at the end of each row have share 0 and mass 0, and never move. So
-// have kRowUnit nodes at either end of the arrays.
+// have kRowUnit nodes at either end of the arrays. Twins follow the guard row above, padded to whole registers.
 struct Lattice {
   int columns = 0, rows = 0;  // nodes along weft, warp
   int stride = 0;             // multiple of kRowUnit
   std::size_t first = 0;      // multiple of kRowUnit
+  int twins = 0;              // nodes of their own at places that the outline splits
+  std::size_t twin_first = 0; // multiple of kRowUnit
   double cell = 0;            // b, m
   int piece = 0, fabric = 0;
   Law law;
 
   std::size_t node(int i, int j) const { return first + std::size_t(j) * stride + i; }
+  std::size_t node_of(int grid_node) const {  // of Grid's numbering
+    const int k = grid_node - columns * rows;
+    return k >= 0 ? twin_first + std::size_t(k) : node(grid_node % columns, grid_node / columns);
+  }
 };
 
 struct Probe {

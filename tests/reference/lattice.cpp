@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
-#include "piece/grid.h"
+#include "piece/hold.h"
+#include "piece/place.h"
 
 namespace drape::reference {
 namespace {
@@ -69,77 +71,70 @@ Law bias_law(const Scene& scene, const FabricSpec& fabric, double b) {
 // One piece on its grid, and the numbers of its particles.
 struct Net {
   const Scene& scene;
-  const PieceSpec& piece;
-  const FabricSpec& fabric;
+  int index;  // of the piece
   Grid grid;
-  std::vector<int> number;  // [rows x columns] particle, -1 where the node has no mass
+  std::vector<int> number;  // [nodes of the grid] particle, -1 where the node carries nothing
+  std::map<std::pair<int, int>, double> warp, weft;  // widths of links by their nodes
 
-  int at(int i, int j) const { return number[std::size_t(j) * std::size_t(grid.columns) + std::size_t(i)]; }
-  double phi(int i, int j) const { return grid.share_at(i, j); }
-  double warp_width(int i, int j) const { return grid.cell * (phi(i - 1, j) + phi(i, j)) / 2; }
-  double weft_width(int i, int j) const { return grid.cell * (phi(i, j - 1) + phi(i, j)) / 2; }
+  const PieceSpec& piece() const { return scene.pieces[std::size_t(index)]; }
+  const FabricSpec& fabric() const { return scene.fabrics[std::size_t(piece().fabric)]; }
+  int at(int node) const { return number[std::size_t(node)]; }
 };
 
 void add_particles(Net& net, Lattice& lattice, std::vector<double>& r, std::vector<double>& v) {
-  const double b = net.grid.cell;
-  for (int j = 0; j < net.grid.rows; ++j) {
-    for (int i = 0; i < net.grid.columns; ++i) {
-      const double s = net.grid.node_share(i, j);
-      net.number.push_back(s > 0 ? lattice.count++ : -1);
-      if (!(s > 0)) continue;
-      lattice.mass.push_back(net.fabric.areal_density * b * b * s);
-      const Vec3 place = place_point(net.piece.place, {net.grid.x0 + i * b, net.grid.y0 + j * b});
-      r.insert(r.end(), place.begin(), place.end());
-      v.insert(v.end(), net.piece.velocity.begin(), net.piece.velocity.end());
-    }
+  for (int n = 0; n < net.grid.nodes(); ++n) {
+    const double area = net.grid.area[std::size_t(n)];
+    net.number.push_back(area > 0 ? lattice.count++ : -1);
+    if (!(area > 0)) continue;
+    lattice.mass.push_back(net.fabric().areal_density * area);
+    const Vec3 place = place_start(net.scene, net.index, net.grid.place(n));
+    r.insert(r.end(), place.begin(), place.end());
+    v.insert(v.end(), net.piece().velocity.begin(), net.piece().velocity.end());
   }
 }
 
-void add_links(const Net& net, Lattice& lattice) {
+void add_links(Net& net, Lattice& lattice) {
   const double b = net.grid.cell;
   const int warp = int(lattice.laws.size()), weft = warp + 1, bias = warp + 2;
-  lattice.laws.push_back(thread_law(net.scene, net.fabric, net.fabric.warp, b));
-  lattice.laws.push_back(thread_law(net.scene, net.fabric, net.fabric.weft, b));
-  lattice.laws.push_back(bias_law(net.scene, net.fabric, b));
-  for (int j = 0; j < net.grid.rows; ++j) {
-    for (int i = 0; i < net.grid.columns; ++i) {
-      const double along_y = net.warp_width(i, j), along_x = net.weft_width(i, j);
-      const double diagonal = b * net.phi(i, j) / kRoot2;
-      if (along_y > 0) lattice.warp.push_back({net.at(i, j), net.at(i, j + 1), b, along_y, warp});
-      if (along_x > 0) lattice.weft.push_back({net.at(i, j), net.at(i + 1, j), b, along_x, weft});
-      if (!(diagonal > 0)) continue;
-      lattice.bias.push_back({net.at(i, j), net.at(i + 1, j + 1), kRoot2 * b, diagonal, bias});
-      lattice.bias.push_back({net.at(i + 1, j), net.at(i, j + 1), kRoot2 * b, diagonal, bias});
-    }
+  lattice.laws.push_back(thread_law(net.scene, net.fabric(), net.fabric().warp, b));
+  lattice.laws.push_back(thread_law(net.scene, net.fabric(), net.fabric().weft, b));
+  lattice.laws.push_back(bias_law(net.scene, net.fabric(), b));
+  for (const GridCell& cell : net.grid.cells) {
+    const auto [a, right, above, opposite] = cell.node;
+    const double half = b * cell.share / 2, diagonal = b * cell.share / kRoot2;
+    net.warp[{a, above}] += half;
+    net.warp[{right, opposite}] += half;
+    net.weft[{a, right}] += half;
+    net.weft[{above, opposite}] += half;
+    lattice.bias.push_back({net.at(a), net.at(opposite), kRoot2 * b, diagonal, bias});
+    lattice.bias.push_back({net.at(right), net.at(above), kRoot2 * b, diagonal, bias});
   }
+  for (const auto& [ends, width] : net.warp)
+    lattice.warp.push_back({net.at(ends.first), net.at(ends.second), b, width, warp});
+  for (const auto& [ends, width] : net.weft)
+    lattice.weft.push_back({net.at(ends.first), net.at(ends.second), b, width, weft});
 }
 
-// kappa = B w/b with B = EI/(1 - nu^2), w the mean width of the two links; no hinge where one of them is 0.
+// Two links of a thread in series, half of each: kappa = (B/b) 2/(1/w_0 + 1/w_1), B = EI/(1 - nu^2).
 void add_hinges(const Net& net, Lattice& lattice) {
-  const double b = net.grid.cell, factor = 1 / (1 - net.fabric.poisson * net.fabric.poisson);
-  const double B_warp = net.fabric.bending_warp * factor, B_weft = net.fabric.bending_weft * factor;
-  for (int j = 0; j < net.grid.rows; ++j) {
-    for (int i = 0; i < net.grid.columns; ++i) {
-      const double below = net.warp_width(i, j - 1), above = net.warp_width(i, j);
-      const double left = net.weft_width(i - 1, j), right = net.weft_width(i, j);
-      if (B_warp > 0 && below > 0 && above > 0) {
-        const double kappa = B_warp * (below + above) / 2 / b;
-        lattice.hinges.push_back({net.at(i, j - 1), net.at(i, j), net.at(i, j + 1), kappa});
-      }
-      if (B_weft > 0 && left > 0 && right > 0) {
-        const double kappa = B_weft * (left + right) / 2 / b;
-        lattice.hinges.push_back({net.at(i - 1, j), net.at(i, j), net.at(i + 1, j), kappa});
-      }
-    }
+  const FabricSpec& fabric = net.fabric();
+  const double factor = 1 / (1 - fabric.poisson * fabric.poisson) / net.grid.cell;
+  for (const auto& [links, B] : {std::pair{&net.warp, fabric.bending_warp * factor},
+                                 std::pair{&net.weft, fabric.bending_weft * factor}}) {
+    if (!(B > 0)) continue;
+    for (const auto& [first, w0] : *links)
+      for (auto next = links->lower_bound({first.second, 0});
+           next != links->end() && next->first.first == first.second; ++next)
+        lattice.hinges.push_back({net.at(first.first), net.at(first.second), net.at(next->first.second),
+                                  B * 2 / (1 / w0 + 1 / next->second)});
   }
 }
 
-Point point_at(const Net& net, Vec2 q) {
-  const GridPoint found = grid_locate(net.grid, q);
+Point point_at(const Net& net, const GridPoint& found) {
   Point point;
   for (int k = 0; k < 4; ++k) {
     if (found.weight[k] == 0) continue;
-    point.node.push_back(net.at(found.i[k], found.j[k]));
+    point.node.push_back(net.at(found.node[k]));
     point.weight.push_back(found.weight[k]);
   }
   return point;
@@ -152,8 +147,7 @@ Lattice lattice_make(const Scene& scene) {
   std::vector<double> r, v;
   std::vector<Net> nets;
   for (std::size_t p = 0; p < scene.pieces.size(); ++p) {
-    const PieceSpec& piece = scene.pieces[p];
-    nets.push_back({scene, piece, scene.fabrics[std::size_t(piece.fabric)], grid_make(scene, int(p)), {}});
+    nets.push_back({scene, int(p), grid_make(scene, int(p)), {}, {}, {}});
     Net& net = nets.back();
     add_particles(net, lattice, r, v);
     add_links(net, lattice);
@@ -162,13 +156,13 @@ Lattice lattice_make(const Scene& scene) {
   }
   for (const PinSpec& pin : scene.pins) {
     const Net& net = nets[std::size_t(pin.piece)];
-    for (Vec2 q : pin_points(net.grid, net.piece, pin)) {
-      lattice.rows.push_back({point_at(net, q), int(lattice.pins.size())});
-    }
+    for (const GridPoint& at : hold_make(net.grid, scene, pin).at)
+      lattice.rows.push_back({point_at(net, at), int(lattice.pins.size())});
     lattice.pins.push_back(pin.name);
   }
   for (const ProbeSpec& probe : scene.probes) {
-    lattice.probes.push_back(point_at(nets[std::size_t(probe.piece)], probe.at));
+    const Net& net = nets[std::size_t(probe.piece)];
+    lattice.probes.push_back(point_at(net, grid_locate(net.grid, probe.at)));
   }
   lattice.position = Eigen::Map<Eigen::VectorXd>(r.data(), Eigen::Index(r.size()));
   lattice.velocity = Eigen::Map<Eigen::VectorXd>(v.data(), Eigen::Index(v.size()));

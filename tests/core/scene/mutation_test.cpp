@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "piece/grid.h"
+#include "piece/hold.h"
 #include "scene_file.h"
 
 namespace drape {
@@ -87,7 +87,7 @@ void expect_laid_out(const Scene& scene, const std::string& text) {
     std::vector<Vec2> points = scene.pieces[k].outline;
     for (const PinSpec& pin : scene.pins) {
       if (pin.piece != int(k)) continue;
-      const std::vector<Vec2> held = pin_points(grid, scene.pieces[k], pin);
+      const std::vector<Vec2> held = hold_make(grid, scene, pin).points;
       EXPECT_FALSE(held.empty()) << text;
       points.insert(points.end(), held.begin(), held.end());
     }
@@ -96,7 +96,7 @@ void expect_laid_out(const Scene& scene, const std::string& text) {
     for (const Vec2& p : points) {
       const GridPoint g = grid_locate(grid, p);
       for (int n = 0; n < 4; ++n) {
-        ASSERT_TRUE(g.i[n] >= 0 && g.i[n] < grid.columns && g.j[n] >= 0 && g.j[n] < grid.rows) << text;
+        ASSERT_TRUE(grid.area[std::size_t(g.node[n])] > 0) << text;
         ASSERT_TRUE(std::abs(g.weight[n]) < 1.5) << text;  // at most 1.2 x 1.2 beyond a merged cell's nodes
       }
     }
