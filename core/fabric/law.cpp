@@ -103,6 +103,7 @@ Law law_make(const FabricSpec& fabric, const LawOptions& options, double cell, c
   law.bias = bias_law(fabric, options, cell, place, problems);
   law.bending_warp = fabric.bending_warp * plate;
   law.bending_weft = fabric.bending_weft * plate;
+  law.damping = fabric.damping;
   return law;
 }
 

@@ -9,6 +9,7 @@ struct Law {
   double areal_density = 0;                   // kg/m^2
   Curve warp, weft, bias;                     // N/m over strain
   double bending_warp = 0, bending_weft = 0;  // B, N m
+  double damping = 0;                         // beta, s
 };
 
 // The choices of a scene that shape every law.

@@ -118,6 +118,8 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
   system.step_max = scene.communication;
   system.damping = scene.damping;
   system.gravity = scene.gravity;
+  if (scene.has_air) system.air = {scene.air_density, scene.air_normal, scene.air_tangential};
+  system.energy = scene.energy;
   system.options = {scene.scaling, scene.bias_model, scene.clamp_correction};
 
   std::vector<Grid> grids;
@@ -129,6 +131,7 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
   system.nodes += kRowUnit;
   for (Array* a : {&system.share, &system.mass, &system.inverse_mass}) a->assign(system.nodes, 0.0);
   state_resize(start, system.nodes, scene.pins.size());
+  start.wind = scene.wind;
   for (std::size_t p = 0; p < scene.pieces.size(); ++p)
     lattice_fill(system.lattices[p], grids[p], scene.pieces[p], system, start);
 

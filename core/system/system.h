@@ -1,5 +1,6 @@
 // The two structs that carry everything: System, constant after assembly, and State, what the motion changes.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -31,6 +32,16 @@ struct Lattice {
   }
 };
 
+// Rotation matrix, row by row.
+using Mat3 = std::array<Vec3, 3>;
+inline constexpr Mat3 kNoTurn{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+// Of the environment; the wind is a part of the State.
+struct Air {
+  double density = 0;                 // kg/m^3
+  double normal = 0, tangential = 0;  // C_n, C_t; both 0: no air
+};
+
 struct Probe {
   std::size_t node[4];
   double weight[4];
@@ -48,6 +59,8 @@ struct System {
   double safety = kStepSafety;  // the automatic step over the step limit, at most
   double damping = 0;           // c, 1/s
   Vec3 gravity{0, 0, 0};        // m/s^2
+  Air air;
+  bool energy = false;          // the balance is kept
   LawOptions options;
   std::size_t nodes = 0;  // length of every array below and in State, unused nodes included
   Array share;            // [nodes] phi of the cell up and right of the node
@@ -62,6 +75,16 @@ struct System {
 struct State {
   Array x, y, z;     // [nodes] m, at t_n
   Array vx, vy, vz;  // [nodes] m/s, at t_{n-1/2} (paper scheme: at t_n)
+
+  // Only in systems with forces that depend on velocity (system_has_rates):
+  Array wx, wy, wz;   // [nodes] m/s, at t_{n-3/2}
+  double h_older = 0; // s, the step before h_old; 0 at the first
+
+  Vec3 wind{0, 0, 0};          // m/s, at t_n
+  std::vector<Mat3> pin_turn;  // [pins] R at t_n
+
+  double dissipated = 0, input = 0;  // J, with system.energy: but for the last half step
+  double energy_start = 0;           // J, kinetic and potential
 
   // Time = origin + tick q. A communication step that is no multiple of q moves the origin.
   double origin = 0;       // s
@@ -89,6 +112,7 @@ inline double state_time(const State& s, double communication) {
 inline void state_resize(State& s, std::size_t nodes, std::size_t pins) {
   for (Array* a : {&s.x, &s.y, &s.z, &s.vx, &s.vy, &s.vz}) a->assign(nodes, 0.0);
   s.pin_impulse.assign(pins, Vec3{0, 0, 0});
+  s.pin_turn.assign(pins, kNoTurn);
 }
 
 }  // namespace drape

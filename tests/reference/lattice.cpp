@@ -115,18 +115,24 @@ void add_links(Net& net, Lattice& lattice) {
     lattice.weft.push_back({net.at(ends.first), net.at(ends.second), b, width, weft});
 }
 
-// Two links of a thread in series, half of each: kappa = (B/b) 2/(1/w_0 + 1/w_1), B = EI/(1 - nu^2).
+// Two links of a thread in series, half of each: kappa = (B/b) 2 w_0 w_1/(W_1 + W_0), B = EI/(1 - nu^2); W_0, W_1 the
+// widths of all links of the thread that end and begin at the middle node.
 void add_hinges(const Net& net, Lattice& lattice) {
   const FabricSpec& fabric = net.fabric();
   const double factor = 1 / (1 - fabric.poisson * fabric.poisson) / net.grid.cell;
   for (const auto& [links, B] : {std::pair{&net.warp, fabric.bending_warp * factor},
                                  std::pair{&net.weft, fabric.bending_weft * factor}}) {
     if (!(B > 0)) continue;
+    std::map<int, double> ending, beginning;
+    for (const auto& [ends, w] : *links) {
+      beginning[ends.first] += w;
+      ending[ends.second] += w;
+    }
     for (const auto& [first, w0] : *links)
       for (auto next = links->lower_bound({first.second, 0});
            next != links->end() && next->first.first == first.second; ++next)
         lattice.hinges.push_back({net.at(first.first), net.at(first.second), net.at(next->first.second),
-                                  B * 2 / (1 / w0 + 1 / next->second)});
+                                  B * 2 * w0 * next->second / (beginning[first.second] + ending[first.second])});
   }
 }
 
