@@ -8,6 +8,7 @@
 #include "csv.h"
 #include "decimal.h"
 #include "frames.h"
+#include "inputs.h"
 
 namespace drape {
 namespace {
@@ -16,6 +17,7 @@ struct Options {
   std::string scene_file, folder;
   double until = 0, every = 0;        // s; 0: the scene's duration, a hundredth of it
   std::vector<std::string> settings;  // NAME=VALUE
+  std::string inputs_file;            // CSV
   bool frames = false, verbose = false;
   Nodes nodes = Nodes::kNone;
 };
@@ -36,20 +38,21 @@ std::string apply_setting(const std::vector<Variable>& table, const std::string&
     return "--set names the unknown variable '" + name + "'; " +
            (nearest.empty() ? "`drape variables SCENE` lists them" : "the nearest is '" + nearest + "'");
   }
-  if (v->causality != Causality::kParameter)
-    return "--set names the output '" + name + "'; allowed: parameters";
+  if (v->causality == Causality::kOutput)
+    return "--set names the output '" + name + "'; allowed: parameters and inputs";
   const std::string problem = range_problem(*v, value);
   if (problem.empty()) *v->value = value;
   return problem.empty() ? "" : "--set " + problem;
 }
 
-// Sets parameters before the start; prints all problems.
-int apply_settings(const std::vector<std::string>& settings, drape_cloth* cloth,
-                   const std::vector<Variable>& table) {
+// Sets values before the start and reads the inputs; prints all problems.
+int apply_settings(const Options& options, drape_cloth* cloth, const std::vector<Variable>& table,
+                   Inputs& inputs) {
   std::vector<std::string> problems;
-  for (const std::string& setting : settings)
+  for (const std::string& setting : options.settings)
     if (const std::string problem = apply_setting(table, setting); !problem.empty())
       problems.push_back(problem);
+  if (!options.inputs_file.empty()) inputs = inputs_read(options.inputs_file, table, problems);
   for (const std::string& problem : problems) fail(kBadInput, problem);
   return problems.empty() && drape_commit(cloth) == DRAPE_OK ? kDone : kBadInput;
 }
@@ -63,6 +66,13 @@ struct Recorder {
   bool with_frames;
   Frames frames;
   bool frames_written = true;
+};
+
+// What moves the cloth from row to row.
+struct Driven {
+  drape_cloth* cloth;
+  const std::vector<Variable>& table;
+  Inputs inputs;  // no rows: none
 };
 
 bool record(Recorder& r, double time) {
@@ -80,15 +90,31 @@ void show_progress(double time, double until) {
     std::fprintf(stderr, "\r%5.1f %%  t = %.6g s%s", 100 * time / until, time, time < until ? "" : "\n");
 }
 
+// From `time` on by `length`. With inputs, in steps of the communication interval (the last may be shorter),
+// each to the inputs at its end.
+drape_status advance(const Driven& driven, double time, double length) {
+  if (driven.inputs.time.empty()) return drape_advance(driven.cloth, length);
+  const double q = drape_communication(driven.cloth);
+  const double steps = std::max(1.0, std::ceil(length / q - 1e-9));
+  drape_status status = DRAPE_OK;
+  for (double k = 1; k <= steps && status == DRAPE_OK; ++k) {
+    inputs_apply(driven.inputs, time + (k < steps ? k * q : length), driven.table);
+    status = drape_advance(driven.cloth, k < steps ? q : length - (steps - 1) * q);
+  }
+  return status;
+}
+
 // Rows at 0, DT, 2 DT, ... and at the end, each reached from the one before; their times are written as these
 // products, from which the cloth's clock may be off by the rounding of its sums.
-int run_rows(Recorder& r, double until, double every) {
+int run_rows(Recorder& r, const Driven& driven, double until, double every) {
   const double rows = std::ceil(until / every - 1e-9);  // a last interval below a billionth of DT is rounding
+  if (!driven.inputs.time.empty()) inputs_apply(driven.inputs, 0, driven.table);
   if (!record(r, 0)) return kFailedRun;
   for (double k = 1; k <= rows; ++k) {
-    const double length = k < rows ? every : until - (rows - 1) * every;
-    const double time = k < rows ? k * every : until;
-    if (drape_advance(r.cloth, length) != DRAPE_OK) return kFailedRun;  // its last good state is the last row
+    const double before = (k - 1) * every, time = k < rows ? k * every : until;
+    const double length = k < rows ? every : until - before;
+    if (advance(driven, before, length) != DRAPE_OK)
+      return kFailedRun;  // its last good state is the last row
     if (!record(r, time)) return kFailedRun;
     show_progress(time, until);
   }
@@ -100,7 +126,8 @@ int run(const Options& options) {
   const Cloth cloth = cloth_open(options.scene_file, options.verbose);
   if (!cloth) return kBadInput;
   const std::vector<Variable> table = variables_of(cloth.get(), options.nodes);
-  if (const int code = apply_settings(options.settings, cloth.get(), table); code != kDone) return code;
+  Driven driven{cloth.get(), table, {}};
+  if (const int code = apply_settings(options, cloth.get(), table, driven.inputs); code != kDone) return code;
   const double duration = drape_duration(cloth.get());
   Recorder r{cloth.get(), {}, options.nodes != Nodes::kNone, {}, options.frames, {options.folder, {}, {}}};
   std::vector<std::string> header{"time"};
@@ -112,7 +139,7 @@ int run(const Options& options) {
   std::string problem;
   if (!csv_open(r.csv, options.folder, problem)) return fail(kBadInput, problem);
   csv_header(r.csv, header);
-  const int code = run_rows(r, options.until > 0 ? options.until : duration,
+  const int code = run_rows(r, driven, options.until > 0 ? options.until : duration,
                             options.every > 0 ? options.every : duration / 100);
   if (!csv_close(r.csv, problem)) return fail(kFailedRun, problem);
   return r.frames_written ? code : fail(kFailedRun, r.frames.trouble);
@@ -128,9 +155,11 @@ void command_run(CLI::App& app, int& exit_code) {
   option_seconds(*command, "--until", options->until, "end time; default: the scene's duration");
   option_seconds(*command, "--every", options->every,
                  "time between rows; default: a hundredth of the duration");
-  command->add_option("--set", options->settings, "a parameter's value, before the start")
+  command->add_option("--set", options->settings, "the start value of a parameter or an input")
       ->type_name("NAME=VALUE ...")
       ->allow_extra_args(false);
+  command->add_option("--inputs", options->inputs_file, "inputs over time: a column 'time' and any inputs")
+      ->type_name("FILE.csv");
   command->add_flag("--frames", options->frames, "write frames.pvd and a .vtp for every row");
   option_nodes(*command, options->nodes);
   command->add_flag("-v,--verbose", options->verbose, "print events and changes of the step");

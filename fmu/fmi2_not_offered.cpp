@@ -21,10 +21,6 @@ fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2ValueReferenc
                                         const fmi2ValueReference[], size_t, const fmi2Real[], fmi2Real[]) {
   return gate(c, rule_of("fmi2GetDirectionalDerivative"), not_offered);
 }
-fmi2Status fmi2SetRealInputDerivatives(fmi2Component c, const fmi2ValueReference[], size_t,
-                                       const fmi2Integer[], const fmi2Real[]) {
-  return gate(c, rule_of("fmi2SetRealInputDerivatives"), not_offered);
-}
 fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c, const fmi2ValueReference[], size_t,
                                         const fmi2Integer[], fmi2Real[]) {
   return gate(c, rule_of("fmi2GetRealOutputDerivatives"), not_offered);

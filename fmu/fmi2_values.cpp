@@ -35,6 +35,16 @@ fmi2Status fmi2SetReal(fmi2Component c, const fmi2ValueReference vr[], size_t nv
   });
 }
 
+fmi2Status fmi2SetRealInputDerivatives(fmi2Component c, const fmi2ValueReference vr[], size_t nvr,
+                                       const fmi2Integer order[], const fmi2Real value[]) {
+  return gate(c, rule_of("fmi2SetRealInputDerivatives"), [&](Component& k) {
+    if (nvr > 0 && (!vr || !order || !value))
+      return component_discard(
+          k, "fmi2SetRealInputDerivatives: the list of references, orders or values is missing");
+    return status_fmi2(instance_set_rates(*k.instance, vr, nvr, order, value));
+  });
+}
+
 fmi2Status fmi2GetInteger(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, fmi2Integer[]) {
   return gate(c, rule_of("fmi2GetInteger"), [&](Component& k) { return no_variable(k, vr, nvr, "Integer"); });
 }

@@ -65,6 +65,10 @@ drape_status instance_get(Instance& instance, const std::uint32_t* references, s
 drape_status instance_set(Instance& instance, const std::uint32_t* references, std::size_t count,
                           const double* values);
 
+// Time derivatives of inputs at the beginning of the next step; `orders` may be 1 only.
+drape_status instance_set_rates(Instance& instance, const std::uint32_t* references, std::size_t count,
+                                const int* orders, const double* values);
+
 // Saved states belong to the instance; `into` is reused unless it is null. What is none of the instance's own
 // states is refused (null, DRAPE_DISCARD).
 Saved* instance_save(Instance& instance, Saved* into);

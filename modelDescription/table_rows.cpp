@@ -7,6 +7,7 @@ namespace {
 
 const char* kind_of(const Variable& v) {
   if (v.causality == Causality::kOutput) return "output";
+  if (v.causality == Causality::kInput) return "input";
   return v.variability == Variability::kTunable ? "parameter, tunable" : "parameter, fixed";
 }
 
@@ -20,7 +21,7 @@ std::string meaning_of(const Variable& first, const Variable& last) {
 std::string start_of(const Variable& first, const Variable& last) {
   if (first.causality == Causality::kOutput) return "";
   std::string text = decimal_text(*first.value);
-  if (&last - &first > 2) return text + " ... " + decimal_text(*last.value);
+  if (&last - &first > 3) return text + " ... " + decimal_text(*last.value);
   for (const Variable* v = &first + 1; v <= &last; ++v) text += ", " + decimal_text(*v->value);
   return text;
 }
@@ -31,9 +32,9 @@ std::vector<TableRow> table_rows_of(const Description& d) {
   std::vector<TableRow> rows;
   for (const Family& f : families_of(d.table)) {
     const Variable &first = d.table[f.first], &last = d.table[f.first + f.count - 1];
-    const bool parameter = first.causality == Causality::kParameter;
+    const bool output = first.causality == Causality::kOutput;
     rows.push_back({first.family + f.index, meaning_of(first, last), kind_of(first), first.unit,
-                    parameter ? range_text(first.range) : "", start_of(first, last)});
+                    output ? "" : range_text(first.range), start_of(first, last)});
   }
   return rows;
 }

@@ -28,6 +28,9 @@ constexpr Row tunable(const Quantity& l) {
 constexpr Row fixed(const Quantity& l) {
   return {Causality::kParameter, Variability::kFixed, l.unit, range_of(l)};
 }
+constexpr Row input(const Quantity& l) {
+  return {Causality::kInput, Variability::kContinuous, l.unit, range_of(l)};
+}
 constexpr Row output(const char* unit) { return {Causality::kOutput, Variability::kContinuous, unit, kAny}; }
 constexpr Row output_discrete(const char* unit) {
   return {Causality::kOutput, Variability::kDiscrete, unit, kAny};
@@ -35,8 +38,8 @@ constexpr Row output_discrete(const char* unit) {
 
 void add(Table& table, const std::string& name, double* value, const Row& row,
          const std::string& description) {
-  table.push_back(
-      {name, "", description, "", row.causality, row.variability, row.unit, row.range, value, false});
+  table.push_back({name, "", description, "", row.causality, row.variability, row.unit, row.range, value,
+                   nullptr, false});
 }
 
 // name[1] to name[3], along x, y and z.
@@ -46,6 +49,17 @@ void add_vector(Table& table, const std::string& name, double* value, const Row&
     add(table, name, value + k, row, description);
     table.back().index = "[" + std::to_string(k + 1) + "]";
     table.back().detail = std::string(1, "xyz"[k]);
+  }
+}
+
+// An input of several numbers, each named by a letter, and its rates.
+void add_input(Table& table, const std::string& name, double* value, double* rate, const Row& row,
+               std::string_view letters, const std::string& description) {
+  for (std::size_t k = 0; k < letters.size(); ++k) {
+    add(table, name, value + k, row, description);
+    table.back().index = "[" + std::to_string(k + 1) + "]";
+    table.back().detail = std::string(1, letters[k]);
+    table.back().rate = rate + k;
   }
 }
 
@@ -95,13 +109,44 @@ void add_fabric(Table& table, drape_fabric& f) {
       "nu: the rigidity in bending is divided by 1 - nu^2");
   add(table, name + ".compression", &f.compression, tunable(kCompression),
       "slope of the thread's law in compression over its slope at zero");
+  add(table, name + ".damping", &f.damping, tunable(kSpringDamping),
+      "tension of the springs per rate, over their stiffness");
+  add(table, name + ".friction", &f.friction, tunable(kFriction),
+      "coefficient of friction; without effect as long as nothing touches");
 }
 
 void add_parameters(Table& table, drape_parameters& p) {
   for (int i = 0; i < p.fabric_count; ++i) add_fabric(table, p.fabric[i]);
   add(table, "damping", &p.damping, tunable(kDamping), "c in the braking force -m c v");
   add_vector(table, "gravity", p.gravity, tunable(kGravity), "acceleration of gravity");
+  if (p.has_air) {
+    add(table, "air.normal", &p.air_normal, tunable(kAirCoefficient), "drag coefficient across the cloth");
+    add(table, "air.tangential", &p.air_tangential, tunable(kAirCoefficient),
+        "drag coefficient along the cloth");
+  }
+  add(table, "parameter_ramp", &p.ramp, tunable(kRamp), "time over which a tuned value moves to its new one");
   add(table, "step.max", &p.step_max, fixed(kStepMax), "longest time step of the automatic choice");
+}
+
+void add_inputs(Table& table, drape_inputs& u, drape_inputs& rates) {
+  if (u.has_wind) add_input(table, "wind", u.wind, rates.wind, input(kWind), "xyz", "velocity of the air");
+  for (int i = 0; i < u.pin_count; ++i) {
+    drape_pin_input &pin = u.pin[i], &rate = rates.pin[i];
+    const std::string name = "pin." + name_part(pin.name);
+    if (pin.drive & DRAPE_DRIVE_POSITION)
+      add_input(table, name + ".position", pin.position, rate.position, input(kPinPosition), "xyz",
+                "where the pin is to be at the end of the step");
+    if (pin.drive & DRAPE_DRIVE_POSITION && pin.clamp)
+      add_input(table, name + ".orientation", pin.orientation, rate.orientation, input(kPinOrientation),
+                "wxyz", "rotation of the clamp since the start, a quaternion of any length above 0");
+    if (pin.drive & DRAPE_DRIVE_VELOCITY)
+      add_input(table, name + ".velocity", pin.velocity, rate.velocity, input(kPinVelocity), "xyz",
+                "velocity that the pin is to have at the end of the step");
+    if (pin.drive & DRAPE_DRIVE_VELOCITY && pin.clamp)
+      add_input(table, name + ".angular_velocity", pin.angular_velocity, rate.angular_velocity,
+                input(kPinAngularVelocity), "xyz",
+                "angular velocity that the clamp is to have at the end of the step");
+  }
 }
 
 void add_outputs(Table& table, drape_outputs& o) {
@@ -110,9 +155,13 @@ void add_outputs(Table& table, drape_outputs& o) {
     add_vector(table, name + ".position", o.probe[i].position, output("m"), "where the probe is");
     add_vector(table, name + ".velocity", o.probe[i].velocity, output("m/s"), "how fast the probe moves");
   }
-  for (int i = 0; i < o.pin_count; ++i)
-    add_vector(table, "pin." + name_part(o.pin[i].name) + ".force", o.pin[i].force, output("N"),
+  for (int i = 0; i < o.pin_count; ++i) {
+    const std::string name = "pin." + name_part(o.pin[i].name);
+    add_vector(table, name + ".force", o.pin[i].force, output("N"),
                "mean force of the cloth on the pin over the last communication step");
+    add_vector(table, name + ".torque", o.pin[i].torque, output("N.m"),
+               "mean torque of the cloth on the pin likewise, about the pin's position");
+  }
   add_strain(table, "strain.warp", o.strain_warp, "along the warp");
   add_strain(table, "strain.weft", o.strain_weft, "along the weft");
   add_strain(table, "strain.bias", o.strain_bias, "along the diagonals");
@@ -122,6 +171,9 @@ void add_outputs(Table& table, drape_outputs& o) {
   add(table, "step.size", &o.step_size, output_discrete("s"), "present time step");
   add(table, "step.count", &o.step_count, output_discrete("1"), "time steps since the start");
   add(table, "step.stability", &o.step_stability, output("1"), "h omega_max/2: the motion is stable below 1");
+  if (o.has_fit)
+    add(table, "fit.residual", &o.fit_residual, output("1"),
+        "largest force left on a particle over the larger of total weight and total pin force");
   if (!o.has_energy) return;
   add(table, "energy.kinetic", &o.energy.kinetic, output("J"), "energy of motion");
   add(table, "energy.stretch", &o.energy.stretch, output("J"),
@@ -129,6 +181,11 @@ void add_outputs(Table& table, drape_outputs& o) {
   add(table, "energy.shear", &o.energy.shear, output("J"), "energy of the diagonals");
   add(table, "energy.bending", &o.energy.bending, output("J"), "energy of the hinges");
   add(table, "energy.gravity", &o.energy.gravity, output("J"), "potential energy of the weight");
+  add(table, "energy.dissipated", &o.energy.dissipated, output("J"),
+      "energy that damping and air have taken");
+  add(table, "energy.input", &o.energy.input, output("J"), "work of pins, wind and tuning on the cloth");
+  add(table, "energy.balance_error", &o.energy.balance_error, output("J"),
+      "growth of all energies since the start, minus input, plus dissipated");
 }
 
 // Particles that have a variable: all, or those at fewer than four cells.
@@ -168,6 +225,7 @@ std::vector<Variable> variables_of(drape_cloth* cloth, Nodes nodes) {
   auto& outputs = const_cast<drape_outputs&>(*drape_outputs_at(cloth, nodes != Nodes::kNone));
   Table table;
   add_parameters(table, *drape_parameters_of(cloth));
+  add_inputs(table, *drape_inputs_of(cloth), *drape_input_rates_of(cloth));
   add_outputs(table, outputs);
   const std::vector<int> wanted = nodes_wanted(cloth, nodes, outputs.node_count);
   add_nodes(table, wanted, "node.position", outputs.node_position, "m", "where a particle is");

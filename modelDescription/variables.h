@@ -11,7 +11,7 @@
 
 namespace drape {
 
-enum class Causality { kParameter, kOutput };
+enum class Causality { kParameter, kInput, kOutput };
 enum class Variability { kFixed, kTunable, kDiscrete, kContinuous };
 
 // Which particles have variables of their own; `outline`: those at fewer than four cells.
@@ -33,7 +33,8 @@ struct Variable {
   Variability variability;
   const char* unit;  // a name in units.h
   Range range;
-  double* value;  // in the cloth's drape_parameters or drape_outputs
+  double* value;  // in the cloth's drape_parameters, drape_inputs or drape_outputs
+  double* rate;   // of an input: its time derivative, in the cloth's input rates; else null
   bool node;      // filled by drape_outputs_at only when nodes are wanted
 
   std::string name() const { return family + index; }

@@ -17,7 +17,9 @@ void set(pugi::xml_node node, const char* name, const std::string& value) {
 }
 
 const char* text_of(Causality causality) {
-  return causality == Causality::kParameter ? "parameter" : "output";
+  return causality == Causality::kParameter ? "parameter"
+         : causality == Causality::kInput   ? "input"
+                                            : "output";
 }
 
 const char* text_of(Variability variability) {
@@ -40,7 +42,7 @@ void print_capabilities(pugi::xml_node root, const Description& d) {
   set(node, "modelIdentifier", d.identifier);
   for (const auto& [flag, value] : {std::pair{"needsExecutionTool", "false"},
                                     {"canHandleVariableCommunicationStepSize", "true"},
-                                    {"canInterpolateInputs", "false"},
+                                    {"canInterpolateInputs", "true"},
                                     {"maxOutputDerivativeOrder", "0"},
                                     {"canRunAsynchronuously", "false"},  // the standard's own spelling
                                     {"canBeInstantiatedOnlyOncePerProcess", "false"},
@@ -59,7 +61,8 @@ void print_units(pugi::xml_node root, const Description& d) {
     pugi::xml_node node = definitions.append_child("Unit");
     set(node, "name", unit.name);
     pugi::xml_node base = node.append_child("BaseUnit");
-    for (const auto& [name, exponent] : {std::pair{"kg", unit.kg}, {"m", unit.m}, {"s", unit.s}})
+    for (const auto& [name, exponent] :
+         {std::pair{"kg", unit.kg}, {"m", unit.m}, {"s", unit.s}, {"rad", unit.rad}})
       if (exponent != 0) set(base, name, std::to_string(exponent));
   }
 }
@@ -81,7 +84,6 @@ void print_variables(pugi::xml_node root, const Description& d) {
   pugi::xml_node variables = root.append_child("ModelVariables");
   for (std::size_t i = 0; i < d.table.size(); ++i) {
     const Variable& v = d.table[i];
-    const bool parameter = v.causality == Causality::kParameter;
     pugi::xml_node scalar = variables.append_child("ScalarVariable");
     set(scalar, "name", v.name());
     set(scalar, "valueReference", std::to_string(i + 1));
@@ -91,12 +93,13 @@ void print_variables(pugi::xml_node root, const Description& d) {
     set(scalar, "description", description);
     set(scalar, "causality", text_of(v.causality));
     set(scalar, "variability", text_of(v.variability));
-    set(scalar, "initial", parameter ? "exact" : "calculated");
+    if (v.causality != Causality::kInput)  // an input's is implied
+      set(scalar, "initial", v.causality == Causality::kParameter ? "exact" : "calculated");
     pugi::xml_node real = scalar.append_child("Real");
     set(real, "unit", v.unit);
     if (std::isfinite(v.range.min)) set(real, "min", decimal_text(v.range.min));
     if (std::isfinite(v.range.max)) set(real, "max", decimal_text(v.range.max));
-    if (parameter) set(real, "start", decimal_text(*v.value));
+    if (v.causality != Causality::kOutput) set(real, "start", decimal_text(*v.value));
   }
 }
 

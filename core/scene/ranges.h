@@ -21,6 +21,17 @@ inline constexpr Quantity kPoisson{"poisson", 0, 0.999, false, "1"};
 inline constexpr Quantity kCompression{"compression", 0, 1, false, "1"};
 inline constexpr Quantity kGravity{"gravity", -1e4, 1e4, false, "m/s2"};
 inline constexpr Quantity kDamping{"damping", 0, 1e6, false, "1/s"};
+inline constexpr Quantity kSpringDamping{"damping", 0, 10, false, "s"};
+inline constexpr Quantity kFriction{"friction", 0, 10, false, "1"};
+inline constexpr Quantity kAirCoefficient{"air", 0, 1000, false, "1"};
+inline constexpr Quantity kRamp{"parameter_ramp", 0, 1e6, false, "s"};
+
+// Inputs.
+inline constexpr Quantity kWind{"wind", -1e3, 1e3, false, "m/s"};
+inline constexpr Quantity kPinPosition{"position", -1e6, 1e6, false, "m"};
+inline constexpr Quantity kPinVelocity{"velocity", -1e4, 1e4, false, "m/s"};
+inline constexpr Quantity kPinOrientation{"orientation", -1e6, 1e6, false, "1"};
+inline constexpr Quantity kPinAngularVelocity{"angular_velocity", -1e5, 1e5, false, "rad/s"};
 
 // EI of a bending specimen over the width of the specimen.
 inline constexpr Quantity kSpecimenRigidity{"bending.rigidity", 0, 0.1, false, "N.m2"};

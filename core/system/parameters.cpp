@@ -19,9 +19,13 @@ template <class P, class Visit>
 void each_value(P& p, Visit visit) {
   visit(p.shown.damping);
   for (auto& g : p.shown.gravity) visit(g);
+  visit(p.shown.air_normal);
+  visit(p.shown.air_tangential);
+  visit(p.shown.ramp);
   visit(p.shown.step_max);
   for (auto& f : p.fabrics)
-    for (auto* v : {&f.areal_density, &f.bending_warp, &f.bending_weft, &f.poisson, &f.compression})
+    for (auto* v : {&f.areal_density, &f.bending_warp, &f.bending_weft, &f.poisson, &f.compression,
+                    &f.damping, &f.friction})
       visit(*v);
   for (auto& list : p.force)
     for (auto& v : list) visit(v);
@@ -44,6 +48,9 @@ struct ValueRow {
 std::vector<ValueRow> value_rows(const Parameters& p, const Scene& scene) {
   std::vector<ValueRow> rows{{"damping", &kDamping}};
   for (int k = 1; k <= 3; ++k) rows.push_back({"gravity[" + std::to_string(k) + "]", &kGravity});
+  rows.push_back({"air.normal", &kAirCoefficient});
+  rows.push_back({"air.tangential", &kAirCoefficient});
+  rows.push_back({"parameter_ramp", &kRamp});
   rows.push_back({"step.max", &kStepMax});
   for (const FabricSpec& f : scene.fabrics) {
     const std::string place = "fabric." + f.name;
@@ -52,6 +59,8 @@ std::vector<ValueRow> value_rows(const Parameters& p, const Scene& scene) {
     rows.push_back({place + ".bending.weft", &kBending});
     rows.push_back({place + ".poisson", &kPoisson});
     rows.push_back({place + ".compression", &kCompression});
+    rows.push_back({place + ".damping", &kSpringDamping});
+    rows.push_back({place + ".friction", &kFriction});
   }
   for (std::size_t list = 0; list < p.force.size(); ++list)
     for (std::size_t i = 1; i <= p.force[list].size(); ++i)
@@ -129,6 +138,10 @@ std::vector<FabricSpec> parameters_fabrics(const Parameters& p, const Scene& sce
     f.bending_weft = shown.bending_weft;
     f.poisson = shown.poisson;
     f.compression = shown.compression;
+    f.damping = shown.damping;
+    // The kinetic coefficient keeps its ratio to the static one, which is what is tuned.
+    f.friction = {shown.friction,
+                  f.friction[0] > 0 ? shown.friction * (f.friction[1] / f.friction[0]) : shown.friction};
     for (int d = 0; d < 3; ++d)
       for (std::size_t i = 1; i < diagrams_of(f, d)->force.size(); ++i)
         diagrams_of(f, d)->force[i] = p.force[3 * k + std::size_t(d)][i - 1];

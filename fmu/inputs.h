@@ -1,0 +1,27 @@
+// Inputs over time from a CSV file: a column `time` and any input variables, linear between the rows; the
+// first and the last row hold outside.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "variables.h"
+
+namespace drape {
+
+struct Inputs {
+  std::vector<std::size_t> variable;  // [columns] indices into the variable table
+  std::vector<double> time;           // [rows] s, rising
+  std::vector<double> value;          // [rows x columns]
+};
+
+// Reads and checks a file against a variable table: every problem of it, one sentence each.
+Inputs inputs_read(const std::string& file, const std::vector<Variable>& table,
+                   std::vector<std::string>& problems);
+
+// The values at a time, column by column.
+void inputs_at(const Inputs& inputs, double time, double* values);
+
+// Writes the values at a time to where the table's rows have them.
+void inputs_apply(const Inputs& inputs, double time, const std::vector<Variable>& table);
+
+}  // namespace drape
