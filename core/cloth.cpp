@@ -3,94 +3,21 @@
 #include <cstdio>
 #include <new>
 
-#include "drape.h"
+#include "cloth.h"
 #include "motion/step_limit.h"
-#include "outputs/outputs.h"
 #include "scene/read.h"
 #include "system/assemble.h"
-#include "system/parameters.h"
-
-struct drape_cloth {
-  drape_log_fn* log = nullptr;
-  void* log_user = nullptr;
-  drape::Scene scene;
-  std::string text;
-  drape::System system;
-  drape::Motion motion;
-  drape::State state, good;  // now, and when the running advance began
-  drape::Parameters parameters;
-  drape_inputs inputs{}, input_rates{};
-  drape::ParameterValues in_force;
-  drape::Outputs outputs;
-  struct Piece {
-    int first = 0;
-    std::vector<double> rest;  // [particles x 2]
-    std::vector<int> corner;   // [cells x 4]
-  };
-  std::vector<Piece> pieces;
-  std::string limit_link;
-  bool stuck = false;  // the last advance met a step limit below the given step
-};
 
 struct drape_snapshot {
   drape::State state;
-  drape::ParameterValues in_force, shown;  // shown: also what is set but not committed yet
+  drape::Tuning tuning;
+  drape::ParameterValues shown;  // also what is set but not committed yet
 };
 
 namespace drape {
 namespace {
 
 constexpr double kIntervalsMost = 1e9;  // in one advance
-
-void say(const drape_cloth& c, drape_log_kind kind, const std::string& message) {
-  if (c.log) c.log(c.log_user, kind, message.c_str());
-}
-
-void say_problems(const drape_cloth& c, const std::vector<Problem>& problems) {
-  for (const Problem& p : problems) say(c, DRAPE_LOG_ERROR, p.place + " " + p.message);
-}
-
-std::string number(double value, int digits = 6) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*g", digits, value);
-  return text;
-}
-
-// What keeps the cloth from stepping on from its present state: no step limit, a given step above it, or more
-// than kSubsMost steps in an interval.
-void step_check(const drape_cloth& c, std::vector<Problem>& problems) {
-  const double omega2 = step_limit_omega2(c.system, *c.motion.kernel, c.state), q = c.system.communication,
-               limit = step_limit_of(c.system, omega2), steps = leapfrog_steps(c.system, omega2),
-               most = kSubsMost, given = c.system.step_given, longest = given > 0 ? given : c.system.step_max;
-  const auto set_by = [&] { return ", set by the " + step_limit_link(c.system, c.scene, c.state); };
-  if (!(limit > 0) || !std::isfinite(omega2)) {
-    problems.push_back({"scene.step", "has no limit above 0 s: stiffness over mass is not finite" +
-                                          (omega2 > 0 ? set_by() : std::string())});
-  } else if (given > limit) {
-    problems.push_back({"scene.step", "= " + number(given) + " s; allowed: above 0, at most the step limit " +
-                                          number(limit) + " s" + set_by()});
-  } else if (!(steps <= most) && longest * most < q) {
-    problems.push_back({longest == given ? "scene.step" : "step.max",
-                        "= " + number(longest) + " s takes " + number(steps) +
-                            " steps in a communication interval of " + number(q) + " s; allowed: at most " +
-                            number(most) + ", " + number(q / most) + " s or more each"});
-  } else if (!(steps <= most)) {
-    problems.push_back({"scene.communication",
-                        "= " + number(q) + " s takes " + number(steps) + " steps; allowed: at most " +
-                            number(most) + ", but the step limit is " + number(limit) + " s" + set_by()});
-  }
-}
-
-// The fabric of the piece that sets the step limit.
-int step_fabric(const drape_cloth& c) {
-  int fabric = 0;
-  double most = -1;
-  for (const Lattice& l : c.system.lattices)
-    for (int j = 0; j + 1 < l.rows; ++j)
-      if (const double omega2 = c.motion.kernel->omega2(c.system, l, c.state, j, 0); !(omega2 <= most))
-        most = omega2, fabric = l.fabric;
-  return fabric;
-}
 
 void pieces_describe(drape_cloth& c) {
   int particle = 0;
@@ -120,41 +47,9 @@ void cloth_assemble(drape_cloth& c, std::vector<Problem>& problems) {
   if (!problems.empty()) return;
   c.good = c.state;
   parameters_make(c.parameters, c.scene, c.system.step_max);
-  c.in_force = parameters_read(c.parameters);
+  tuning_begin(c);
   outputs_make(c.outputs, c.scene, c.system);
   pieces_describe(c);
-}
-
-// Takes the numbers of c.parameters into the system. The masses and the limit may have changed: look again at
-// once.
-void parameters_take(drape_cloth& c, std::vector<Problem>& problems) {
-  system_retune(c.system, parameters_fabrics(c.parameters, c.scene), problems);
-  if (!problems.empty()) return;
-  const drape_parameters& p = c.parameters.shown;
-  c.system.damping = p.damping;
-  c.system.gravity = {p.gravity[0], p.gravity[1], p.gravity[2]};
-  c.system.step_max = p.step_max;
-  c.in_force = parameters_read(c.parameters);
-}
-
-// Takes the parameters if the cloth can step on with them. Otherwise puts back what stands in the way, a
-// diagram or all of a fabric, tells of it, and is true: to be tried again.
-bool parameters_try(drape_cloth& c, const ParameterValues& before, std::vector<Problem>& problems) {
-  const auto put_back = [&](const std::string& stem, const std::string& name, const std::string& why) {
-    if (!parameters_restore(c.parameters, c.scene, before, stem)) return false;
-    problems.push_back({name, why});
-    return true;
-  };
-  std::vector<Problem> found;
-  parameters_take(c, found);
-  if (!found.empty()) return put_back(found[0].place, found[0].place, found[0].message);
-  step_check(c, found);
-  if (found.empty()) return false;
-  if (found[0].place == "step.max") return put_back("step.max", "step.max", found[0].message);
-  const std::string fabric = "fabric." + c.scene.fabrics[std::size_t(step_fabric(c))].name;
-  const std::string why = "keeps its values: with those set, " + problem_text(found[0]);
-  // Where neither has been set, the motion itself has come to this: a matter of the next advance.
-  return put_back(fabric + ".", fabric, why) || put_back("damping", "damping", why);
 }
 
 // Where a run left the finite numbers, and the likely reason.
@@ -248,26 +143,6 @@ drape_piece drape_piece_at(const drape_cloth* c, int index) {
 
 drape_parameters* drape_parameters_of(drape_cloth* c) { return &c->parameters.shown; }
 
-drape_status drape_commit(drape_cloth* c) {
-  const ParameterValues before = c->in_force;
-  if (parameters_read(c->parameters) == before) return DRAPE_OK;
-  std::vector<Problem> problems;
-  parameters_mend(c->parameters, c->scene, before, problems);
-  double& step_max = c->parameters.shown.step_max;
-  if (c->state.steps > 0 && step_max != c->system.step_max) {
-    problems.push_back({"step.max", "= " + number(step_max) +
-                                        " s; it is fixed once the cloth has moved, at " +
-                                        number(c->system.step_max) + " s"});
-    step_max = c->system.step_max;
-  }
-  if (!(parameters_read(c->parameters) == before)) {
-    while (parameters_try(*c, before, problems)) continue;
-    if (!(c->in_force == before)) leapfrog_retuned(c->system, c->motion, c->state);
-  }
-  say_problems(*c, problems);
-  return problems.empty() ? DRAPE_OK : DRAPE_DISCARD;
-}
-
 drape_inputs* drape_inputs_of(drape_cloth* c) { return &c->inputs; }
 drape_inputs* drape_input_rates_of(drape_cloth* c) { return &c->input_rates; }
 int drape_at_rest(const drape_cloth*) { return 0; }
@@ -301,13 +176,16 @@ drape_status drape_advance(drape_cloth* c, double length) {
   c->stuck = false;
   if (drape_commit(c) != DRAPE_OK) return DRAPE_DISCARD;
   c->good = c->state;
+  c->tuning_good = c->tuning;
   std::string event;
-  const Advance how = leapfrog_advance(c->system, c->motion, c->state, length, event);
+  const Advance how = leapfrog_advance(c->system, c->motion, c->state, length, event,
+                                       [c](double intervals) { tuning_go(*c, intervals); });
   if (!event.empty())
     say(*c, DRAPE_LOG_STABILITY, event + ", set by the " + step_limit_link(c->system, c->scene, c->state));
   if (how == Advance::kDone) return DRAPE_OK;
   say_trouble(*c, how, length);
   c->state = c->good;
+  tuning_restore(*c, c->tuning_good);
   c->stuck = how == Advance::kStepAboveLimit;
   return c->stuck ? DRAPE_DISCARD : DRAPE_ERROR;
 }
@@ -330,7 +208,7 @@ double drape_step_limit(drape_cloth* c, const char** set_by) {
 drape_snapshot* drape_save(drape_cloth* c, drape_snapshot* into) {
   if (!into) into = new drape_snapshot;
   into->state = c->state;
-  into->in_force = c->in_force;
+  into->tuning = c->tuning;
   into->shown = parameters_read(c->parameters);
   return into;
 }
@@ -338,9 +216,7 @@ drape_snapshot* drape_save(drape_cloth* c, drape_snapshot* into) {
 void drape_restore(drape_cloth* c, const drape_snapshot* from) {
   c->stuck = false;
   c->state = from->state;
-  parameters_write(c->parameters, from->in_force);
-  std::vector<Problem> problems;  // none: these values were in force once
-  if (!(from->in_force == c->in_force)) parameters_take(*c, problems);
+  tuning_restore(*c, from->tuning);
   parameters_write(c->parameters, from->shown);
 }
 

@@ -145,7 +145,8 @@ void leapfrog_step(const System& system, Motion& motion, State& s, double h) {
   ++s.steps;
 }
 
-Advance leapfrog_advance(const System& system, Motion& motion, State& s, double length, std::string& event) {
+Advance leapfrog_advance(const System& system, Motion& motion, State& s, double length, std::string& event,
+                         const std::function<void(double)>& interval_begins) {
   const double q = system.communication;
   const double whole = std::round(length / q);
   // A master's own clock rounds: the length may be off by some units in the last place of the time.
@@ -157,12 +158,14 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
   Advance result = Advance::kDone;
   if (on_grid) {
     for (std::int64_t k = 0; k < std::int64_t(whole) && result == Advance::kDone; ++k) {
+      if (interval_begins) interval_begins(1);
       subs_relax(system, s, event);
       result = interval_run(system, motion, s, q, s.subs, event);
       ++s.tick;
       ++s.calm;
     }
   } else {
+    if (interval_begins) interval_begins(length / q);
     subs_relax(system, s, event);
     result = interval_run(system, motion, s, length, subs_for(length, q / double(s.subs)), event);
     s.calm += std::max<std::int64_t>(1, std::int64_t(length / q));

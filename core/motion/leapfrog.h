@@ -1,5 +1,6 @@
 // Time: the step, its size, and advances on the communication grid. core/README.md, section 4.
 #pragma once
+#include <functional>
 #include <string>
 
 #include "motion/kernel.h"
@@ -36,9 +37,10 @@ void leapfrog_step(const System& system, Motion& motion, State& state, double h)
 // length. Each interval of q has state.subs steps; that number doubles when the step limit falls and is
 // chosen anew after 100 calm intervals. kStepAboveLimit: a given step met a limit below it. kTooManySteps:
 // the automatic step fell below q / kSubsMost. kNotFinite: the run left the finite numbers; the caller holds
-// the state from before. `event` receives a sentence when the step changed.
+// the state from before. `event` receives a sentence when the step changed. `interval_begins` is called before
+// each interval, with its length over q; it may change the system.
 Advance leapfrog_advance(const System& system, Motion& motion, State& state, double length,
-                         std::string& event);
+                         std::string& event, const std::function<void(double)>& interval_begins = {});
 
 // Synchronous velocities of all nodes at the present time (into vx, vy, vz [nodes]) and the forces of the
 // pins on the outside world (force [pins]).

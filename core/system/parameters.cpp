@@ -128,6 +128,21 @@ void parameters_write(Parameters& p, const ParameterValues& v) {
   each_value(p, [&](double& x) { x = v.value[k++]; });
 }
 
+std::vector<int> parameters_groups(const Parameters& p) {
+  std::vector<int> group;
+  int next = 0;
+  each_value(p, [&](const double& value) {
+    const bool at_once = &value == &p.shown.ramp || &value == &p.shown.step_max;
+    group.push_back(at_once ? -1 : next++);
+  });
+  std::size_t k = group.size();
+  for (std::size_t list = p.force.size(); list-- > 0;) {
+    k -= p.force[list].size();
+    for (std::size_t i = 0; i < p.force[list].size(); ++i) group[k + i] = group[k];
+  }
+  return group;
+}
+
 std::vector<FabricSpec> parameters_fabrics(const Parameters& p, const Scene& scene) {
   std::vector<FabricSpec> fabrics = scene.fabrics;
   for (std::size_t k = 0; k < fabrics.size(); ++k) {

@@ -24,6 +24,10 @@ void parameters_make(Parameters& parameters, const Scene& scene, double step_max
 ParameterValues parameters_read(const Parameters& parameters);
 void parameters_write(Parameters& parameters, const ParameterValues& values);
 
+// For each value, what moves together when it is tuned: a number of its own, but one for all points of a
+// diagram; -1 for what takes its new value at once (parameter_ramp, step.max).
+std::vector<int> parameters_groups(const Parameters& parameters);
+
 // The fabrics of the scene with the values of the parameters.
 std::vector<FabricSpec> parameters_fabrics(const Parameters& parameters, const Scene& scene);
 

@@ -1,0 +1,60 @@
+// What stands behind the C interface: a cloth is a scene, the system made from it, its state, and the structs
+// it shows.
+#pragma once
+#include "drape.h"
+#include "motion/leapfrog.h"
+#include "outputs/outputs.h"
+#include "system/ramp.h"
+
+namespace drape {
+
+// The tuned values: those in the system, and where they go.
+struct Tuning {
+  ParameterValues in_force;
+  Ramp ramp;
+};
+
+}  // namespace drape
+
+struct drape_cloth {
+  drape_log_fn* log = nullptr;
+  void* log_user = nullptr;
+  drape::Scene scene;
+  std::string text;
+  drape::System system;
+  drape::Motion motion;
+  drape::State state, good;  // now, and when the running advance began
+  drape::Parameters parameters;
+  drape_inputs inputs{}, input_rates{};
+  drape::Tuning tuning, tuning_good;  // as state, good
+  drape::Outputs outputs;
+  struct Piece {
+    int first = 0;
+    std::vector<double> rest;  // [particles x 2]
+    std::vector<int> corner;   // [cells x 4]
+  };
+  std::vector<Piece> pieces;
+  std::string limit_link;
+  bool stuck = false;  // the last advance met a step limit below the given step
+};
+
+namespace drape {
+
+void say(const drape_cloth& cloth, drape_log_kind kind, const std::string& message);
+void say_problems(const drape_cloth& cloth, const std::vector<Problem>& problems);
+std::string number(double value, int digits = 6);
+
+// What keeps the cloth from stepping on from its present state: no step limit, a given step above it, or more
+// than kSubsMost steps in an interval.
+void step_check(const drape_cloth& cloth, std::vector<Problem>& problems);
+
+// The values of the parameters are those of the system.
+void tuning_begin(drape_cloth& cloth);
+
+// Moves ramps on by a number of communication intervals.
+void tuning_go(drape_cloth& cloth, double intervals);
+
+// Takes up an earlier state of the tuning.
+void tuning_restore(drape_cloth& cloth, const Tuning& tuning);
+
+}  // namespace drape
