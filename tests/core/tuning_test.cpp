@@ -1,0 +1,236 @@
+// Values tuned while the cloth moves, through the C interface: what acts when, and what a change costs.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "drape.h"
+#include "scene/scene_file.h"
+
+namespace drape {
+namespace {
+
+constexpr double kG = 9.81, kQ = 1.0 / 1024;
+constexpr int kSteps = 32;  // in an interval
+
+struct Close {
+  void operator()(drape_cloth* c) const { drape_close(c); }
+};
+using Cloth = std::unique_ptr<drape_cloth, Close>;
+
+struct Heard {
+  std::vector<std::string> errors, events;
+};
+void hear(void* user, drape_log_kind kind, const char* message) {
+  Heard& heard = *static_cast<Heard*>(user);
+  if (kind == DRAPE_LOG_ERROR) heard.errors.push_back(message);
+  if (kind == DRAPE_LOG_EVENT) heard.events.push_back(message);
+}
+
+// A sheet of 0.05 m x 0.05 m, its lowest point 1 m above the origin; free, or held at a corner.
+Cloth open_sheet(Heard& heard, bool held, const std::string& step = "0.000030517578125") {
+  const SceneFolder folder;
+  const std::string scene = R"(
+[scene]
+name = "sheet"
+energy = true
+communication = 0.0009765625
+step = )" + step + R"(
+[fabric.f]
+areal_density = 0.15
+thickness = 0.0005
+warp = { elongation_percent = [0, 1, 3], force = [0, 1, 9] }
+weft = { elongation_percent = [0, 2, 6], force = [0, 1, 6] }
+bias = { elongation_percent = [0, 2, 6], force = [0, 0.3, 2] }
+bending = { rigidity_uN_cm2 = [1370, 900] }
+[[piece]]
+name = "sheet"
+fabric = "f"
+cell = 0.01
+outline = [[0, 0], [0.05, 0], [0.05, 0.05], [0, 0.05]]
+place = { origin = [0, 0, 1], axis_x = [1, 0, 0], axis_y = [0, 0, 1] }
+[[probe]]
+name = "low"
+piece = "sheet"
+at = [0.03, 0]
+)" + std::string(held ? "[[pin]]\nname = \"corner\"\npiece = \"sheet\"\nat = [[0, 0.05]]\n" : "");
+  return Cloth(drape_open(folder.write("scene.toml", scene).c_str(), hear, &heard));
+}
+
+void run(const Cloth& c, int intervals, int calls = 1) {
+  for (int k = 0; k < calls; ++k) ASSERT_EQ(drape_advance(c.get(), intervals / calls * kQ), DRAPE_OK);
+}
+
+std::vector<double> nodes(const Cloth& c) {
+  const drape_outputs* o = drape_outputs_at(c.get(), 1);
+  std::vector<double> values(o->node_position, o->node_position + 3 * o->node_count);
+  values.insert(values.end(), o->node_velocity, o->node_velocity + 3 * o->node_count);
+  return values;
+}
+
+double height(const Cloth& c) { return drape_outputs_at(c.get(), 0)->probe[0].position[2]; }
+
+// Free fall with gravity on its way from g to 0 within 10 q: in the k-th interval g_k = g (1 - k/10), and
+//   v_{n+1/2} = v_{n-1/2} - h g_k,  z_{n+1} = z_n + h v_{n+1/2}.
+// Sums of a few hundred terms of 1e-3 m, to 1e-13.
+TEST(Tuning, gravity_on_its_way_in_free_fall) {
+  Heard heard;
+  const Cloth c = open_sheet(heard, false);
+  ASSERT_TRUE(c) << heard.errors[0];
+  run(c, 4);
+  drape_parameters_of(c.get())->ramp = 10 * kQ;
+  drape_parameters_of(c.get())->gravity[2] = 0;
+  const double h = kQ / kSteps;
+  double z = 1, v = 0;
+  const auto fall = [&](double g) {
+    for (int n = 0; n < kSteps; ++n) {
+      v -= v == 0 ? h * g / 2 : h * g;
+      z += h * v;
+    }
+  };
+  for (int k = 0; k < 4; ++k) fall(kG);
+  EXPECT_NEAR(height(c), z, 1e-13);
+  for (int k = 1; k <= 15; ++k) {
+    run(c, 1);
+    fall(kG * (1 - std::min(1.0, 0.1 * k)));
+    EXPECT_NEAR(height(c), z, 1e-13) << k;
+    EXPECT_EQ(heard.events.size(), k < 10 ? 0u : 1u);
+  }
+}
+
+// An advance that is no multiple of q is one interval of its own length: the share is that of its end.
+TEST(Tuning, an_advance_off_the_grid_moves_the_values_by_its_length) {
+  Heard heard;
+  const Cloth c = open_sheet(heard, false), other = open_sheet(heard, false);
+  ASSERT_TRUE(c && other);
+  run(c, 1), run(other, 1);
+  drape_parameters_of(c.get())->ramp = 10 * kQ;
+  drape_parameters_of(c.get())->gravity[2] = 0;
+  drape_parameters_of(other.get())->gravity[2] = -0.75 * kG;
+  ASSERT_EQ(drape_advance(c.get(), 2.5 * kQ), DRAPE_OK);
+  ASSERT_EQ(drape_advance(other.get(), 2.5 * kQ), DRAPE_OK);
+  EXPECT_NEAR(height(c), height(other), 1e-15);
+}
+
+void tune_everything(const Cloth& c) {
+  drape_parameters& p = *drape_parameters_of(c.get());
+  p.ramp = 7.5 * kQ;
+  p.damping = 3;
+  p.gravity[0] = 2;
+  p.fabric[0].areal_density *= 1.5;
+  p.fabric[0].warp.force[0] *= 2;
+  p.fabric[0].warp.force[1] *= 2;
+  p.fabric[0].bending_weft *= 3;
+  p.fabric[0].poisson = 0.25;
+  p.fabric[0].compression = 0.5;
+}
+
+TEST(Tuning, grouping_of_steps_does_not_change_bits) {
+  Heard heard;
+  std::vector<std::vector<double>> ends;
+  for (const int calls : {1, 2, 4, 12}) {
+    const Cloth c = open_sheet(heard, true);
+    ASSERT_TRUE(c);
+    run(c, 12, calls);
+    tune_everything(c);
+    run(c, 12, calls);
+    ends.push_back(nodes(c));
+  }
+  for (const std::vector<double>& end : ends) EXPECT_EQ(end, ends[0]);
+}
+
+TEST(Tuning, a_saved_state_is_on_its_way_too) {
+  Heard heard;
+  const Cloth c = open_sheet(heard, true);
+  ASSERT_TRUE(c);
+  run(c, 2);
+  tune_everything(c);
+  run(c, 3);
+  drape_parameters_of(c.get())->gravity[1] = 4;  // not committed yet
+  drape_snapshot* saved = drape_save(c.get(), nullptr);
+  run(c, 12);
+  const std::vector<double> end = nodes(c);
+  drape_parameters_of(c.get())->damping = 100;
+  run(c, 2);
+  drape_restore(c.get(), saved);
+  run(c, 12);
+  EXPECT_EQ(nodes(c), end);
+  drape_snapshot_free(saved);
+}
+
+// From the end of the way on, the cloth is one of the new values: a jump at that time from the same state.
+TEST(Tuning, values_arrive_exactly) {
+  Heard heard;
+  const Cloth c = open_sheet(heard, true);
+  ASSERT_TRUE(c);
+  run(c, 2);
+  tune_everything(c);
+  run(c, 8);
+  drape_snapshot* saved = drape_save(c.get(), nullptr);
+  run(c, 4);
+  const std::vector<double> end = nodes(c);
+  drape_restore(c.get(), saved);
+  drape_parameters_of(c.get())->gravity[0] = 5;
+  ASSERT_EQ(drape_commit(c.get()), DRAPE_OK);
+  drape_parameters_of(c.get())->ramp = 0;
+  drape_parameters_of(c.get())->gravity[0] = 2;
+  ASSERT_EQ(drape_commit(c.get()), DRAPE_OK);
+  run(c, 4);
+  EXPECT_EQ(nodes(c), end);
+  drape_snapshot_free(saved);
+}
+
+// Before the first step: the start value, whatever the ramp.
+TEST(Tuning, start_values_are_there_at_once) {
+  Heard heard;
+  const Cloth c = open_sheet(heard, true), other = open_sheet(heard, true);
+  ASSERT_TRUE(c && other);
+  for (const Cloth* cloth : {&c, &other}) {
+    tune_everything(*cloth);
+    drape_parameters_of(cloth->get())->ramp = cloth == &c ? 1 : 0;
+    run(*cloth, 4);
+  }
+  EXPECT_EQ(nodes(c), nodes(other));
+}
+
+// The diagram is 1, 9 N; on its way to 3, 9 it is set to 3, 2: that falls, and the target before it stays.
+TEST(Tuning, the_target_is_judged) {
+  Heard heard;
+  const Cloth c = open_sheet(heard, true), other = open_sheet(heard, true);
+  ASSERT_TRUE(c && other);
+  for (const Cloth* cloth : {&c, &other}) {
+    run(*cloth, 2);
+    drape_parameters_of(cloth->get())->ramp = 10 * kQ;
+    drape_parameters_of(cloth->get())->fabric[0].warp.force[0] = 3;
+    run(*cloth, 4);
+  }
+  drape_parameters_of(c.get())->fabric[0].warp.force[1] = 2;
+  EXPECT_EQ(drape_advance(c.get(), kQ), DRAPE_DISCARD);
+  ASSERT_EQ(heard.errors.size(), 1u);
+  EXPECT_NE(heard.errors[0].find("fabric.f.warp.force[2] = 2 N"), std::string::npos) << heard.errors[0];
+  EXPECT_EQ(drape_parameters_of(c.get())->fabric[0].warp.force[0], 3);
+  EXPECT_EQ(drape_parameters_of(c.get())->fabric[0].warp.force[1], 9);
+  run(c, 10), run(other, 10);
+  EXPECT_EQ(nodes(c), nodes(other));
+}
+
+TEST(Tuning, ranges_of_the_new_values) {
+  Heard heard;
+  const Cloth c = open_sheet(heard, true);
+  ASSERT_TRUE(c);
+  drape_parameters& p = *drape_parameters_of(c.get());
+  p.ramp = -1;
+  p.fabric[0].damping = 11;
+  p.fabric[0].friction = NAN;
+  EXPECT_EQ(drape_commit(c.get()), DRAPE_DISCARD);
+  ASSERT_EQ(heard.errors.size(), 3u);
+  EXPECT_EQ(heard.errors[0], "parameter_ramp = -1 s; allowed: from 0 to 1000000 s");
+  EXPECT_EQ(heard.errors[1], "fabric.f.damping = 11 s; allowed: from 0 to 10 s");
+  EXPECT_EQ(heard.errors[2], "fabric.f.friction = nan; allowed: from 0 to 10");
+  EXPECT_EQ(p.ramp, 0);
+  EXPECT_EQ(p.fabric[0].damping, 0);
+  EXPECT_EQ(p.fabric[0].friction, 0.3);
+}
+
+}  // namespace
+}  // namespace drape
