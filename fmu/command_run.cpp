@@ -8,7 +8,7 @@
 #include "csv.h"
 #include "decimal.h"
 #include "frames.h"
-#include "inputs.h"
+#include "input_table.h"
 
 namespace drape {
 namespace {
@@ -47,12 +47,12 @@ std::string apply_setting(const std::vector<Variable>& table, const std::string&
 
 // Sets values before the start and reads the inputs; prints all problems.
 int apply_settings(const Options& options, drape_cloth* cloth, const std::vector<Variable>& table,
-                   Inputs& inputs) {
+                   InputTable& inputs) {
   std::vector<std::string> problems;
   for (const std::string& setting : options.settings)
     if (const std::string problem = apply_setting(table, setting); !problem.empty())
       problems.push_back(problem);
-  if (!options.inputs_file.empty()) inputs = inputs_read(options.inputs_file, table, problems);
+  if (!options.inputs_file.empty()) inputs = input_table_read(options.inputs_file, table, problems);
   for (const std::string& problem : problems) fail(kBadInput, problem);
   return problems.empty() && drape_commit(cloth) == DRAPE_OK ? kDone : kBadInput;
 }
@@ -72,7 +72,7 @@ struct Recorder {
 struct Driven {
   drape_cloth* cloth;
   const std::vector<Variable>& table;
-  Inputs inputs;  // no rows: none
+  InputTable inputs;  // no rows: none
 };
 
 bool record(Recorder& r, double time) {
@@ -98,7 +98,7 @@ drape_status advance(const Driven& driven, double time, double length) {
   const double steps = std::max(1.0, std::ceil(length / q - 1e-9));
   drape_status status = DRAPE_OK;
   for (double k = 1; k <= steps && status == DRAPE_OK; ++k) {
-    inputs_apply(driven.inputs, time + (k < steps ? k * q : length), driven.table);
+    input_table_apply(driven.inputs, time + (k < steps ? k * q : length), driven.table);
     status = drape_advance(driven.cloth, k < steps ? q : length - (steps - 1) * q);
   }
   return status;
@@ -108,7 +108,7 @@ drape_status advance(const Driven& driven, double time, double length) {
 // products, from which the cloth's clock may be off by the rounding of its sums.
 int run_rows(Recorder& r, const Driven& driven, double until, double every) {
   const double rows = std::ceil(until / every - 1e-9);  // a last interval below a billionth of DT is rounding
-  if (!driven.inputs.time.empty()) inputs_apply(driven.inputs, 0, driven.table);
+  if (!driven.inputs.time.empty()) input_table_apply(driven.inputs, 0, driven.table);
   if (!record(r, 0)) return kFailedRun;
   for (double k = 1; k <= rows; ++k) {
     const double before = (k - 1) * every, time = k < rows ? k * every : until;

@@ -1,4 +1,4 @@
-#include "inputs.h"
+#include "input_table.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -108,7 +108,7 @@ bool cell_read(Reading& r, std::size_t column, const std::string& text, const Va
 }
 
 void row_read(Reading& r, const std::string& line, const std::vector<std::size_t>& columns,
-              const std::vector<Variable>& table, Inputs& inputs) {
+              const std::vector<Variable>& table, InputTable& inputs) {
   const std::vector<std::string> cells = cells_of(line);
   if (cells.size() != columns.size()) {
     complain(r, std::min(cells.size(), columns.size()),
@@ -135,9 +135,9 @@ void row_read(Reading& r, const std::string& line, const std::vector<std::size_t
 
 }  // namespace
 
-Inputs inputs_read(const std::string& file, const std::vector<Variable>& table,
-                   std::vector<std::string>& problems) {
-  Inputs inputs;
+InputTable input_table_read(const std::string& file, const std::vector<Variable>& table,
+                            std::vector<std::string>& problems) {
+  InputTable inputs;
   Reading r{file, problems};
   const std::size_t before = problems.size();
   errno = 0;
@@ -158,10 +158,10 @@ Inputs inputs_read(const std::string& file, const std::vector<Variable>& table,
   }
   for (const std::size_t column : columns)
     if (column != kTime) inputs.variable.push_back(column);
-  return problems.size() == before ? inputs : Inputs{};
+  return problems.size() == before ? inputs : InputTable{};
 }
 
-void inputs_at(const Inputs& inputs, double time, double* values) {
+void input_table_at(const InputTable& inputs, double time, double* values) {
   const std::size_t columns = inputs.variable.size(), rows = inputs.time.size();
   const std::size_t next =
       std::size_t(std::upper_bound(inputs.time.begin(), inputs.time.end(), time) - inputs.time.begin());
@@ -174,9 +174,9 @@ void inputs_at(const Inputs& inputs, double time, double* values) {
   }
 }
 
-void inputs_apply(const Inputs& inputs, double time, const std::vector<Variable>& table) {
+void input_table_apply(const InputTable& inputs, double time, const std::vector<Variable>& table) {
   std::vector<double> values(inputs.variable.size());
-  inputs_at(inputs, time, values.data());
+  input_table_at(inputs, time, values.data());
   for (std::size_t k = 0; k < values.size(); ++k) *table[inputs.variable[k]].value = values[k];
 }
 

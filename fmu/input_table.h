@@ -8,20 +8,20 @@
 
 namespace drape {
 
-struct Inputs {
+struct InputTable {
   std::vector<std::size_t> variable;  // [columns] indices into the variable table
   std::vector<double> time;           // [rows] s, rising
   std::vector<double> value;          // [rows x columns]
 };
 
 // Reads and checks a file against a variable table: every problem of it, one sentence each.
-Inputs inputs_read(const std::string& file, const std::vector<Variable>& table,
-                   std::vector<std::string>& problems);
+InputTable input_table_read(const std::string& file, const std::vector<Variable>& table,
+                            std::vector<std::string>& problems);
 
 // The values at a time, column by column.
-void inputs_at(const Inputs& inputs, double time, double* values);
+void input_table_at(const InputTable& inputs, double time, double* values);
 
 // Writes the values at a time to where the table's rows have them.
-void inputs_apply(const Inputs& inputs, double time, const std::vector<Variable>& table);
+void input_table_apply(const InputTable& inputs, double time, const std::vector<Variable>& table);
 
 }  // namespace drape
