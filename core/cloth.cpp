@@ -1,4 +1,5 @@
 // The C interface: a cloth is a scene, the system made from it, its state, and the structs it shows.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <new>
@@ -12,12 +13,26 @@ struct drape_snapshot {
   drape::State state;
   drape::Tuning tuning;
   drape::ParameterValues shown;  // also what is set but not committed yet
+  struct Inputs {
+    double wind[3];
+    std::vector<drape_pin_input> pin;
+  } inputs, input_rates;
 };
 
 namespace drape {
 namespace {
 
 constexpr double kIntervalsMost = 1e9;  // in one advance
+
+void inputs_save(const drape_inputs& from, drape_snapshot::Inputs& to) {
+  std::copy(from.wind, from.wind + 3, to.wind);
+  to.pin.assign(from.pin, from.pin + from.pin_count);
+}
+
+void inputs_restore(const drape_snapshot::Inputs& from, drape_inputs& to) {
+  std::copy(from.wind, from.wind + 3, to.wind);
+  std::copy(from.pin.begin(), from.pin.end(), to.pin);
+}
 
 void pieces_describe(drape_cloth& c) {
   int particle = 0;
@@ -210,6 +225,8 @@ drape_snapshot* drape_save(drape_cloth* c, drape_snapshot* into) {
   into->state = c->state;
   into->tuning = c->tuning;
   into->shown = parameters_read(c->parameters);
+  inputs_save(c->inputs, into->inputs);
+  inputs_save(c->input_rates, into->input_rates);
   return into;
 }
 
@@ -218,6 +235,8 @@ void drape_restore(drape_cloth* c, const drape_snapshot* from) {
   c->state = from->state;
   tuning_restore(*c, from->tuning);
   parameters_write(c->parameters, from->shown);
+  inputs_restore(from->inputs, c->inputs);
+  inputs_restore(from->input_rates, c->input_rates);
 }
 
 void drape_snapshot_free(drape_snapshot* s) { delete s; }

@@ -170,7 +170,7 @@ const drape_outputs* drape_outputs_at(drape_cloth*, int want_nodes);
 /* The step limit at the present state, without the safety factor (s), and the name of the link that sets it. */
 double drape_step_limit(drape_cloth*, const char** set_by);
 
-/* Copies of the whole state (motion, clock, parameters in force and written). drape_save reuses `into` unless it is NULL. */
+/* Copies of the whole state (motion, clock, parameters in force and written, inputs). drape_save reuses `into` unless it is NULL. */
 drape_snapshot* drape_save(drape_cloth*, drape_snapshot* into);
 void drape_restore(drape_cloth*, const drape_snapshot*);
 void drape_snapshot_free(drape_snapshot*);
