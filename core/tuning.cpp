@@ -53,9 +53,8 @@ int step_fabric(const drape_cloth& c) {
   int fabric = 0;
   double most = -1;
   for (const Lattice& l : c.system.lattices)
-    for (int j = 0; j + 1 < l.rows; ++j)
-      if (const double omega2 = c.motion.kernel->omega2(c.system, l, c.state, j, 0); !(omega2 <= most))
-        most = omega2, fabric = l.fabric;
+    if (const double omega2 = step_limit_lattice(c.system, *c.motion.kernel, l, c.state); !(omega2 <= most))
+      most = omega2, fabric = l.fabric;
   return fabric;
 }
 

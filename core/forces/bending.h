@@ -7,8 +7,7 @@
 //   x0  u   x1             force on x2 = kappa psi (u - y v)/|c|,  on x0 = -kappa psi (v - y u)/|a|,  on x1
 //   minus both
 //
-// The force is normal to each edge and shorter by its present length: no net force, no net torque. A missing
-// link has u = 0 and 1/|a| = 0, and its hinges vanish without a mask.
+// The force is normal to each edge and shorter by its present length: no net force, no net torque. The share of a missing hinge is 0.
 //
 // psi without trigonometry: with h = cos(theta/2) = sqrt((1 + y)/2), psi(y) = Q(h)/h, Q(h) = acos(h)/sqrt(1 -
 // h^2). Q is analytic but at h = -1; on h in [1/2, 1], theta up to 120 degrees, its Chebyshev series in 4h -
@@ -50,24 +49,14 @@ DRAPE_INLINE HingeForces<L> bending_hinge(Vec<L> u, L inverse_a, Vec<L> v, L inv
   return {(u * y - v) * (moment * inverse_a), (u - v * y) * (moment * inverse_c)};
 }
 
-// The share of a hinge's node: kappa = B s where both links are there.
-struct NodeShareRow {
-  const double *below, *here;  // shares of the cells below and above the row of nodes
-};
+// Hinges across the warp links below and above a row; kappa = rigidity share[i].
 template <class L>
-DRAPE_INLINE L node_share(NodeShareRow s, long i) {
-  return L(0.25) * ((L::loadu(s.below + i - 1) + L::loadu(s.below + i)) +
-                    (L::loadu(s.here + i - 1) + L::loadu(s.here + i)));
-}
-
-// Hinges across the warp links below and above a row.
-template <class L>
-DRAPE_INLINE void bending_warp_add(int n, const LinkRow& below, const LinkRow& above, NodeShareRow share,
+DRAPE_INLINE void bending_warp_add(int n, const LinkRow& below, const LinkRow& above, const double* share,
                                    double rigidity, Row force_below, Row force, Row force_above) {
   for (int i = 0; i < n; i += L::kWidth) {
     const auto f =
         bending_hinge(vec_load<L>(below.unit, i), L::load(below.inverse + i), vec_load<L>(above.unit, i),
-                      L::load(above.inverse + i), L(rigidity) * node_share<L>(share, i));
+                      L::load(above.inverse + i), L(rigidity) * L::load(share + i));
     vec_add(force_below, i, f.first);
     vec_add(force_above, i, f.last);
     vec_store(force, i, vec_load<L>(force, i) - (f.first + f.last));
@@ -76,12 +65,12 @@ DRAPE_INLINE void bending_warp_add(int n, const LinkRow& below, const LinkRow& a
 
 // Hinges along a row of weft links: hinge i lies between links i - 1 and i.
 template <class L>
-DRAPE_INLINE void bending_weft_add(int n, const LinkRow& links, NodeShareRow share, double rigidity,
+DRAPE_INLINE void bending_weft_add(int n, const LinkRow& links, const double* share, double rigidity,
                                    Row first, Row last, Row force) {
   for (int i = 0; i < n; i += L::kWidth) {
     const auto f = bending_hinge(vec_load<L>(links.unit, i - 1), L::loadu(links.inverse + i - 1),
                                  vec_load<L>(links.unit, i), L::load(links.inverse + i),
-                                 L(rigidity) * node_share<L>(share, i));
+                                 L(rigidity) * L::load(share + i));
     vec_store(first, i, f.first);
     vec_store(last, i, f.last);
   }

@@ -4,21 +4,23 @@
 //        | X |
 //      a o---o b        E = w sqrt(2) b G(e), G' = g, w = b phi/sqrt(2);  pull on a = w g(e) (d - a)/l
 #pragma once
+#include "forces/damping.h"
 #include "forces/rows.h"
 
 namespace drape {
 namespace {
 
-template <class L, class Tension>
+template <class L, class Tension, class Pull>
 DRAPE_INLINE void shear_diagonals(int n, ConstRow from, ConstRow to, WidthRow width, double diagonal,
-                                  Tension tension, Row pull) {
+                                  Tension tension, Pull pull, Row out) {
   const L inverse_rest = 1 / diagonal;
   for (int i = 0; i < n; i += L::kWidth) {
     const Vec<L> edge = vec_load<L>(to, i) - vec_load<L>(from, i);
     const L length = sqrt(dot(edge, edge));
     const L w = width_load<L>(width, i);
     const L inverse = select(gt(w, L(0.0)), L(1.0) / length, L(0.0));
-    vec_store(pull, i, edge * (inverse * (w * tension(fma(length, inverse_rest, L(-1.0))))));
+    const L e = fma(length, inverse_rest, L(-1.0));
+    vec_store(out, i, edge * (inverse * (w * pull(tension, e, edge, inverse, i))));
   }
 }
 

@@ -4,15 +4,16 @@
 //
 //   E = w b P(e), P' = p;   pull on r0 = w p(e) (r1 - r0)/l = -dE/dr0, and its opposite on r1.
 #pragma once
+#include "forces/damping.h"
 #include "forces/rows.h"
 
 namespace drape {
 namespace {
 
-// Links from row `from` to row `to`. Directions and 1/l are kept for the hinges.
-template <class L, class Tension>
+// Links from row `from` to row `to`. Directions and 1/l are kept for the hinges. `pull`: Elastic or Damped.
+template <class L, class Tension, class Pull>
 DRAPE_INLINE void stretch_links(int n, ConstRow from, ConstRow to, WidthRow width, double cell,
-                                Tension tension, LinkRow out) {
+                                Tension tension, Pull pull, LinkRow out) {
   const L inverse_rest = 1 / cell;
   for (int i = 0; i < n; i += L::kWidth) {
     const Vec<L> edge = vec_load<L>(to, i) - vec_load<L>(from, i);
@@ -22,7 +23,7 @@ DRAPE_INLINE void stretch_links(int n, ConstRow from, ConstRow to, WidthRow widt
     const Vec<L> unit = edge * inverse;
     vec_store(out.unit, i, unit);
     L::store(out.inverse + i, inverse);
-    vec_store(out.pull, i, unit * (w * tension(fma(length, inverse_rest, L(-1.0)))));
+    vec_store(out.pull, i, unit * (w * pull(tension, fma(length, inverse_rest, L(-1.0)), edge, inverse, i)));
   }
 }
 

@@ -70,7 +70,7 @@ DRAPE_INLINE Vec<L> corner_ahead(ConstRow r, ConstRow v, long i, L ahead) {
 }
 
 template <class L>
-double kernel_omega2(const System& system, const Lattice& l, const State& s, int j, double ahead) {
+double cells_omega2(const System& system, const Lattice& l, const State& s, int j, double ahead) {
   const std::size_t first = l.node(0, j);
   const double* share = system.share.data() + first;
   const ConstRow r{s.x.data() + first, s.y.data() + first, s.z.data() + first};

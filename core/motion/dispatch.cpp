@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "forces/side.h"
 #include "motion/kernel.h"
 
 namespace drape {
@@ -23,7 +24,30 @@ Workspace workspace_make(const System& system) {
   Workspace w;
   for (const Lattice& l : system.lattices) w.stride = std::max(w.stride, l.stride);
   w.rows.assign(kRowUnit + std::size_t(kScratchRows) * std::size_t(w.stride + kRowUnit), 0.0);
+  for (Array* a : {&w.side_x, &w.side_y, &w.side_z}) a->assign(system.side.node.size(), 0.0);
   return w;
+}
+
+double velocity_lead(const System& system, const State& s) {
+  if (system.integrator == Integrator::kPaper || s.h_old == 0) return 0;
+  return s.h_old / (s.h_old + s.h_older);
+}
+
+void kernel_step(const Kernel& kernel, const System& system, const StepCoefficients& c, Workspace& w, State& s) {
+  const bool rates = system_has_rates(system);
+  if (!system.side.node.empty())
+    side_forces(system, s, rates, c.lead, {w.side_x.data(), w.side_y.data(), w.side_z.data()});
+  for (const Lattice& l : system.lattices) (rates ? kernel.rates : kernel.plain).step(system, l, c, w, s);
+}
+
+void kernel_forces(const Kernel& kernel, const System& system, const State& s, Workspace& w, double* fx, double* fy,
+                   double* fz) {
+  const bool rates = system_has_rates(system);
+  const double lead = velocity_lead(system, s);
+  if (!system.side.node.empty())
+    side_forces(system, s, rates, lead, {w.side_x.data(), w.side_y.data(), w.side_z.data()});
+  for (const Lattice& l : system.lattices)
+    (rates ? kernel.rates : kernel.plain).forces(system, l, s, lead, w, fx, fy, fz);
 }
 
 const Kernel* kernel_named(const char* name) {

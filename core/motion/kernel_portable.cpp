@@ -5,7 +5,6 @@
 
 namespace drape {
 
-const Kernel kKernelPortable{"portable", kernel_step<ScalarLane<false>>, kernel_forces<ScalarLane<false>>,
-                             kernel_omega2<ScalarLane<false>>};
+const Kernel kKernelPortable{"portable", pass_of<ScalarLane<false>, false>(), pass_of<ScalarLane<false>, true>(), cells_omega2<ScalarLane<false>>};
 
 }  // namespace drape

@@ -9,8 +9,12 @@
 //     row j    o-o-o-o-o      hinges centred on row j use slabs j - 1 and j
 //     row j-1  * * * * *      complete: handed to the sink
 //
+// Forces that depend on velocity work on the same slabs, with the velocities of rows j and j + 1 led on to t_n. What lies beside
+// the rows has been computed before the pass; the sink gets twins as one more row.
+//
 // Row buffers live in first-level cache; forces of three rows and links of two slabs roll.
 #pragma once
+#include "forces/air.h"
 #include "forces/bending.h"
 #include "forces/shear.h"
 #include "forces/stretch.h"
@@ -24,6 +28,7 @@ namespace {
 struct PassRows {
   LinkRow weft, warp[2];
   Row rising, falling, first, last, force[3];
+  Row speed[2], quarter;  // velocities led on to t_n; air on a corner of each cell
 };
 
 DRAPE_INLINE double* scratch_row(const Workspace& w, int k) {
@@ -47,6 +52,7 @@ DRAPE_INLINE PassRows pass_rows(const Workspace& w) {
   for (LinkRow& row : p.warp) row = scratch_links(w, k);
   for (Row* row : {&p.rising, &p.falling, &p.first, &p.last}) *row = scratch_vector(w, k);
   for (Row& row : p.force) row = scratch_vector(w, k);
+  for (Row* row : {&p.speed[0], &p.speed[1], &p.quarter}) *row = scratch_vector(w, k);
   return p;
 }
 
@@ -55,55 +61,133 @@ DRAPE_INLINE void row_clear(int n, Row r) {
   for (int i = 0; i < n; i += L::kWidth) vec_store(r, i, Vec<L>{L(0.0), L(0.0), L(0.0)});
 }
 
+// What a slab reads: rows j and j + 1 of positions and, with rates, of velocities; and what belongs to the nodes of row j.
+struct SlabRows {
+  ConstRow here, above, speed, speed_above;
+  const double *share, *hinge_warp, *hinge_weft;
+};
+
+// Runs body(tension, pull) with the reader of a curve and what links between two rows of moving nodes pull with.
+template <bool kRates, class Body>
+DRAPE_INLINE void with_pull(const Curve& curve, const Law& law, double rest, ConstRow speed, ConstRow speed_to,
+                            Body body) {
+  with_tension(curve, [&](auto tension) {
+    if constexpr (kRates) {
+      if (law.damping > 0) return body(tension, Damped{speed, speed_to, law.damping, 1 / rest});
+    }
+    body(tension, Elastic{});
+  });
+}
+
+template <class L, bool kRates>
+DRAPE_INLINE void slab_shear(const Lattice& l, const SlabRows& in, const PassRows& p, Row force, Row force_above) {
+  const double diagonal = __builtin_sqrt(2.0) * l.cell;
+  const WidthRow width{l.cell * l.cell / (2 * diagonal), in.share, in.share};
+  const auto lay = [&](ConstRow from, ConstRow to, ConstRow speed, ConstRow speed_to, Row out) {
+    with_pull<kRates>(l.law.bias, l.law, diagonal, speed, speed_to, [&](auto tension, auto pull) {
+      shear_diagonals<L>(l.stride, from, to, width, diagonal, tension, pull, out);
+    });
+  };
+  lay(in.here, in.above.at(1), in.speed, in.speed_above.at(1), p.rising);
+  lay(in.here.at(1), in.above, in.speed.at(1), in.speed_above, p.falling);
+  shear_add<L>(l.stride, p.rising, p.falling, force, force_above);
+}
+
 // All links of slab j and the hinges centred on row j; forces go to rows j - 1, j, j + 1.
-template <class L>
-void slab(const Lattice& l, ConstRow here, const double* share, int j, const PassRows& p) {
+template <class L, bool kRates>
+void slab(const Lattice& l, const SlabRows& in, int j, const PassRows& p) {
   const int n = l.stride;
-  const double b = l.cell;
+  const double b = l.cell, *share = in.share, *below = share - n;
   const Law& law = l.law;
-  const double* below = share - n;
   const Row force_below = p.force[(j + 2) % 3], force = p.force[j % 3], force_above = p.force[(j + 1) % 3];
   const LinkRow &warp = p.warp[j % 2], &warp_below = p.warp[(j + 1) % 2];
   row_clear<L>(n, force_above);
 
   if (law.weft.segments || law.bending_weft > 0) {
-    with_tension(law.weft, [&](auto tension) {
-      stretch_links<L>(n, here, here.at(1), {b / 2, below, share}, b, tension, p.weft);
+    with_pull<kRates>(law.weft, law, b, in.speed, in.speed.at(1), [&](auto tension, auto pull) {
+      stretch_links<L>(n, in.here, in.here.at(1), {b / 2, below, share}, b, tension, pull, p.weft);
     });
     stretch_weft_add<L>(n, p.weft.pull, force);
   }
   if (law.warp.segments || law.bending_warp > 0) {
-    with_tension(law.warp, [&](auto tension) {
-      stretch_links<L>(n, here, here.at(n), {b / 2, share - 1, share}, b, tension, warp);
+    with_pull<kRates>(law.warp, law, b, in.speed, in.speed_above, [&](auto tension, auto pull) {
+      stretch_links<L>(n, in.here, in.above, {b / 2, share - 1, share}, b, tension, pull, warp);
     });
     stretch_warp_add<L>(n, warp.pull, force, force_above);
   }
-  if (law.bias.segments) {
-    const double diagonal = __builtin_sqrt(2.0) * b;
-    const WidthRow width{b * b / (2 * diagonal), share, share};
-    with_tension(law.bias, [&](auto tension) {
-      shear_diagonals<L>(n, here, here.at(n + 1), width, diagonal, tension, p.rising);
-      shear_diagonals<L>(n, here.at(1), here.at(n), width, diagonal, tension, p.falling);
-    });
-    shear_add<L>(n, p.rising, p.falling, force, force_above);
-  }
+  if (law.bias.segments) slab_shear<L, kRates>(l, in, p, force, force_above);
   if (law.bending_weft > 0)
-    bending_weft_add<L>(n, p.weft, {below, share}, law.bending_weft, p.first, p.last, force);
+    bending_weft_add<L>(n, p.weft, in.hinge_weft, law.bending_weft, p.first, p.last, force);
   if (law.bending_warp > 0 && j > 0)
-    bending_warp_add<L>(n, warp_below, warp, {below, share}, law.bending_warp, force_below, force,
-                        force_above);
+    bending_warp_add<L>(n, warp_below, warp, in.hinge_warp, law.bending_warp, force_below, force, force_above);
 }
 
-template <class L, class Sink>
-void lattice_pass(const System& system, const Lattice& l, ConstRow first, Workspace& workspace, Sink sink) {
-  const PassRows p = pass_rows(workspace);
-  const double* share = system.share.data() + l.first;
-  row_clear<L>(l.stride, p.force[0]);
-  for (int j = 0; j < l.rows; ++j) {
-    slab<L>(l, first.at(long(j) * l.stride), share + long(j) * l.stride, j, p);
-    if (j > 0) sink(j - 1, p.force[(j + 2) % 3]);
+// u = v + lead (v - w)
+template <class L>
+DRAPE_INLINE void row_lead(int n, double lead, ConstRow v, ConstRow w, Row out) {
+  for (int i = 0; i < n; i += L::kWidth) {
+    const Vec<L> now = vec_load<L>(v, i);
+    vec_store(out, i, now + (now - vec_load<L>(w, i)) * L(lead));
   }
-  sink(l.rows - 1, p.force[(l.rows - 1) % 3]);
+}
+
+DRAPE_INLINE ConstRow const_row(const Array& x, const Array& y, const Array& z, std::size_t at) {
+  return {x.data() + at, y.data() + at, z.data() + at};
+}
+DRAPE_INLINE Row row_of(Array& x, Array& y, Array& z, std::size_t at) {
+  return {x.data() + at, y.data() + at, z.data() + at};
+}
+
+// What the lists beside the rows add to row j, before it moves.
+DRAPE_INLINE void row_add_side(const System& system, const Lattice& l, const Workspace& w, int j, Row force) {
+  if (l.row_slot.empty()) return;
+  const std::size_t row = l.node(0, j);
+  for (int k = l.row_slot[std::size_t(j)]; k < l.row_slot[std::size_t(j) + 1]; ++k) {
+    const std::size_t i = system.side.node[std::size_t(k)] - row;
+    force.x[i] += w.side_x[std::size_t(k)];
+    force.y[i] += w.side_y[std::size_t(k)];
+    force.z[i] += w.side_z[std::size_t(k)];
+  }
+}
+
+template <class L, bool kRates, class Sink>
+void lattice_pass(const System& system, const Lattice& l, const State& s, double lead, Workspace& workspace,
+                  Sink sink) {
+  const PassRows p = pass_rows(workspace);
+  const bool air = kRates && system_has_air(system);
+  const auto speed_load = [&](int j) {
+    const std::size_t o = l.first + std::size_t(j) * l.stride;
+    row_lead<L>(l.stride, lead, const_row(s.vx, s.vy, s.vz, o), const_row(s.wx, s.wy, s.wz, o), p.speed[j % 2]);
+  };
+  const auto hand_over = [&](int j) {
+    row_add_side(system, l, workspace, j, p.force[j % 3]);
+    sink(l.first + std::size_t(j) * l.stride, l.stride, p.force[j % 3]);
+  };
+  row_clear<L>(l.stride, p.force[0]);
+  if constexpr (kRates) speed_load(0);
+  for (int j = 0; j < l.rows; ++j) {
+    const std::size_t o = l.first + std::size_t(j) * l.stride;
+    if constexpr (kRates) speed_load(j + 1);
+    const ConstRow here = const_row(s.x, s.y, s.z, o);
+    const SlabRows in{here,
+                      here.at(l.stride),
+                      p.speed[j % 2],
+                      p.speed[(j + 1) % 2],
+                      system.share.data() + o,
+                      system.hinge_warp.data() + o,
+                      system.hinge_weft.data() + o};
+    slab<L, kRates>(l, in, j, p);
+    if (kRates && air) {
+      air_cells<L>(l.stride, system.air, s.wind, in.here, in.above, in.speed, in.speed_above, in.share, p.quarter);
+      air_add<L>(l.stride, p.quarter, p.force[j % 3], p.force[(j + 1) % 3]);
+    }
+    if (j > 0) hand_over(j - 1);
+  }
+  hand_over(l.rows - 1);
+  if (l.twins > 0) {
+    const auto k = std::size_t(l.twin_slot);
+    sink(l.twin_first, l.twin_stride, row_of(workspace.side_x, workspace.side_y, workspace.side_z, k));
+  }
 }
 
 // v <- keep v + kick (F/m + g),  r <- r + drift v. A node without mass stays.
@@ -125,28 +209,31 @@ DRAPE_INLINE void row_move(int n, const StepCoefficients& c, const double* inver
   }
 }
 
-template <class L>
-void kernel_step(const System& system, const Lattice& l, const StepCoefficients& c, Workspace& workspace,
-                 State& s) {
-  const Row r{s.x.data() + l.first, s.y.data() + l.first, s.z.data() + l.first};
-  const Row v{s.vx.data() + l.first, s.vy.data() + l.first, s.vz.data() + l.first};
-  const double* inverse_mass = system.inverse_mass.data() + l.first;
-  lattice_pass<L>(system, l, r, workspace, [&](int j, ConstRow force) {
-    const long o = long(j) * l.stride;
-    row_move<L>(l.stride, c, inverse_mass + o, force, {r.x + o, r.y + o, r.z + o},
-                {v.x + o, v.y + o, v.z + o});
+template <class L, bool kRates>
+void lattice_step(const System& system, const Lattice& l, const StepCoefficients& c, Workspace& workspace,
+                  State& s) {
+  lattice_pass<L, kRates>(system, l, s, c.lead, workspace, [&](std::size_t o, int n, ConstRow force) {
+    const Row v = row_of(s.vx, s.vy, s.vz, o);
+    if constexpr (kRates) {
+      const Row w = row_of(s.wx, s.wy, s.wz, o);
+      for (int i = 0; i < n; i += L::kWidth) vec_store(w, i, vec_load<L>(v, i));
+    }
+    row_move<L>(n, c, system.inverse_mass.data() + o, force, row_of(s.x, s.y, s.z, o), v);
   });
 }
 
-template <class L>
-void kernel_forces(const System& system, const Lattice& l, const State& s, Workspace& workspace, double* fx,
-                   double* fy, double* fz) {
-  const ConstRow r{s.x.data() + l.first, s.y.data() + l.first, s.z.data() + l.first};
-  lattice_pass<L>(system, l, r, workspace, [&](int j, ConstRow force) {
-    const std::size_t o = l.first + std::size_t(j) * l.stride;
-    for (int i = 0; i < l.stride; i += L::kWidth)
+template <class L, bool kRates>
+void lattice_forces(const System& system, const Lattice& l, const State& s, double lead, Workspace& workspace,
+                    double* fx, double* fy, double* fz) {
+  lattice_pass<L, kRates>(system, l, s, lead, workspace, [&](std::size_t o, int n, ConstRow force) {
+    for (int i = 0; i < n; i += L::kWidth)
       vec_store(Row{fx + o, fy + o, fz + o}, i, vec_load<L>(force, i));
   });
+}
+
+template <class L, bool kRates>
+constexpr Pass pass_of() {
+  return {lattice_step<L, kRates>, lattice_forces<L, kRates>};
 }
 
 }  // namespace

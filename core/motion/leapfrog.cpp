@@ -16,11 +16,21 @@ constexpr int kWatchGiven = 8;       // the same where the scene gives the step
 constexpr std::int64_t kCalm = 100;  // intervals before the step may grow
 
 // v <- keep v + kick a; h_old = 0 is the half kick of the start.
-StepCoefficients coefficients(const System& system, double h_old, double h) {
-  const double c = system.damping;
-  if (system.integrator == Integrator::kPaper) return {1 - c * h, h, h, system.gravity};
+StepCoefficients coefficients(const System& system, const State& s, double h) {
+  const double c = system.damping, lead = velocity_lead(system, s);
+  if (system.integrator == Integrator::kPaper) return {1 - c * h, h, h, system.gravity, lead};
   const double centred = 1 + c * h / 2;
-  return {(1 - c * h_old / 2) / centred, (h_old + h) / 2 / centred, h, system.gravity};
+  return {(1 - c * s.h_old / 2) / centred, (s.h_old + h) / 2 / centred, h, system.gravity, lead};
+}
+
+// Room for v_{n-3/2} where forces depend on velocity; while it is not known, v_{n-1/2} stands for it.
+void rates_begin(const System& system, State& s) {
+  const bool rates = system_has_rates(system);
+  if (rates != s.wx.empty()) return;
+  const Array none;
+  s.wx = rates ? s.vx : none;
+  s.wy = rates ? s.vy : none;
+  s.wz = rates ? s.vz : none;
 }
 
 std::int64_t subs_for(double length, double h_max) {
@@ -123,12 +133,14 @@ Motion motion_make(const System& system) {
 }
 
 void leapfrog_begin(const System& system, Motion& motion, State& s) {
+  rates_begin(system, s);
   s.omega2 = s.omega2_most = step_limit_omega2(system, *motion.kernel, s);
   s.subs = subs_for(system.communication, step_allowed(system, s.omega2));
   s.watch_wait = 0;
 }
 
 void leapfrog_retuned(const System& system, Motion& motion, State& s) {
+  rates_begin(system, s);
   s.watch_wait = 0;
   s.watch_period = 1;
   if (s.steps == 0) leapfrog_begin(system, motion, s);
@@ -136,11 +148,12 @@ void leapfrog_retuned(const System& system, Motion& motion, State& s) {
 
 void leapfrog_step(const System& system, Motion& motion, State& s, double h) {
   const bool paper = system.integrator == Integrator::kPaper;
-  const StepCoefficients c = coefficients(system, s.h_old, h);
-  for (const Lattice& l : system.lattices) motion.kernel->step(system, l, c, motion.workspace, s);
+  const StepCoefficients c = coefficients(system, s, h);
+  kernel_step(*motion.kernel, system, c, motion.workspace, s);
   const double weight = paper ? h : (s.advance_begins ? 0 : s.h_old / 2) + h / 2;
   constraints_apply(system.constraints, system.mass, h, c.kick, weight, motion.rows.data(), s);
   s.advance_begins = false;
+  s.h_older = s.h_old;
   s.h_old = h;
   ++s.steps;
 }
@@ -180,9 +193,7 @@ void leapfrog_synchronous(const System& system, Motion& motion, const State& s, 
                           double* vz, std::vector<Vec3>& force) {
   const bool paper = system.integrator == Integrator::kPaper;
   const double half = paper ? 0 : s.h_old / 2, damping = system.damping, centred = 1 + damping * half;
-  for (const Lattice& l : system.lattices)
-    motion.kernel->forces(system, l, s, motion.workspace, motion.ax.data(), motion.ay.data(),
-                          motion.az.data());
+  kernel_forces(*motion.kernel, system, s, motion.workspace, motion.ax.data(), motion.ay.data(), motion.az.data());
 
   const Array* staggered[] = {&s.vx, &s.vy, &s.vz};
   Array* acceleration[] = {&motion.ax, &motion.ay, &motion.az};

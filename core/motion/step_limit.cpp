@@ -1,51 +1,138 @@
+// With the largest omega^2 of a lattice and d = beta omega^2 + (rho_air/rho) max(C_n, C_t) max|u| of the forces that depend on
+// velocity, leapfrog's limit is that of a lattice without them and with omega' = sqrt(omega^2 + d^2) + d:
+//
+//   h < 2 [sqrt(omega^2 + d^2) - d]/omega^2 = 2/omega'
+//
+// and the paper's scheme takes d beside c: (h omega)^2 + 2 h (c + d) < 4.
 #include "motion/step_limit.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "forces/lane_scalar.h"
+#include "motion/cell_bound.h"
+#include "system/links.h"
+
 namespace drape {
 namespace {
 
-// A link by its ends, for the search below.
-struct LinkKind {
-  const char* name;
-  int di, dj;  // to the other end
-  const Curve* law;
-  double rigidity;  // of the hinges across it, N m
-};
+// The larger; what is no number stays.
+double most_of(double a, double b) { return a > b || std::isnan(a) ? a : b; }
 
-// Where the present velocities lead in `ahead` s.
-double distance(const State& s, std::size_t a, std::size_t b, double ahead) {
-  return std::hypot(s.x[b] - s.x[a] + ahead * (s.vx[b] - s.vx[a]),
-                    s.y[b] - s.y[a] + ahead * (s.vy[b] - s.vy[a]),
-                    s.z[b] - s.z[a] + ahead * (s.vz[b] - s.vz[a]));
+using Lane = ScalarLane<false>;
+
+Vec<Lane> node_ahead(const State& s, std::size_t n, double ahead) {
+  return {s.x[n] + ahead * s.vx[n], s.y[n] + ahead * s.vy[n], s.z[n] + ahead * s.vz[n]};
 }
 
-// What a link adds to rho b^2 omega^2 of its cell, and its strain.
-struct LinkTerm {
-  double stretch, bend, strain;
+double distance(const State& s, std::size_t a, std::size_t b, double ahead) {
+  const Vec<Lane> d = node_ahead(s, b, ahead) - node_ahead(s, a, ahead);
+  return std::sqrt(dot(d, d).v);
+}
+
+// rho b^2 omega^2 of the cells beside the rows.
+double side_bound(const System& system, const Lattice& l, const State& s, double ahead) {
+  const double inverse_diagonal = 1 / (std::sqrt(2.0) * l.cell);
+  double most = 0;
+  for (const SideCell& cell : system.side.cells) {
+    if (cell.lattice != l.piece) continue;
+    Vec<Lane> r[4];
+    for (int k = 0; k < 4; ++k) r[k] = node_ahead(s, cell.node[k], ahead);
+    Lane bound = edges_bound(r[0], r[1], r[2], r[3], l);
+    if (l.law.bias.segments)
+      bound = bound + max(diagonal_bound(r[0], r[3], Lane(inverse_diagonal), l.law.bias),
+                          diagonal_bound(r[1], r[2], Lane(inverse_diagonal), l.law.bias));
+    most = most_of(bound.v, most);
+  }
+  return most;
+}
+
+// What a clamp adds to rho b^2 omega^2.
+double clamp_term(const SideClamp& c, const Law& law, const State& s, double ahead) {
+  return 16 * law_bending(law, c.warp) * c.excess / std::pow(distance(s, c.node[0], c.node[1], ahead), 2);
+}
+double clamps_bound(const System& system, const Lattice& l, const State& s, double ahead) {
+  double most[2] = {0, 0};
+  for (const SideClamp& c : system.side.clamps)
+    if (c.lattice == l.piece && c.excess > 0)
+      most[c.warp] = most_of(clamp_term(c, l.law, s, ahead), most[c.warp]);
+  return most[0] + most[1];
+}
+
+// The largest speed (m/s) of a particle against the wind.
+double speed_against_wind(const System& system, const State& s) {
+  double most = 0;
+  for (std::size_t n : system.particle) {
+    const double x = s.vx[n] - s.wind[0], y = s.vy[n] - s.wind[1], z = s.vz[n] - s.wind[2];
+    most = most_of(x * x + y * y + z * z, most);
+  }
+  return std::sqrt(most);
+}
+
+// The omega^2 that without forces that depend on velocity leads to the limit of omega^2 and d.
+double omega2_with(const System& system, double omega2, double d) {
+  if (d == 0) return omega2;
+  if (system.integrator != Integrator::kPaper) return std::pow(std::sqrt(omega2 + d * d) + d, 2);
+  const double c = system.damping, twice = c + d + std::sqrt((c + d) * (c + d) + 4 * omega2);  // 4/h
+  return twice * (twice - 2 * c) / 4;
+}
+
+struct WorstPart {
+  double bound = 0;  // 1/s^2
+  std::string words = "nothing: no law acts";
 };
-LinkTerm link_term(const State& s, const LinkKind& kind, double rest, std::size_t a, std::size_t b,
-                   double ahead) {
-  const double ratio = distance(s, a, b, ahead) / rest, strain = ratio - 1;
-  const double slope = curve_slope(*kind.law, strain),
-               across = std::max(curve_value(*kind.law, strain) / ratio, 0.0);
-  const bool diagonal = kind.di != 0 && kind.dj != 0;
+
+void part_offer(WorstPart& worst, const Scene& scene, const Lattice& l, double bound, const char* name,
+                const char* kind, std::size_t node, double strain) {
+  bound /= l.law.areal_density * l.cell * l.cell;
+  if (bound <= worst.bound) return;
+  worst.bound = bound;
+  const auto [column, row] = l.place_of(node);
+  char text[160];
+  std::snprintf(text, sizeof text, "%s %s of piece '%s', column %d, row %d, strain %.3g", name, kind,
+                scene.pieces[std::size_t(l.piece)].name.c_str(), column + 1, row + 1,
+                std::abs(strain) < 1e-12 ? 0.0 : strain);
+  worst.words = text;
+}
+
+// What a link and the hinges across it add to rho b^2 omega^2 of its cell.
+void link_offer(WorstPart& worst, const Scene& scene, const Lattice& l, const State& s, const Link& link,
+                double ahead) {
+  const char* name = link.along == Thread::kWarp ? "warp" : link.along == Thread::kWeft ? "weft" : "bias";
+  const Curve& curve = law_curve(l.law, link.along);
+  const double ratio = distance(s, link.from, link.to, ahead) / link.rest, strain = ratio - 1;
+  const double slope = curve_slope(curve, strain), across = std::max(curve_value(curve, strain) / ratio, 0.0);
+  const bool diagonal = link.along == Thread::kBias;
   const double stretch =
       diagonal ? 4 * std::max(slope, across) : 4 * std::max(slope - across, 0.0) + 8 * across;
-  return {stretch, 16 * kind.rigidity / std::pow(ratio * rest, 2), strain};
+  const double rigidity = diagonal ? 0 : law_bending(l.law, link.along == Thread::kWarp);
+  const double bend = 16 * rigidity / std::pow(ratio * link.rest, 2);
+  part_offer(worst, scene, l, stretch + bend, name, bend > stretch ? "hinge" : "link", link.from, strain);
 }
 
 }  // namespace
 
+double step_limit_lattice(const System& system, const Kernel& kernel, const Lattice& l, const State& state,
+                          double ahead) {
+  double most = 0;
+  for (int j = 0; j + 1 < l.rows; ++j) most = most_of(kernel.omega2(system, l, state, j, ahead), most);
+  const double scale = 1 / (l.law.areal_density * l.cell * l.cell);
+  most = most_of(side_bound(system, l, state, ahead) * scale, most);
+  return most + clamps_bound(system, l, state, ahead) * scale;
+}
+
 double step_limit_omega2(const System& system, const Kernel& kernel, const State& state, double ahead) {
-  double most = 0;  // what is no number stays
-  for (const Lattice& l : system.lattices)
-    for (int j = 0; j + 1 < l.rows; ++j)
-      if (const double omega2 = kernel.omega2(system, l, state, j, ahead);
-          omega2 > most || std::isnan(omega2))
-        most = omega2;
+  const Air& air = system.air;
+  const double drag = system_has_air(system) ? air.density * std::max(air.normal, air.tangential) *
+                                                   speed_against_wind(system, state)
+                                             : 0;
+  double most = 0;
+  for (const Lattice& l : system.lattices) {
+    const double omega2 = step_limit_lattice(system, kernel, l, state, ahead);
+    const double d = l.law.damping * omega2 + drag / l.law.areal_density;
+    most = most_of(omega2_with(system, omega2, d), most);
+  }
   return most;
 }
 
@@ -57,34 +144,16 @@ double step_limit_of(const System& system, double omega2) {
 }
 
 std::string step_limit_link(const System& system, const Scene& scene, const State& state, double ahead) {
-  double worst = 0;
-  std::string words = "nothing: no law acts";
-  for (const Lattice& l : system.lattices) {
-    const Law& law = l.law;
-    const LinkKind kinds[] = {{"weft", 1, 0, &law.weft, law.bending_weft},
-                              {"warp", 0, 1, &law.warp, law.bending_warp},
-                              {"bias", 1, 1, &law.bias, 0},
-                              {"bias", -1, 1, &law.bias, 0}};
-    const double mass = law.areal_density * l.cell * l.cell;
-    for (int j = 0; j < l.rows; ++j)
-      for (int i = 0; i < l.columns; ++i)
-        for (const LinkKind& kind : kinds) {
-          const int i2 = i + kind.di, j2 = j + kind.dj;
-          if (i2 < 0 || i2 >= l.columns || j2 >= l.rows) continue;
-          const std::size_t a = l.node(i, j), b = l.node(i2, j2);
-          if (system.mass[a] == 0 || system.mass[b] == 0) continue;
-          const LinkTerm term = link_term(state, kind, l.cell * std::hypot(kind.di, kind.dj), a, b, ahead);
-          if ((term.stretch + term.bend) / mass <= worst) continue;
-          worst = (term.stretch + term.bend) / mass;
-          char text[160];
-          std::snprintf(text, sizeof text, "%s %s of piece '%s', column %d, row %d, strain %.3g", kind.name,
-                        term.bend > term.stretch ? "hinge" : "link",
-                        scene.pieces[std::size_t(l.piece)].name.c_str(), i + 1, j + 1,
-                        std::abs(term.strain) < 1e-12 ? 0.0 : term.strain);
-          words = text;
-        }
+  WorstPart worst;
+  for (const Lattice& l : system.lattices)
+    each_link(system, l, [&](const Link& link) { link_offer(worst, scene, l, state, link, ahead); });
+  for (const SideClamp& c : system.side.clamps) {
+    const Lattice& l = system.lattices[std::size_t(c.lattice)];
+    const double strain = distance(state, c.node[0], c.node[1], ahead) / l.cell - 1;
+    part_offer(worst, scene, l, clamp_term(c, l.law, state, ahead), c.warp ? "warp" : "weft", "clamp", c.node[1],
+               strain);
   }
-  return words;
+  return worst.words;
 }
 
 }  // namespace drape

@@ -6,8 +6,12 @@
 
 namespace drape {
 
-// The largest omega^2 (1/s^2) of all cells, at the present positions or where the present velocities lead in
-// `ahead` s.
+// The largest omega^2 (1/s^2) of a lattice, at the present positions or where the present velocities lead in `ahead` s; without
+// the forces that depend on velocity.
+double step_limit_lattice(const System& system, const Kernel& kernel, const Lattice& lattice, const State& state,
+                          double ahead = 0);
+
+// The largest of all lattices, raised to what leads to the same limit where forces depend on velocity.
 double step_limit_omega2(const System& system, const Kernel& kernel, const State& state, double ahead = 0);
 
 // The limit that follows from it (s); infinite where nothing oscillates.

@@ -3,7 +3,8 @@
 #include <cmath>
 
 #include "forces/bending_constants.h"
-#include "outputs/links.h"
+#include "forces/side.h"
+#include "system/links.h"
 
 namespace drape {
 namespace {
@@ -27,17 +28,14 @@ double hinge_between(const Vec3& a, const Vec3& c) {
 
 double bending_of(const System& system, const Lattice& l, const State& s) {
   double sum = 0;
-  for (int j = 0; j < l.rows; ++j)
-    for (int i = 0; i < l.columns; ++i) {
-      const std::size_t n = l.node(i, j), row = std::size_t(l.stride);
-      const double* here = &system.share[n];
-      const double* below = here - l.stride;
-      const double share = ((below[-1] + below[0]) + (here[-1] + here[0])) / 4;
-      if (below[-1] + here[-1] > 0 && below[0] + here[0] > 0)
-        sum += l.law.bending_weft * share * hinge_between(edge_of(s, n - 1, n), edge_of(s, n, n + 1));
-      if (below[-1] + below[0] > 0 && here[-1] + here[0] > 0)
-        sum += l.law.bending_warp * share * hinge_between(edge_of(s, n - row, n), edge_of(s, n, n + row));
-    }
+  each_hinge(system, l, [&](std::size_t n0, std::size_t n1, std::size_t n2, bool warp, double share) {
+    const double rigidity = law_bending(l.law, warp);
+    if (rigidity > 0) sum += rigidity * share * hinge_between(edge_of(s, n0, n1), edge_of(s, n1, n2));
+  });
+  for (const SideClamp& c : system.side.clamps)
+    if (c.lattice == l.piece)
+      sum += law_bending(l.law, c.warp) * c.share *
+             hinge_between(clamp_direction(c, s), edge_of(s, c.node[0], c.node[1]));
   return sum;
 }
 
@@ -53,8 +51,8 @@ drape_energy energy_potential(const System& system, const State& s) {
   drape_energy e{};
   for (const Lattice& l : system.lattices) {
     each_link(system, l, [&](const Link& link) {
-      double& kind = link.law == &l.law.bias ? e.shear : e.stretch;
-      kind += link.width * link.rest * curve_energy(*link.law, link_strain(s, link));
+      double& kind = link.along == Thread::kBias ? e.shear : e.stretch;
+      kind += link.width * link.rest * curve_energy(law_curve(l.law, link.along), link_strain(s, link));
     });
     e.bending += bending_of(system, l, s);
   }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "outputs/links.h"
+#include "system/links.h"
 
 namespace drape {
 namespace {
@@ -34,11 +34,12 @@ StrainSummary strain_summary(const System& system, const State& state) {
   for (const Lattice& l : system.lattices)
     each_link(system, l, [&](const Link& link) {
       const double strain = link_strain(state, link);
-      const bool diagonal = link.law == &l.law.bias;
-      running_add(diagonal ? bias : link.law == &l.law.warp ? warp : weft, strain, link.width * link.rest);
-      if (link.law->segments == 0) return;
-      if (strain > link.law->last) ++beyond;
-      if (!diagonal) tension = std::max(tension, curve_value(*link.law, strain));
+      const Curve& curve = law_curve(l.law, link.along);
+      const bool diagonal = link.along == Thread::kBias;
+      running_add(diagonal ? bias : link.along == Thread::kWarp ? warp : weft, strain, link.width * link.rest);
+      if (curve.segments == 0 || link.doubled) return;
+      if (strain > curve.last) ++beyond;
+      if (!diagonal) tension = std::max(tension, curve_value(curve, strain));
     });
   return {running_result(warp), running_result(weft), running_result(bias), tension, beyond};
 }

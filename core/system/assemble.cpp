@@ -4,61 +4,86 @@
 
 #include "piece/hold.h"
 #include "piece/place.h"
+#include "system/threads.h"
 
 namespace drape {
 namespace {
 
 // Reserves a lattice's rows: a guard row below and above, and at least one unused node at the end of each
-// row.
+// row. Its twins follow.
 Lattice lattice_reserve(const Grid& grid, const PieceSpec& spec, int piece, std::size_t& nodes) {
+  const auto padded = [](int n) { return (n + kRowUnit - 1) / kRowUnit * kRowUnit; };
   Lattice l;
   l.columns = grid.columns;
   l.rows = grid.rows;
-  l.stride = (grid.columns + kRowUnit) / kRowUnit * kRowUnit;
+  l.stride = padded(grid.columns + 1);
   l.first = nodes + std::size_t(l.stride);
   l.cell = grid.cell;
   l.piece = piece;
   l.fabric = spec.fabric;
   nodes += std::size_t(l.rows + 2) * l.stride;
+  l.twins = int(grid.twin.size());
+  l.twin_place = grid.twin;
+  l.twin_first = nodes;
+  l.twin_stride = padded(l.twins);
+  nodes += std::size_t(l.twin_stride);
   return l;
 }
 
-// Shares and places of all nodes; unused ones get the place the flat grid would give them, so that no edge is
-// of length 0.
-void lattice_fill(const Lattice& l, const Grid& grid, const PieceSpec& spec, System& system, State& state) {
+void node_place(State& state, std::size_t n, const Vec3& r) {
+  state.x[n] = r[0];
+  state.y[n] = r[1];
+  state.z[n] = r[2];
+}
+
+// Unused nodes get the place the flat grid would give them, so that no edge is of length 0.
+void lattice_flatten(const Lattice& l, const Grid& grid, const PlaceSpec& place, State& state) {
+  const auto at = [&](int i, int j) {
+    const double x = grid.x0 + i * grid.cell, y = grid.y0 + j * grid.cell;
+    return place_point(place, {x * grid.cosine - y * grid.sine, x * grid.sine + y * grid.cosine});
+  };
+  for (int j = -1; j <= l.rows; ++j)
+    for (int i = 0; i < l.stride; ++i)
+      node_place(state, l.first + std::size_t(std::ptrdiff_t(j) * l.stride + i), at(i, j));
+  for (int k = 0; k < l.twin_stride; ++k) node_place(state, l.twin_first + std::size_t(k), at(k, 0));
+}
+
+// Shares, areas and places of all particles.
+void lattice_fill(const Lattice& l, const Grid& grid, const Scene& scene, System& system, State& state) {
+  const PieceSpec& spec = scene.pieces[std::size_t(l.piece)];
+  lattice_flatten(l, grid, spec.place, state);
   for (int c = 0; c < grid.regular; ++c)
-    system.share[l.node(grid.cells[c].i, grid.cells[c].j)] = grid.cells[c].share;
-  for (int j = -1; j <= l.rows; ++j) {
-    for (int i = 0; i < l.stride; ++i) {
-      const std::size_t n = l.first + std::size_t(std::ptrdiff_t(j) * l.stride + i);
-      const Vec3 r = place_point(spec.place, {grid.x0 + i * grid.cell, grid.y0 + j * grid.cell});
-      state.x[n] = r[0];
-      state.y[n] = r[1];
-      state.z[n] = r[2];
-      if (i >= l.columns || j < 0 || j >= l.rows || grid.area[std::size_t(j * l.columns + i)] == 0) continue;
-      state.vx[n] = spec.velocity[0];
-      state.vy[n] = spec.velocity[1];
-      state.vz[n] = spec.velocity[2];
-      system.particle.push_back(n);
+    system.share[l.node(grid.cells[std::size_t(c)].i, grid.cells[std::size_t(c)].j)] =
+        grid.cells[std::size_t(c)].share;
+  for (int k = 0; k < grid.nodes(); ++k) {
+    if (grid.area[std::size_t(k)] == 0) continue;
+    const std::size_t n = l.node_of(k);
+    system.area[n] = grid.area[std::size_t(k)];
+    node_place(state, n, place_start(scene, l.piece, grid.place(k)));
+    state.vx[n] = spec.velocity[0];
+    state.vy[n] = spec.velocity[1];
+    state.vz[n] = spec.velocity[2];
+    system.particle.push_back(n);
+  }
+}
+
+// m = rho a
+void masses_set(System& system) {
+  for (const Lattice& l : system.lattices) {
+    for (std::size_t n = l.first; n < l.twin_first + std::size_t(l.twin_stride); ++n) {
+      system.mass[n] = l.law.areal_density * system.area[n];
+      system.inverse_mass[n] = system.area[n] > 0 ? 1 / system.mass[n] : 0;
     }
   }
 }
 
-// m = rho b^2 s
-void masses_set(System& system) {
-  for (const Lattice& l : system.lattices) {
-    const double whole = l.law.areal_density * l.cell * l.cell;
-    for (int j = 0; j < l.rows; ++j) {
-      for (int i = 0; i < l.columns; ++i) {
-        const std::size_t n = l.node(i, j);
-        const double* here = &system.share[n];
-        const double* below = here - l.stride;
-        const double s = 0.25 * ((below[-1] + below[0]) + (here[-1] + here[0]));
-        system.mass[n] = whole * s;
-        system.inverse_mass[n] = s > 0 ? 1 / (whole * s) : 0;
-      }
-    }
-  }
+// The slopes that clamps hold on a piece.
+std::vector<ClampSlopes> clamp_slopes(const Scene& scene, int piece, const Grid& grid) {
+  std::vector<ClampSlopes> clamps;
+  for (std::size_t p = 0; p < scene.pins.size(); ++p)
+    if (scene.pins[p].clamp && scene.pins[p].piece == piece)
+      clamps.push_back({int(p), hold_make(grid, scene, scene.pins[p]).slopes});
+  return clamps;
 }
 
 ConstraintRow row_at(const Lattice& l, const GridPoint& at) {
@@ -129,11 +154,16 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
     system.lattices.push_back(lattice_reserve(grids[p], scene.pieces[p], int(p), system.nodes));
   }
   system.nodes += kRowUnit;
-  for (Array* a : {&system.share, &system.mass, &system.inverse_mass}) a->assign(system.nodes, 0.0);
+  for (Array* a : {&system.share, &system.hinge_warp, &system.hinge_weft, &system.area, &system.mass,
+                   &system.inverse_mass})
+    a->assign(system.nodes, 0.0);
   state_resize(start, system.nodes, scene.pins.size());
   start.wind = scene.wind;
-  for (std::size_t p = 0; p < scene.pieces.size(); ++p)
-    lattice_fill(system.lattices[p], grids[p], scene.pieces[p], system, start);
+  for (std::size_t p = 0; p < scene.pieces.size(); ++p) {
+    lattice_fill(system.lattices[p], grids[p], scene, system, start);
+    threads_lay(system, int(p), grids[p], clamp_slopes(scene, int(p), grids[p]), start);
+  }
+  side_number(system);
 
   system_retune(system, scene.fabrics, problems);
   if (!problems.empty()) return system;

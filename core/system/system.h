@@ -9,6 +9,7 @@
 #include "fabric/law.h"
 #include "piece/grid.h"
 #include "system/array.h"
+#include "system/side.h"
 
 namespace drape {
 
@@ -21,7 +22,11 @@ struct Lattice {
   std::size_t first = 0;      // multiple of kRowUnit
   int twins = 0;              // nodes of their own at places that the outline splits
   std::size_t twin_first = 0; // multiple of kRowUnit
+  int twin_stride = 0;        // multiple of kRowUnit
+  int twin_slot = 0;          // of the first twin in Side; multiple of kRowUnit
+  std::vector<int> row_slot;  // [rows + 1] slots of the nodes of row j in Side: row_slot[j] .. row_slot[j+1]; or empty
   double cell = 0;            // b, m
+  std::vector<std::array<int, 2>> twin_place;  // [twins] column and row
   int piece = 0, fabric = 0;
   Law law;
 
@@ -29,6 +34,10 @@ struct Lattice {
   std::size_t node_of(int grid_node) const {  // of Grid's numbering
     const int k = grid_node - columns * rows;
     return k >= 0 ? twin_first + std::size_t(k) : node(grid_node % columns, grid_node / columns);
+  }
+  std::array<int, 2> place_of(std::size_t n) const {  // column and row
+    if (n >= twin_first) return twin_place[n - twin_first];
+    return {int((n - first) % std::size_t(stride)), int((n - first) / std::size_t(stride))};
   }
 };
 
@@ -63,14 +72,27 @@ struct System {
   bool energy = false;          // the balance is kept
   LawOptions options;
   std::size_t nodes = 0;  // length of every array below and in State, unused nodes included
-  Array share;            // [nodes] phi of the cell up and right of the node
+  Array share;            // [nodes] phi of the cell up and right of the node; 0 where that has a twin
+  Array hinge_warp;       // [nodes] kappa over B of the hinge across the node along the warp
+  Array hinge_weft;       // [nodes] likewise along the weft
+  Array area;             // [nodes] m^2
   Array mass;             // [nodes] kg
   Array inverse_mass;     // [nodes] 1/kg; 0 where there is no particle
   std::vector<Lattice> lattices;
+  Side side;
   std::vector<std::size_t> particle;  // [particles] their nodes: pieces in order, row by row
   Constraints constraints;
   std::vector<Probe> probes;  // as Scene::probes
 };
+
+inline bool system_has_air(const System& system) { return system.air.normal > 0 || system.air.tangential > 0; }
+
+// True where forces depend on velocity otherwise than by -m c v.
+inline bool system_has_rates(const System& system) {
+  bool rates = system_has_air(system);
+  for (const Lattice& l : system.lattices) rates = rates || l.law.damping > 0;
+  return rates;
+}
 
 struct State {
   Array x, y, z;     // [nodes] m, at t_n

@@ -55,8 +55,7 @@ inline Eigen::VectorXd positions(const Assembled& a) {
 
 inline Eigen::VectorXd forces_by(const Kernel& kernel, Assembled& a) {
   Array fx(a.system.nodes), fy(a.system.nodes), fz(a.system.nodes);
-  for (const Lattice& l : a.system.lattices)
-    kernel.forces(a.system, l, a.state, a.motion.workspace, fx.data(), fy.data(), fz.data());
+  kernel_forces(kernel, a.system, a.state, a.motion.workspace, fx.data(), fy.data(), fz.data());
   return gathered(a.system, fx, fy, fz);
 }
 

@@ -1,0 +1,61 @@
+// Air on cells (core/README.md, section 3).
+//
+//      c o---o d      d1 = d - a,  d2 = c - b,  c = d1 x d2;  area phi |c|/2, normal n = c/|c|
+//        | X |
+//      a o---o b      u = mean velocity of the corners - wind,  u_n = u.n,  u_t = u - u_n n
+//
+//   F = -(rho/2) (phi |c|/2) (C_n |u_n| u_n n + C_t |u_t| u_t), a quarter to each corner:
+//
+//   F/4 = -(rho/16) phi [C_n |u_n| u_n c + C_t |u_t| |c| u_t]
+#pragma once
+#include "forces/rows.h"
+#include "system/system.h"
+
+namespace drape {
+namespace {
+
+template <class L>
+DRAPE_INLINE Vec<L> cross(Vec<L> a, Vec<L> b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+// What a corner of a cell feels; `speed` the mean velocity of its corners.
+template <class L>
+DRAPE_INLINE Vec<L> air_quarter(const Air& air, const Vec3& wind, Vec<L> d1, Vec<L> d2, Vec<L> speed, L share) {
+  const Vec<L> c = cross(d1, d2), u = speed - Vec<L>{L(wind[0]), L(wind[1]), L(wind[2])};
+  const L size = sqrt(dot(c, c));
+  const L inverse = select(gt(size, L(0.0)), L(1.0) / size, L(0.0));
+  const Vec<L> normal = c * inverse;
+  const L un = dot(u, normal);
+  const Vec<L> ut = u - normal * un;
+  const L scale = L(-air.density / 16) * share;
+  return c * (scale * L(air.normal) * (abs(un) * un)) +
+         ut * (scale * L(air.tangential) * (sqrt(dot(ut, ut)) * size));
+}
+
+// Cells between two rows of nodes: positions r and velocities u of both.
+template <class L>
+DRAPE_INLINE void air_cells(int n, const Air& air, const Vec3& wind, ConstRow r, ConstRow r_above, ConstRow u,
+                            ConstRow u_above, const double* share, Row quarter) {
+  for (int i = 0; i < n; i += L::kWidth) {
+    const Vec<L> d1 = vec_load<L>(r_above, i + 1) - vec_load<L>(r, i),
+                 d2 = vec_load<L>(r_above, i) - vec_load<L>(r, i + 1);
+    const Vec<L> speed = ((vec_load<L>(u, i) + vec_load<L>(u, i + 1)) +
+                          (vec_load<L>(u_above, i) + vec_load<L>(u_above, i + 1))) *
+                         L(0.25);
+    vec_store(quarter, i, air_quarter(air, wind, d1, d2, speed, L::load(share + i)));
+  }
+}
+
+// Node i is a corner of cells i - 1 and i.
+template <class L>
+DRAPE_INLINE void air_add(int n, ConstRow quarter, Row force, Row force_above) {
+  for (int i = 0; i < n; i += L::kWidth) {
+    const Vec<L> both = vec_load<L>(quarter, i - 1) + vec_load<L>(quarter, i);
+    vec_add(force, i, both);
+    vec_add(force_above, i, both);
+  }
+}
+
+}  // namespace
+}  // namespace drape
