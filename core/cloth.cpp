@@ -6,6 +6,7 @@
 
 #include "cloth.h"
 #include "motion/step_limit.h"
+#include "outputs/energy.h"
 #include "scene/read.h"
 #include "system/assemble.h"
 
@@ -56,6 +57,7 @@ void pieces_describe(drape_cloth& c) {
 void cloth_assemble(drape_cloth& c, std::vector<Problem>& problems) {
   c.system = system_assemble(c.scene, c.state, problems);
   if (!problems.empty()) return;
+  energy_begin(c.system, c.state);
   c.motion = motion_make(c.system);
   leapfrog_begin(c.system, c.motion, c.state);
   step_check(c, problems);

@@ -5,6 +5,7 @@
 
 #include "cloth.h"
 #include "motion/step_limit.h"
+#include "outputs/energy.h"
 #include "system/assemble.h"
 
 namespace drape {
@@ -111,6 +112,7 @@ double balance_error(drape_cloth& c) {
 
 // The system has been changed at the present state.
 void tuning_changed(drape_cloth& c, double error_before) {
+  if (c.state.steps == 0) energy_begin(c.system, c.state);
   leapfrog_retuned(c.system, c.motion, c.state);
   c.state.input += balance_error(c) - error_before;
 }

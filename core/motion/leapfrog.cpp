@@ -127,6 +127,7 @@ Motion motion_make(const System& system) {
   Motion m;
   m.kernel = &kernel_pick();
   m.workspace = workspace_make(system);
+  m.balance = balance_make(system);
   m.rows.assign(3 * system.constraints.rows.size(), 0.0);
   for (Array* a : {&m.ax, &m.ay, &m.az}) a->assign(system.nodes, 0.0);
   return m;
@@ -149,9 +150,11 @@ void leapfrog_retuned(const System& system, Motion& motion, State& s) {
 void leapfrog_step(const System& system, Motion& motion, State& s, double h) {
   const bool paper = system.integrator == Integrator::kPaper;
   const StepCoefficients c = coefficients(system, s, h);
+  if (system.energy) balance_begin(system, motion.balance, s, c.lead);
   kernel_step(*motion.kernel, system, c, motion.workspace, s);
   const double weight = paper ? h : (s.advance_begins ? 0 : s.h_old / 2) + h / 2;
   constraints_apply(system.constraints, system.mass, h, c.kick, weight, motion.rows.data(), s);
+  if (system.energy) balance_end(system, motion.balance, s, s.h_old, h);
   s.advance_begins = false;
   s.h_older = s.h_old;
   s.h_old = h;

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "motion/balance.h"
 #include "motion/kernel.h"
 
 namespace drape {
@@ -13,6 +14,7 @@ struct Motion {
   Workspace workspace;
   Array rows;        // [constraint rows x 3]
   Array ax, ay, az;  // [nodes] m/s^2, accelerations for output
+  Balance balance;
 };
 Motion motion_make(const System& system);
 

@@ -5,13 +5,16 @@
 
 namespace drape {
 
-// theta^2/2 of a hinge from y = cos theta; beyond 120 degrees the continuation of core/README.md, section 3.
-double hinge_energy(double y);
-
 // Potential energies of the present positions; kinetic is left 0.
 drape_energy energy_potential(const System& system, const State& state);
 
 // sum m v^2/2
 double energy_kinetic(const System& system, const Array& vx, const Array& vy, const Array& vz);
+
+// Of all kinds.
+double energy_sum(const drape_energy& energy);
+
+// The balance begins at a start state, whose velocities are v_0.
+void energy_begin(const System& system, State& start);
 
 }  // namespace drape

@@ -48,6 +48,17 @@ void nodes_fill(Outputs& o, const System& system, const State& s) {
   }
 }
 
+void energy_fill(Outputs& o, const System& system, Motion& motion, const State& s) {
+  drape_energy& e = o.shown.energy;
+  e = energy_potential(system, s);
+  e.kinetic = energy_kinetic(system, o.vx, o.vy, o.vz);
+  const BalanceNow now =
+      balance_now(system, motion.balance, s, velocity_lead(system, s), o.vx, o.vy, o.vz);
+  e.dissipated = now.dissipated;
+  e.input = now.input;
+  e.balance_error = energy_sum(e) - s.energy_start - e.input + e.dissipated;
+}
+
 }  // namespace
 
 void outputs_make(Outputs& o, const Scene& scene, const System& system) {
@@ -79,10 +90,7 @@ void outputs_fill(Outputs& o, const System& system, Motion& motion, const State&
   o.shown.step_size = s.h_old > 0 ? s.h_old : system.communication / double(s.subs);
   o.shown.step_count = double(s.steps);
   o.shown.step_stability = o.shown.step_size * std::sqrt(s.omega2) / 2;
-  if (o.shown.has_energy) {
-    o.shown.energy = energy_potential(system, s);
-    o.shown.energy.kinetic = energy_kinetic(system, o.vx, o.vy, o.vz);
-  }
+  if (o.shown.has_energy) energy_fill(o, system, motion, s);
   if (nodes) nodes_fill(o, system, s);
 }
 

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "cloth_fixture.h"
+#include "forces/hinge_energy.h"
 #include "outputs/energy.h"
 #include "reference/forces.h"
 

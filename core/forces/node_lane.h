@@ -1,0 +1,59 @@
+// The laws on single nodes: lanes of one double, for the short lists beside the rows and for the energy balance.
+#pragma once
+#include "forces/air.h"
+#include "forces/lane_scalar.h"
+#include "system/system.h"
+
+namespace drape {
+namespace {
+
+using NodeLane = ScalarLane<false>;
+using NodeVec = Vec<NodeLane>;
+
+// Force accumulators by node or by slot.
+struct NodeForces {
+  double *x, *y, *z;
+};
+
+inline void force_add(NodeForces f, std::size_t k, NodeVec force) {
+  f.x[k] += force.x.v;
+  f.y[k] += force.y.v;
+  f.z[k] += force.z.v;
+}
+inline void force_take(NodeForces f, std::size_t k, NodeVec force) {
+  f.x[k] -= force.x.v;
+  f.y[k] -= force.y.v;
+  f.z[k] -= force.z.v;
+}
+
+inline NodeVec node_at(const State& s, std::size_t n) { return {s.x[n], s.y[n], s.z[n]}; }
+
+// v + lead (v - w)
+inline NodeVec node_speed(const State& s, std::size_t n, double lead) {
+  const NodeVec v{s.vx[n], s.vy[n], s.vz[n]}, w{s.wx[n], s.wy[n], s.wz[n]};
+  return v + (v - w) * NodeLane(lead);
+}
+
+struct NodeEdge {
+  NodeVec unit;
+  NodeLane inverse, length;
+};
+inline NodeEdge node_edge(const State& s, std::size_t from, std::size_t to) {
+  const NodeVec d = node_at(s, to) - node_at(s, from);
+  const NodeLane length = sqrt(dot(d, d)), inverse = NodeLane(1.0) / length;
+  return {d * inverse, inverse, length};
+}
+
+inline NodeVec node_air_quarter(const System& system, const State& s, const std::size_t* corner, double share,
+                                double lead) {
+  NodeVec r[4], u[4];
+  for (int k = 0; k < 4; ++k) {
+    r[k] = node_at(s, corner[k]);
+    u[k] = node_speed(s, corner[k], lead);
+  }
+  const NodeVec speed = ((u[0] + u[1]) + (u[2] + u[3])) * NodeLane(0.25);
+  return air_quarter(system.air, s.wind, r[3] - r[0], r[2] - r[1], speed, NodeLane(share));
+}
+
+}  // namespace
+}  // namespace drape

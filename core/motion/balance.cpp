@@ -1,0 +1,111 @@
+// A kick at t_n turns v- = v_{n-1/2} into v+ = v_{n+1/2} by the impulse J of all forces over (h_o + h)/2, and the kinetic energy grows by
+// exactly J.(v- + v+)/2. So each force's part of J times the midpoint velocity is its work:
+//
+//   -m c v      m c (h_o v- + h v+)/2 . (v- + v+)/2 is taken away        (paper scheme: m c h v-)
+//   rates       F the damping along springs and the air, A the air alone, u = v - wind:
+//               -(h_o + h)/2 [F.(v- + v+)/2 - A.wind] is taken away, (h_o + h)/2 A.wind brought in
+//
+// A turning clamp does work on the hinges between R D and its links: E(R', r) - E(R, r) for a turn from R to R', the mean of both
+// ends of the step.
+//
+// Between kicks the potential energy's growth is F.dr, which the kicks meet to O(h^2).
+#include "motion/balance.h"
+
+#include "forces/hinge_energy.h"
+#include "forces/rates.h"
+#include "forces/side.h"
+#include "system/links.h"
+
+namespace drape {
+namespace {
+
+double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+void rates_set(const System& system, Balance& b, const State& s, double lead) {
+  b.air = {0, 0, 0};
+  if (system_has_rates(system))
+    b.air = rate_forces(system, s, lead, b.fx.data(), b.fy.data(), b.fz.data());
+}
+
+// sum F.v over the particles
+double power(const System& system, const Balance& b, const Array& vx, const Array& vy, const Array& vz) {
+  if (!system_has_rates(system)) return 0;
+  double sum = 0;
+  for (std::size_t n : system.particle) sum += b.fx[n] * vx[n] + b.fy[n] * vy[n] + b.fz[n] * vz[n];
+  return sum;
+}
+
+Vec3 link_now(const SideClamp& c, const State& s) {
+  const std::size_t from = c.node[0], to = c.node[1];
+  return {s.x[to] - s.x[from], s.y[to] - s.y[from], s.z[to] - s.z[from]};
+}
+
+// What turning has brought in since balance_begin.
+double clamps_work(const System& system, const Balance& b, const State& s) {
+  double sum = 0;
+  for (std::size_t k = 0; k < system.side.clamps.size(); ++k) {
+    const SideClamp& c = system.side.clamps[k];
+    const Vec3 held = clamp_direction(c, s), link = link_now(c, s);
+    const double turned = hinge_energy_between(held, link) - hinge_energy_between(b.held[k], link) +
+                          hinge_energy_between(held, b.link[k]) - hinge_energy_between(b.held[k], b.link[k]);
+    sum += law_bending(system.lattices[std::size_t(c.lattice)].law, c.warp) * c.share * turned / 2;
+  }
+  return sum;
+}
+
+}  // namespace
+
+Balance balance_make(const System& system) {
+  Balance b;
+  if (!system.energy) return b;
+  for (Array* a : {&b.vx, &b.vy, &b.vz, &b.fx, &b.fy, &b.fz}) a->assign(system.nodes, 0.0);
+  b.held.resize(system.side.clamps.size());
+  b.link.resize(system.side.clamps.size());
+  return b;
+}
+
+void balance_begin(const System& system, Balance& b, const State& s, double lead) {
+  b.vx = s.vx;
+  b.vy = s.vy;
+  b.vz = s.vz;
+  rates_set(system, b, s, lead);
+  for (std::size_t k = 0; k < b.held.size(); ++k) {
+    b.held[k] = clamp_direction(system.side.clamps[k], s);
+    b.link[k] = link_now(system.side.clamps[k], s);
+  }
+}
+
+void balance_end(const System& system, const Balance& b, State& s, double h_old, double h) {
+  const bool paper = system.integrator == Integrator::kPaper;
+  const double span = paper ? h : (h_old + h) / 2;
+  const double before = paper ? h : h_old / 2, after = paper ? 0 : h / 2;  // of -m c v
+  double damped = 0;
+  const Array* v0[] = {&b.vx, &b.vy, &b.vz};
+  const Array* v1[] = {&s.vx, &s.vy, &s.vz};
+  if (system.damping > 0)
+    for (int k = 0; k < 3; ++k)
+      for (std::size_t n : system.particle) {
+        const double p = (*v0[k])[n], q = (*v1[k])[n];
+        damped += system.mass[n] * (before * p + after * q) * (p + q) / 2;
+      }
+  const double wind = span * dot(b.air, s.wind);
+  const double rates =
+      span / 2 * (power(system, b, b.vx, b.vy, b.vz) + power(system, b, s.vx, s.vy, s.vz));
+  s.dissipated += system.damping * damped - (rates - wind);
+  s.input += wind + clamps_work(system, b, s);
+}
+
+BalanceNow balance_now(const System& system, Balance& b, const State& s, double lead, const Array& vx,
+                       const Array& vy, const Array& vz) {
+  if (system.integrator == Integrator::kPaper) return {s.dissipated, s.input};
+  rates_set(system, b, s, lead);
+  double damped = 0;
+  if (system.damping > 0)
+    for (std::size_t n : system.particle)
+      damped += system.mass[n] * (vx[n] * vx[n] + vy[n] * vy[n] + vz[n] * vz[n]);
+  const double half = s.h_old / 2, wind = dot(b.air, s.wind);
+  return {s.dissipated + half * (system.damping * damped - (power(system, b, vx, vy, vz) - wind)),
+          s.input + half * wind};
+}
+
+}  // namespace drape
