@@ -17,7 +17,7 @@ struct Span {
   int node[2];
   double width, dense;                    // m; of all cells, of the regular ones
   double q[2] = {1, 1};                   // in the hinges at its ends
-  bool alone[2] = {false, false};         // no hinge there: a clamp takes its place
+  bool pivot[2] = {false, false};         // no hinge there: a clamp takes its place
   double clamps = 0;                      // sum of y
 };
 
@@ -76,7 +76,7 @@ void clamps_lay(System& system, int lattice, std::vector<Span>& spans, bool warp
       if (!s) continue;
       const int held = s->node[0] == slope.from ? 0 : 1;
       s->q[1 - held] = slope.series;
-      if (slope.pivot) s->alone[held] = true;
+      if (slope.pivot) s->pivot[held] = true;
       s->clamps += slope.clamp;
       const std::size_t from = l.node_of(slope.from), to = l.node_of(slope.to);
       system.side.clamps.push_back({{from, to}, {}, lattice, clamp.pin, warp, slope.clamp * 2 * s->width / l.cell,
@@ -86,7 +86,7 @@ void clamps_lay(System& system, int lattice, std::vector<Span>& spans, bool warp
   for (std::size_t k = 0; k < link.size(); ++k) {
     double load = link[k]->clamps;
     for (int end : {0, 1})
-      if (!link[k]->alone[end]) load += 1 / link[k]->q[end];
+      if (!link[k]->pivot[end]) load += 1 / link[k]->q[end];
     system.side.clamps[first + k].excess = std::max(0.0, load / 2 - 1);
   }
 }
@@ -105,11 +105,11 @@ void hinges_lay(System& system, int lattice, const std::vector<Span>& spans, boo
     begins = std::lower_bound(begins, spans.end(), at, [](const Span& s, int n) { return s.node[0] < n; });
     const auto b_end = std::find_if(begins, spans.end(), [&](const Span& s) { return s.node[0] != at; });
     double before = 0, after = 0;
-    for (auto k = e; k != e_end; ++k) before += (*k)->width;
-    for (auto k = begins; k != b_end; ++k) after += k->width;
+    bool pivot = false;
+    for (auto k = e; k != e_end; ++k) before += (*k)->width, pivot = pivot || (*k)->pivot[1];
+    for (auto k = begins; k != b_end; ++k) after += k->width, pivot = pivot || k->pivot[0];
     for (; e != e_end; ++e)
-      for (auto b = begins; b != b_end; ++b) {
-        if ((*e)->alone[1] || b->alone[0]) continue;
+      for (auto b = begins; b != b_end && !pivot; ++b) {
         const double share =
             2 * (*e)->width * b->width / (l.cell * ((*e)->q[1] * after + b->q[0] * before));
         const std::size_t n = l.node_of(at);
