@@ -1,5 +1,5 @@
-// The grid of a piece: cells along the threads, cut by the outline, and the nodes at their corners. core/README.md,
-// section 1.
+// The grid of a piece: cells along the threads, cut by the outline, and the nodes at their corners.
+// core/README.md, section 1.
 #pragma once
 #include <array>
 #include <vector>
@@ -29,10 +29,11 @@ struct Grid {
   double x0 = 0, y0 = 0;                 // node (0,0) in the turned plane, m
   int columns = 0, rows = 0;             // regular nodes along weft and warp
   std::vector<std::array<int, 2>> twin;  // [twins] (i, j)
-  std::vector<GridCell> cells;           // regular ones first, row by row: one at most in a place, without twins
-  int regular = 0;                       // their number
-  std::vector<double> area;              // [columns rows + twins] m^2 that a node carries; 0: no particle
-  std::vector<GridPart> parts;           // of cells that the outline cuts
+  std::vector<GridCell> cells;  // regular ones first, row by row: one at most in a place, without twins
+  int regular = 0;              // their number
+  std::vector<double> area;     // [columns rows + twins] m^2 that a node carries; 0: no particle
+  std::vector<GridPart> parts;  // of cells that the outline cuts, row by row
+  bool paper = false;           // outline = "paper": parts are no cells
 
   int nodes() const { return columns * rows + int(twin.size()); }
   std::array<int, 2> index(int node) const {
@@ -46,6 +47,7 @@ struct Grid {
   }
 };
 
+// Of a piece without outline_problems. With outline = "paper" a piece without a whole cell has no cells.
 Grid grid_make(const Scene& scene, int piece);
 
 // Where a point of the piece sits: r(point) = sum_k weight[k] r(node[k]).
@@ -54,5 +56,15 @@ struct GridPoint {
   double weight[4];  // sum 1; exact zeros where the point lies on a grid line or node
 };
 GridPoint grid_locate(const Grid& grid, Vec2 point);
+
+// Of the turned plane, in cells from node (0,0), exactly whole on a grid line; and back.
+Vec2 grid_coordinates(const Grid& grid, Vec2 point);
+Vec2 grid_plane(const Grid& grid, Vec2 coordinates);
+
+// The regular cell of a place, else the first with twins; -1: none.
+int grid_cell_at(const Grid& grid, int i, int j);
+
+// The cell whose map a point uses: that of its part; for a point off the piece, of the nearest part.
+int grid_cell_of(const Grid& grid, Vec2 point);
 
 }  // namespace drape

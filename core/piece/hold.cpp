@@ -18,8 +18,6 @@ Extent outline_extent(const std::vector<Vec2>& outline, int axis) {
   return e;
 }
 
-
-
 // `v` in cells from node 0, exactly whole where it lies on a grid line.
 double cells_from(double origin, double cell, double v) {
   const double u = (v - origin) / cell, whole = std::round(u);

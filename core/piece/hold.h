@@ -1,5 +1,5 @@
-// What a pin holds: points of the piece and, as a clamp, the slope of the threads that leave it. core/README.md,
-// section 4.
+// What a pin holds: points of the piece and, as a clamp, the slope of the threads that leave it.
+// core/README.md, section 4.
 #pragma once
 #include "piece/grid.h"
 
@@ -15,10 +15,10 @@ struct HeldSlope {
 };
 
 struct Hold {
-  std::vector<Vec2> points;        // in the plane of the outline, each once; nodes of a region too
-  std::vector<GridPoint> at;       // [points] where they sit
-  std::vector<HeldSlope> slopes;   // only of clamps
-  Vec2 centre;                     // where the pin's frame starts, in the plane of the outline
+  std::vector<Vec2> points;       // in the plane of the outline, each once; nodes of a region too
+  std::vector<GridPoint> at;      // [points] where they sit
+  std::vector<HeldSlope> slopes;  // only of clamps
+  Vec2 centre;                    // where the pin's frame starts, in the plane of the outline
 };
 Hold hold_make(const Grid& grid, const Scene& scene, const PinSpec& pin);
 

@@ -72,6 +72,28 @@ bool crosses_ray(Vec2 p, Vec2 q, Vec2 point) {  // the ray runs along +x
   return (q[1] > p[1]) == (side > 0);
 }
 
+const std::vector<Vec2>& points_of(const OutlineLoop& loop) { return loop.points; }
+const std::vector<Vec2>& points_of(const std::vector<Vec2>& loop) { return loop; }
+
+template <class Loops>
+bool contains(const Loops& loops, Vec2 point) {
+  bool inside = false;
+  for (const auto& loop : loops)
+    for (std::size_t k = 0, n = points_of(loop).size(); k < n; ++k)
+      if (crosses_ray(points_of(loop)[k], points_of(loop)[(k + 1) % n], point)) inside = !inside;
+  return inside;
+}
+
+template <class Loops>
+double distance(const Loops& loops, Vec2 point) {
+  if (contains(loops, point)) return 0;
+  double least = INFINITY;
+  for (const auto& loop : loops)
+    for (std::size_t k = 0, n = points_of(loop).size(); k < n; ++k)
+      least = std::min(least, segment_distance(points_of(loop)[k], points_of(loop)[(k + 1) % n], point));
+  return least;
+}
+
 }  // namespace
 
 double outline_touch(const PieceSpec& piece) {
@@ -133,25 +155,16 @@ double outline_area(const std::vector<OutlineLoop>& loops) {
   return area;
 }
 
-bool outline_contains(const std::vector<OutlineLoop>& loops, Vec2 point) {
-  bool inside = false;
-  for (const OutlineLoop& loop : loops)
-    for (std::size_t k = 0, n = loop.points.size(); k < n; ++k)
-      if (crosses_ray(loop.points[k], loop.points[(k + 1) % n], point)) inside = !inside;
-  return inside;
-}
+bool outline_contains(const std::vector<OutlineLoop>& loops, Vec2 point) { return contains(loops, point); }
 
-double outline_distance(const std::vector<OutlineLoop>& loops, Vec2 point) {
-  if (outline_contains(loops, point)) return 0;
-  double least = INFINITY;
-  for (const OutlineLoop& loop : loops)
-    for (std::size_t k = 0, n = loop.points.size(); k < n; ++k)
-      least = std::min(least, segment_distance(loop.points[k], loop.points[(k + 1) % n], point));
-  return least;
+double outline_distance(const std::vector<OutlineLoop>& loops, Vec2 point) { return distance(loops, point); }
+
+double polygons_distance(const std::vector<std::vector<Vec2>>& rim_and_holes, Vec2 point) {
+  return distance(rim_and_holes, point);
 }
 
 double polygon_distance(const std::vector<Vec2>& polygon, Vec2 point) {
-  return outline_distance({OutlineLoop{polygon, {}}}, point);
+  return distance(std::array<std::vector<Vec2>, 1>{polygon}, point);
 }
 
 }  // namespace drape

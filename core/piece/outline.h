@@ -28,6 +28,7 @@ double outline_touch(const PieceSpec& piece);  // m: what lies closer than that 
 double polygon_area(const std::vector<Vec2>& polygon);  // > 0 if counter-clockwise
 double polygon_distance(const std::vector<Vec2>& polygon, Vec2 point);
 Vec2 polygon_centre(const std::vector<Vec2>& polygon);  // of its area
+double polygons_distance(const std::vector<std::vector<Vec2>>& rim_and_holes, Vec2 point);
 
 // All geometrical faults of a piece; `path` names it, "piece.sheet". A piece without one can be laid out by
 // grid_make.
