@@ -5,9 +5,11 @@
 #include <Eigen/Geometry>
 
 #include "cloth_fixture.h"
+#include "cut_pieces.h"
 #include "forces/hinge_energy.h"
 #include "outputs/energy.h"
 #include "reference/forces.h"
+#include "system/links.h"
 
 namespace drape {
 namespace {
@@ -18,6 +20,7 @@ struct LawCase {
   BiasModel model = BiasModel::kOdd;
   double crumple = 0.15;  // of a cell: strains to 30 %, folds to 60 degrees
   Scaling scaling = Scaling::kWidth;
+  Shape shape = Shape::kRectangle;
 };
 
 const LawCase kLaws[] = {{"warp", true, false, false, false},
@@ -29,17 +32,24 @@ const LawCase kLaws[] = {{"warp", true, false, false, false},
                          {"bending_sharp_folds", false, false, false, true, BiasModel::kOdd, 0.8},
                          {"paper_area", true, true, true, true, BiasModel::kOdd, 0.15, Scaling::kPaperArea},
                          {"all", true, true, true, true},
-                         {"all_sharp_folds", true, true, true, true, BiasModel::kOdd, 0.8}};
+                         {"all_sharp_folds", true, true, true, true, BiasModel::kOdd, 0.8},
+                         {"stretch_dart", true, true, false, false, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kDart},
+                         {"shear_slits", false, false, true, false, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kSlits},
+                         {"bending_dart", false, false, false, true, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kDart},
+                         {"bending_slits", false, false, false, true, BiasModel::kOdd, 0.8, Scaling::kWidth, Shape::kSlits},
+                         {"all_triangle", true, true, true, true, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kTriangle},
+                         {"all_disc", true, true, true, true, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kDiscWithHole},
+                         {"all_dart", true, true, true, true, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kDart},
+                         {"all_slits", true, true, true, true, BiasModel::kOdd, 0.8, Scaling::kWidth, Shape::kSlits}};
 
-// 7 x 5 whole cells and a cut row on each axis: 8 x 6 cells, edges and corners of every kind.
-Scene scene_of(const LawCase& law, bool cut = true) {
+// The rectangle: 7 x 5 whole cells and a cut row on each axis, edges and corners of every kind.
+Scene scene_of(const LawCase& law) {
   FabricSpec fabric = reference::curved_fabric();
   if (!law.warp) fabric.warp = {};
   if (!law.weft) fabric.weft = {};
   if (!law.bias) fabric.bias = {};
   if (!law.bending) fabric.bending_warp = fabric.bending_weft = 0;
-  const double odd = cut ? 0.004 : 0;
-  Scene scene = reference::rectangle(fabric, 0.07 + odd, 0.05 + odd / 2, 0.01);
+  Scene scene = cut_piece(fabric, law.shape);
   scene.bias_model = law.model;
   scene.scaling = law.scaling;
   return scene;
@@ -139,6 +149,56 @@ TEST_P(EveryForce, IsTheSameBitForBitInEveryLane) {
   }
   const Eigen::VectorXd portable = forces_by(kKernelPortable, a);
   EXPECT_LE((portable - expected).lpNorm<Eigen::Infinity>(), 1e-12 * expected.lpNorm<Eigen::Infinity>());
+}
+
+// The patch test: a linear map of the flat piece strains all links of a kind alike. Inside, at nodes whose four cells are whole,
+// nothing is left over; and the virial is that of the stress on the piece's whole area A,
+//     -sum f.r = A sum over the four kinds of p(e) (1 + e),     whatever the outline cuts.
+TEST(Patch, LinearDisplacementGivesTheExactStressOnEveryCutPiece) {
+  for (Shape shape : kCutShapes) {
+    Assembled a = assemble(cut_piece(reference::curved_fabric(), shape));
+    const PieceSpec& piece = a.scene.pieces[0];
+    const Lattice& l = a.system.lattices[0];
+    const Eigen::Matrix2d map = (Eigen::Matrix2d() << 1.05, 0.03, -0.02, 1.09).finished();
+    for (std::size_t n : a.system.particle) {
+      const Eigen::Vector2d to = map * Eigen::Vector2d(a.state.x[n], a.state.y[n]);
+      a.state.x[n] = to[0];
+      a.state.y[n] = to[1];
+    }
+    const Eigen::Vector2d weft(std::cos(piece.grain), std::sin(piece.grain)), warp(-weft[1], weft[0]);
+    const auto stress = [](const Curve& law, double ratio) { return curve_value(law, ratio - 1) * ratio; };
+    double virial = stress(l.law.weft, (map * weft).norm()) + stress(l.law.warp, (map * warp).norm());
+    for (double sign : {1.0, -1.0})
+      virial += stress(l.law.bias, (map * (weft + sign * warp)).norm() / std::sqrt(2.0));
+    double area = 0;
+    for (double of_node : a.system.area) area += of_node;
+    const Eigen::VectorXd f = forces_by(kernel_pick(), a);
+    EXPECT_NEAR(-f.dot(positions(a)), area * virial, 1e-12 * area * virial) << shape_name(shape);
+
+    std::vector<int> whole(a.system.nodes, 0);
+    each_cell(a.system, l, [&](const std::size_t* corner, double share) {
+      for (int k = 0; k < 4; ++k) whole[corner[k]] += std::abs(share - 1) < 1e-12;
+    });
+    int inside = 0;
+    for (std::size_t k = 0; k < a.system.particle.size(); ++k) {
+      if (whole[a.system.particle[k]] != 4) continue;
+      ++inside;
+      EXPECT_LE(f.segment<3>(Eigen::Index(3 * k)).norm(), 1e-10 * f.lpNorm<Eigen::Infinity>());
+    }
+    EXPECT_GE(inside, 4) << shape_name(shape);
+  }
+}
+
+// Darts and slits give the grid twins, and with them lists beside the rows; a rectangle has none.
+TEST(Side, IsThereWhereTheOutlineSplitsCellsAndOnlyThere) {
+  for (Shape shape : {Shape::kRectangle, Shape::kDart, Shape::kSlits}) {
+    const Assembled a = assemble(cut_piece(reference::curved_fabric(), shape));
+    const Side& side = a.system.side;
+    const bool split = shape != Shape::kRectangle;
+    EXPECT_EQ(a.system.lattices[0].twins > 0, split) << shape_name(shape);
+    EXPECT_EQ(side.links.size() + side.hinges.size() + side.cells.size() > 0, split);
+    EXPECT_EQ(side.node.empty(), !split);
+  }
 }
 
 // psi(cos theta) = theta / sin theta to 120 degrees; its continuation meets it with two derivatives.
