@@ -34,25 +34,6 @@ double mixed(double a, double b, double t) {
   return std::clamp(a + t * (b - a), std::min(a, b), std::max(a, b));
 }
 
-// Appends the points at which p -> q meets a grid line, and q.
-void segment_split(Vec2 p, Vec2 q, std::vector<std::pair<double, Vec2>>& met, std::vector<Vec2>& points) {
-  met.clear();
-  for (std::size_t a = 0; a < 2; ++a) {
-    const double low = std::min(p[a], q[a]), high = std::max(p[a], q[a]);
-    for (double line = std::floor(low) + 1; line < high; ++line) {
-      const double t = (line - p[a]) / (q[a] - p[a]);
-      Vec2 r;
-      r[a] = line;
-      r[1 - a] = cut_snapped(mixed(p[1 - a], q[1 - a], t));
-      met.emplace_back(t, r);
-    }
-  }
-  std::stable_sort(met.begin(), met.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (const auto& m : met)
-    if (m.second != points.back()) points.push_back(m.second);
-  if (q != points.back()) points.push_back(q);
-}
-
 bool along_line(Vec2 p, Vec2 q) {
   for (std::size_t a = 0; a < 2; ++a)
     if (p[a] == q[a] && p[a] == std::floor(p[a])) return true;
@@ -73,10 +54,8 @@ int piece_place(Tracing& t, Vec2 p, Vec2 q) {
 }
 
 void loop_trace(Tracing& t, const std::vector<Vec2>& loop) {
-  std::vector<std::pair<double, Vec2>> met;
   std::vector<Vec2> points{loop[0]};
-  for (std::size_t k = 0; k < loop.size(); ++k)
-    segment_split(loop[k], loop[(k + 1) % loop.size()], met, points);
+  for (std::size_t k = 0; k < loop.size(); ++k) cut_segment(loop[k], loop[(k + 1) % loop.size()], points);
   if (points.size() > 1) points.pop_back();  // the first again
   const std::size_t n = points.size();
   std::vector<int> place(n);
@@ -202,6 +181,24 @@ Tracing tracing_begin(const std::vector<std::vector<Vec2>>& loops) {
 }
 
 }  // namespace
+
+void cut_segment(Vec2 p, Vec2 q, std::vector<Vec2>& points) {
+  std::vector<std::pair<double, Vec2>> met;
+  for (std::size_t a = 0; a < 2; ++a) {
+    const double low = std::min(p[a], q[a]), high = std::max(p[a], q[a]);
+    for (double line = std::floor(low) + 1; line < high; ++line) {
+      const double t = (line - p[a]) / (q[a] - p[a]);
+      Vec2 r;
+      r[a] = line;
+      r[1 - a] = cut_snapped(mixed(p[1 - a], q[1 - a], t));
+      met.emplace_back(t, r);
+    }
+  }
+  std::stable_sort(met.begin(), met.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& m : met)
+    if (m.second != points.back()) points.push_back(m.second);
+  if (q != points.back()) points.push_back(q);
+}
 
 double cut_snapped(double v) {
   const double whole = std::round(v);

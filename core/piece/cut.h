@@ -34,6 +34,9 @@ struct Cut {
 // Loops in cells, their coordinates snapped; the cloth to the left of each.
 Cut cut_make(const std::vector<std::vector<Vec2>>& loops);
 
+// Appends the points at which p -> q, in cells, meets a grid line, and q; p is the last of the points.
+void cut_segment(Vec2 p, Vec2 q, std::vector<Vec2>& points);
+
 // `v`, exactly whole where it lies on a grid line.
 double cut_snapped(double v);
 

@@ -2,73 +2,109 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+
+#include "piece/hold_edge.h"
+#include "piece/hold_region.h"
 
 namespace drape {
 namespace {
 
-constexpr double kSnap = 1e-9;  // of a cell, or of the piece's size: coordinates closer than that coincide
-
-struct Extent {  // of a piece along x or y
-  double low, high;
-};
-
-Extent outline_extent(const std::vector<Vec2>& outline, int axis) {
-  Extent e{outline[0][axis], outline[0][axis]};
-  for (const Vec2& p : outline) e = {std::min(e.low, p[axis]), std::max(e.high, p[axis])};
-  return e;
-}
-
-// `v` in cells from node 0, exactly whole where it lies on a grid line.
-double cells_from(double origin, double cell, double v) {
-  const double u = (v - origin) / cell, whole = std::round(u);
-  return std::abs(u - whole) <= kSnap ? whole : u;
-}
-
-// A held point, moved onto the rim and the grid lines that it touches, so that equal points compare equal.
-Vec2 settled(const Grid& grid, const PieceSpec& piece, Vec2 p) {
-  const Extent extent[2] = {outline_extent(piece.outline, 0), outline_extent(piece.outline, 1)};
-  const double origin[2] = {grid.x0, grid.y0};
-  const double size = std::max(extent[0].high - extent[0].low, extent[1].high - extent[1].low);
-  for (int k = 0; k < 2; ++k) {
-    for (double rim : {extent[k].low, extent[k].high})
-      if (std::abs(p[k] - rim) <= kSnap + kSnap * size) p[k] = rim;
-    const double u = cells_from(origin[k], grid.cell, p[k]);
-    if (u == std::round(u)) p[k] = origin[k] + u * grid.cell;
+// The middle of edges by length.
+Vec2 edges_centre(const std::vector<OutlineLoop>& loops, const std::vector<int>& edges) {
+  const OutlineLoop& rim = loops[0];
+  Vec2 sum{0, 0};
+  double length = 0;
+  for (std::size_t k = 0, n = rim.points.size(); k < n; ++k) {
+    if (std::find(edges.begin(), edges.end(), rim.edge[k]) == edges.end()) continue;
+    const Vec2 p = rim.points[k], q = rim.points[(k + 1) % n];
+    const double part = std::hypot(q[0] - p[0], q[1] - p[1]);
+    for (std::size_t a = 0; a < 2; ++a) sum[a] += part * (p[a] + q[a]) / 2;
+    length += part;
   }
-  return p;
+  return {sum[0] / length, sum[1] / length};
 }
 
-std::vector<Vec2> held_points(const Grid& grid, const PieceSpec& piece, const PinSpec& pin) {
-  std::vector<Vec2> points;
-  for (const Vec2& p : pin.at) points.push_back(settled(grid, piece, p));
+Vec2 mean(const std::vector<Vec2>& points) {
+  Vec2 sum{0, 0};
+  for (const Vec2& p : points)
+    for (std::size_t a = 0; a < 2; ++a) sum[a] += p[a] / double(points.size());
+  return sum;
+}
+
+void points_hold(Hold& hold, const Grid& grid, std::vector<Vec2> at) {  // in cells
+  std::sort(at.begin(), at.end(), [](Vec2 p, Vec2 q) { return p[1] != q[1] ? p[1] < q[1] : p[0] < q[0]; });
+  at.erase(std::unique(at.begin(), at.end()), at.end());
+  for (const Vec2& p : at) {
+    hold.points.push_back(grid_plane(grid, p));
+    hold.at.push_back(grid_locate(grid, hold.points.back()));
+  }
+}
+
+// All links of a node.
+void node_slopes(const Grid& grid, int node, std::vector<HeldSlope>& slopes) {
+  std::map<int, bool> links;  // the other node -> along the warp
+  for (const GridCell& c : grid.cells)
+    for (int k = 0; k < 4; ++k)
+      if (c.node[k] == node) links.emplace(c.node[k ^ 1], false), links.emplace(c.node[k ^ 2], true);
+  for (const auto& [to, warp] : links) slopes.push_back({node, to, warp, 1, 1, true});
+}
+
+// The links of the cell that a point lies in, each by its weight.
+void cell_slopes(const Grid& grid, Vec2 point, std::vector<HeldSlope>& slopes) {
+  const GridCell& c = grid.cells[std::size_t(grid_cell_of(grid, point))];
+  const Vec2 at = grid_coordinates(grid, point);
+  const double x = std::clamp(at[0] - c.i, 0.0, 1.0), y = std::clamp(at[1] - c.j, 0.0, 1.0);
+  const HeldSlope links[] = {{c.node[0], c.node[2], true, 1 - x, 1, false},
+                             {c.node[1], c.node[3], true, x, 1, false},
+                             {c.node[0], c.node[1], false, 1 - y, 1, false},
+                             {c.node[2], c.node[3], false, y, 1, false}};
+  for (const HeldSlope& link : links)
+    if (link.clamp > 0) slopes.push_back(link);
+}
+
+void point_slopes(const Grid& grid, const Hold& hold, std::vector<HeldSlope>& slopes) {
+  for (std::size_t k = 0; k < hold.points.size(); ++k) {
+    const double* weight = hold.at[k].weight;
+    const double* whole = std::find(weight, weight + 4, 1.0);
+    if (whole != weight + 4) node_slopes(grid, hold.at[k].node[whole - weight], slopes);
+    else cell_slopes(grid, hold.points[k], slopes);
+  }
+}
+
+void edges_hold(Hold& hold, const Grid& grid, const PieceSpec& piece, const PinSpec& pin) {
+  const std::vector<OutlineLoop> loops = outline_flatten(piece);
+  std::vector<Vec2> at;
   for (int edge : pin.edges) {
-    const Vec2 from = settled(grid, piece, piece.outline[edge]);
-    const Vec2 to = settled(grid, piece, piece.outline[(edge + 1) % piece.outline.size()]);
-    const int along = from[0] == to[0];  // the axis along which the edge runs
-    const double origin = along ? grid.y0 : grid.x0;
-    points.push_back(from);
-    points.push_back(to);
-    for (int k = 0; k < (along ? grid.rows : grid.columns); ++k) {
-      Vec2 crossing = from;
-      crossing[along] = origin + k * grid.cell;
-      if (crossing[along] > std::min(from[along], to[along]) &&
-          crossing[along] < std::max(from[along], to[along]))
-        points.push_back(crossing);
-    }
+    for (const Vec2& end : edge_ends(grid, piece, edge)) at.push_back(end);
+    for (const EdgeCrossing& crossing : edge_crossings(grid, loops, edge)) at.push_back(crossing.at);
+    if (pin.clamp) edge_slopes(grid, loops, edge, hold.slopes);
   }
-  std::sort(points.begin(), points.end(),
-            [](Vec2 p, Vec2 q) { return p[1] != q[1] ? p[1] < q[1] : p[0] < q[0]; });
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  return points;
+  points_hold(hold, grid, std::move(at));
+  hold.centre = edges_centre(loops, pin.edges);
 }
 
 }  // namespace
 
 Hold hold_make(const Grid& grid, const Scene& scene, const PinSpec& pin) {
-  const PieceSpec& piece = scene.pieces[std::size_t(pin.piece)];
   Hold hold;
-  hold.points = held_points(grid, piece, pin);
-  for (const Vec2& point : hold.points) hold.at.push_back(grid_locate(grid, point));
+  if (!pin.region.empty()) {
+    RegionHold region = region_hold(grid, pin.region, pin.clamp);
+    for (int n : region.nodes) {
+      hold.points.push_back(grid.place(n));
+      hold.at.push_back({{n, n, n, n}, {1, 0, 0, 0}});
+    }
+    hold.slopes = std::move(region.slopes);
+    hold.centre = polygon_centre(pin.region);
+  } else if (!pin.edges.empty()) {
+    edges_hold(hold, grid, scene.pieces[std::size_t(pin.piece)], pin);
+  } else {
+    std::vector<Vec2> at;
+    for (const Vec2& p : pin.at) at.push_back(grid_coordinates(grid, p));
+    points_hold(hold, grid, std::move(at));
+    if (pin.clamp) point_slopes(grid, hold, hold.slopes);
+    hold.centre = mean(pin.at);
+  }
   return hold;
 }
 

@@ -74,6 +74,7 @@ bool crosses_ray(Vec2 p, Vec2 q, Vec2 point) {  // the ray runs along +x
 
 const std::vector<Vec2>& points_of(const OutlineLoop& loop) { return loop.points; }
 const std::vector<Vec2>& points_of(const std::vector<Vec2>& loop) { return loop; }
+const std::vector<Vec2>& points_of(const std::vector<Vec2>* loop) { return *loop; }
 
 template <class Loops>
 bool contains(const Loops& loops, Vec2 point) {
@@ -164,7 +165,7 @@ double polygons_distance(const std::vector<std::vector<Vec2>>& rim_and_holes, Ve
 }
 
 double polygon_distance(const std::vector<Vec2>& polygon, Vec2 point) {
-  return distance(std::array<std::vector<Vec2>, 1>{polygon}, point);
+  return distance(std::array{&polygon}, point);
 }
 
 }  // namespace drape

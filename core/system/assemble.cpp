@@ -51,6 +51,7 @@ void lattice_flatten(const Lattice& l, const Grid& grid, const PlaceSpec& place,
 // Shares, areas and places of all particles.
 void lattice_fill(const Lattice& l, const Grid& grid, const Scene& scene, System& system, State& state) {
   const PieceSpec& spec = scene.pieces[std::size_t(l.piece)];
+  const Waves waves = waves_make(scene, l.piece);
   lattice_flatten(l, grid, spec.place, state);
   for (int c = 0; c < grid.regular; ++c)
     system.share[l.node(grid.cells[std::size_t(c)].i, grid.cells[std::size_t(c)].j)] =
@@ -59,7 +60,7 @@ void lattice_fill(const Lattice& l, const Grid& grid, const Scene& scene, System
     if (grid.area[std::size_t(k)] == 0) continue;
     const std::size_t n = l.node_of(k);
     system.area[n] = grid.area[std::size_t(k)];
-    node_place(state, n, place_start(scene, l.piece, grid.place(k)));
+    node_place(state, n, place_start(spec.place, waves, grid.place(k)));
     state.vx[n] = spec.velocity[0];
     state.vy[n] = spec.velocity[1];
     state.vz[n] = spec.velocity[2];

@@ -1,0 +1,99 @@
+// Pieces in space: core/README.md, section 1.
+#include "piece/place.h"
+
+#include "piece/piece_fixture.h"
+
+namespace drape {
+namespace {
+
+double dot(Vec3 a, Vec3 b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vec3 minus(Vec3 a, Vec3 b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+// Upright plane y = 2 rolled about the z axis: P' at the distance R from the axis, at the same height; arcs
+// as long as the lines they were; and the middle line, straight above the axis along the normal, keeps its
+// direction.
+TEST(Place, CylinderKeepsHeightsAndLengths) {
+  for (const double side : {2.0, -2.0, 0.0}) {  // before, behind, through the axis
+    PlaceSpec place;
+    place.origin = {0, side, 1};
+    place.axis_y = {0, 0, 1};  // axis_x x axis_y = -y
+    place.radius = 0.5;
+    for (const double x : {-1.0, -0.3, 0.0, 0.7})
+      for (const double y : {0.0, 0.4}) {
+        const Vec3 p = place_point(place, {x, y});
+        EXPECT_NEAR(p[2], 1 + y, 1e-15);
+        EXPECT_NEAR(std::hypot(p[0], p[1]), 0.5, 1e-15);
+        const double normal = side > 0 ? 1 : -1;  // along y: from the axis to the plane, or axis_x x axis_y
+        // f = d.t/R, t = e x n = -+x
+        const double f = -normal * x / 0.5;
+        EXPECT_NEAR(p[1], normal * 0.5 * std::cos(f), 1e-15);
+        EXPECT_NEAR(p[0], -normal * 0.5 * std::sin(f), 1e-15);
+        const double d = 1e-5;
+        const Vec3 q = minus(place_point(place, {x + d, y + d}), p);
+        EXPECT_NEAR(std::sqrt(dot(q, q)), d * std::sqrt(2.0), 1e-14);
+      }
+  }
+}
+
+// Steele, Lea, Flood: splitmix64 from state 0 gives e220a8397b1dcdaf, 6e789e6aa1b965f4, ...
+TEST(Place, ImperfectionIsTheSumOfItsWaves) {
+  PieceSpec piece = rectangle(-1, 2, 3, 4, 0.1);  // diagonal 5
+  piece.place.origin = {0, 0, 1};
+  Scene scene = scene_of(piece);
+  scene.imperfection_amplitude = 0.01;
+  std::uint64_t state = 0;
+  const auto uniform = [&] {
+    std::uint64_t z = state += 0x9e3779b97f4a7c15;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+    return double((z ^ (z >> 31)) >> 11) / 9007199254740992.0;
+  };
+  const double first = uniform();
+  EXPECT_EQ(first, double(0xe220a8397b1dcdafULL >> 11) / 9007199254740992.0);
+  state = 0;
+  const double turn = 2 * std::numbers::pi;
+  double a[8], b[8];
+  for (int k = 0; k < 8; ++k) a[k] = turn * uniform(), b[k] = turn * uniform();
+  for (const Vec2 p : {Vec2{-1, 2}, {0.3, 2.7}, {2, 6}}) {
+    double h = 0;
+    for (int k = 1; k <= 8; ++k)
+      h += 0.01 / 8 *
+           std::sin(turn * ((p[0] + 1) * std::cos(a[k - 1]) + (p[1] - 2) * std::sin(a[k - 1])) /
+                        (5 * std::pow(2, -k / 2.0)) +
+                    b[k - 1]);
+    const Vec3 at = place_start(scene, 0, p);
+    EXPECT_EQ(at[0], p[0]);
+    EXPECT_EQ(at[1], p[1]);
+    EXPECT_NEAR(at[2], 1 + h, 1e-15);
+    EXPECT_LE(std::abs(h), 0.01);
+    EXPECT_NE(h, 0);
+  }
+  // another seed and another piece have waves of their own: the state of piece 1 is seed + 1000003
+  const Vec3 here = place_start(scene, 0, {0.5, 3});
+  scene.pieces.push_back(scene.pieces[0]);
+  const Vec3 other = place_start(scene, 1, {0.5, 3});
+  EXPECT_NE(here[2], other[2]);
+  scene.imperfection_seed = 1000003;
+  EXPECT_EQ(place_start(scene, 0, {0.5, 3})[2], other[2]);
+}
+
+// On a cylinder the imperfection is radial.
+TEST(Place, ImperfectionOfACylinderIsRadial) {
+  PieceSpec piece = rectangle(0, 0, 1, 1, 0.1);
+  piece.place.origin = {0, 2, 0};
+  piece.place.axis_y = {0, 0, 1};
+  piece.place.radius = 0.5;
+  Scene scene = scene_of(piece);
+  scene.imperfection_amplitude = 0.01;
+  Scene plane = scene;
+  plane.pieces[0].place = {};
+  for (const Vec2 p : {Vec2{0.1, 0.9}, {0.6, 0.2}}) {
+    const Vec3 at = place_start(scene, 0, p), round = place_point(piece.place, p);
+    const double h = place_start(plane, 0, p)[2];
+    for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(at[k], round[k] * (1 + h / 0.5), 1e-15);
+    EXPECT_EQ(at[2], round[2]);
+  }
+}
+
+}  // namespace
+}  // namespace drape
