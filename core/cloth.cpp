@@ -57,14 +57,15 @@ void pieces_describe(drape_cloth& c) {
 void cloth_assemble(drape_cloth& c, std::vector<Problem>& problems) {
   c.system = system_assemble(c.scene, c.state, problems);
   if (!problems.empty()) return;
-  energy_begin(c.system, c.state);
   c.motion = motion_make(c.system);
   leapfrog_begin(c.system, c.motion, c.state);
+  energy_begin(c.system, c.state);
   step_check(c, problems);
   if (!problems.empty()) return;
   c.good = c.state;
   parameters_make(c.parameters, c.scene, c.system.step_max);
   tuning_begin(c);
+  inputs_make(c);
   outputs_make(c.outputs, c.scene, c.system);
   pieces_describe(c);
 }
@@ -192,14 +193,24 @@ drape_status drape_advance(drape_cloth* c, double length) {
   }
   c->stuck = false;
   if (drape_commit(c) != DRAPE_OK) return DRAPE_DISCARD;
+  std::vector<Problem> problems;
+  if (!inputs_take(*c, length, problems)) {
+    say_problems(*c, problems);
+    return DRAPE_DISCARD;
+  }
   c->good = c->state;
+  if (c->state.steps == 0)  // the wind at the start
+    for (std::size_t k = 0; k < 3; ++k) c->state.wind[k] = c->inputs.wind[k];
   c->tuning_good = c->tuning;
   std::string event;
   const Advance how = leapfrog_advance(c->system, c->motion, c->state, length, event,
                                        [c](double intervals) { tuning_go(*c, intervals); });
   if (!event.empty())
     say(*c, DRAPE_LOG_STABILITY, event + ", set by the " + step_limit_link(c->system, c->scene, c->state));
-  if (how == Advance::kDone) return DRAPE_OK;
+  if (how == Advance::kDone) {
+    inputs_taken(*c);
+    return DRAPE_OK;
+  }
   say_trouble(*c, how, length);
   c->state = c->good;
   tuning_restore(*c, c->tuning_good);

@@ -26,6 +26,8 @@ struct drape_cloth {
   drape::State state, good;  // now, and when the running advance began
   drape::Parameters parameters;
   drape_inputs inputs{}, input_rates{};
+  std::vector<drape_pin_input> pin_inputs, pin_rates;  // [driven pins]
+  std::vector<std::size_t> driven;                     // theirs among Scene::pins
   drape::Tuning tuning, tuning_good;  // as state, good
   drape::Outputs outputs;
   struct Piece {
@@ -47,6 +49,16 @@ std::string number(double value, int digits = 6);
 // What keeps the cloth from stepping on from its present state: no step limit, a given step above it, or more
 // than kSubsMost steps in an interval.
 void step_check(const drape_cloth& cloth, std::vector<Problem>& problems);
+
+// Room for inputs, with what they are at the start.
+void inputs_make(drape_cloth& cloth);
+
+// Checks the inputs and makes them the end of the next advance, of `length`. On a problem (true without) the values at
+// fault are again what they are now.
+bool inputs_take(drape_cloth& cloth, double length, std::vector<Problem>& problems);
+
+// After an advance the rates are 0 again.
+void inputs_taken(drape_cloth& cloth);
 
 // The values of the parameters are those of the system.
 void tuning_begin(drape_cloth& cloth);

@@ -1,87 +1,229 @@
 #include "constraint/apply.h"
 
+#include "constraint/vector3.h"
+
 namespace drape {
 namespace {
 
-// b <- A f - target (target only where `at` is set)
-void rows_residual(const Constraints& c, const Field& f, bool at, double* b) {
-  for (std::size_t r = 0; r < c.rows.size(); ++r) {
-    const ConstraintRow& row = c.rows[r];
-    for (int k = 0; k < 3; ++k) b[3 * r + k] = at ? -row.target[k] : 0.0;
-    for (std::size_t n = 0; n < row.node.size(); ++n) {
-      b[3 * r] += row.weight[n] * f.x[row.node[n]];
-      b[3 * r + 1] += row.weight[n] * f.y[row.node[n]];
-      b[3 * r + 2] += row.weight[n] * f.z[row.node[n]];
-    }
+using namespace vector3;
+
+Vec3 at(const Array& a, std::size_t k) { return {a[3 * k], a[3 * k + 1], a[3 * k + 2]}; }
+void set(Array& a, std::size_t k, const Vec3& v) {
+  a[3 * k] = v[0], a[3 * k + 1] = v[1], a[3 * k + 2] = v[2];
+}
+Vec3 at(const Field& f, std::size_t n) { return {f.x[n], f.y[n], f.z[n]}; }
+void set(const Field& f, std::size_t n, const Vec3& v) { f.x[n] = v[0], f.y[n] = v[1], f.z[n] = v[2]; }
+
+// Visits the targets of fixed nodes and rows by their number.
+template <class Visit>
+void each_target(const Constraints& c, Visit visit) {
+  std::size_t k = 0;
+  for (const FixedNode& f : c.fixed) visit(k++, f.target);
+  for (const HeldRow& r : c.rows) visit(k++, r.target);
+}
+
+// The target of a part less its start: share (p - p_0) + (R - 1)(start - share p_0), exactly 0 before the pin
+// moves.
+Vec3 part_shift(const PinBase& base, const Frame& frame, const TargetPart& part) {
+  const Vec3 reach = part.start - part.share * base.centre;
+  return part.share * (frame.position - base.centre) + turned_away(frame.turn, reach);
+}
+
+Vec3 target_now(const Constraints& c, const State& s, const Target& t) {
+  Vec3 sum = t.start;
+  for (int p = t.first; p < t.first + t.count; ++p) {
+    const TargetPart& part = c.parts[std::size_t(p)];
+    sum += part_shift(c.pins[std::size_t(part.pin)], s.pin_frame[std::size_t(part.pin)], part);
   }
+  return sum;
+}
+
+void arms_set(const Constraints& c, const State& s, HeldMotion& held) {
+  for (std::size_t p = 0; p < c.parts.size(); ++p) {
+    const TargetPart& part = c.parts[p];
+    const Vec3 reach = part.start - part.share * c.pins[std::size_t(part.pin)].centre;
+    set(held.arm, p, reach + turned_away(s.pin_frame[std::size_t(part.pin)].turn, reach));
+  }
+}
+
+// share v + w x arm; share a + w' x arm + w x (w x arm)
+Vec3 part_rate(const Frame& f, double share, const Vec3& arm, Rate which) {
+  if (which == Rate::kVelocity) return share * f.velocity + cross(f.spin, arm);
+  return share * f.acceleration + cross(f.spin_rate, arm) + cross(f.spin, cross(f.spin, arm));
+}
+
+void load_add(const Constraints& c, const Array& arm, const Target& t, const Vec3& impulse,
+              std::vector<PinLoad>& load) {
+  for (int p = t.first; p < t.first + t.count; ++p) {
+    const TargetPart& part = c.parts[std::size_t(p)];
+    PinLoad& sum = load[std::size_t(part.pin)];
+    sum.force += part.share * impulse;
+    sum.torque += cross(at(arm, std::size_t(p)), impulse);
+  }
+}
+
+Vec3 row_sum(const SparseRow& row, const Field& f) {
+  Vec3 sum{0, 0, 0};
+  for (std::size_t k = 0; k < row.node.size(); ++k) sum += row.weight[k] * at(f, row.node[k]);
+  return sum;
 }
 
 // f <- f - s M^-1 A^T y
-void rows_correct(const Constraints& c, const double* y, double s, const Field& f) {
-  std::size_t m = 0;
-  for (std::size_t r = 0; r < c.rows.size(); ++r) {
-    const ConstraintRow& row = c.rows[r];
-    for (std::size_t n = 0; n < row.node.size(); ++n, ++m) {
-      const double w = s * row.weight[n] * c.inverse_mass[m];
-      f.x[row.node[n]] -= w * y[3 * r];
-      f.y[row.node[n]] -= w * y[3 * r + 1];
-      f.z[row.node[n]] -= w * y[3 * r + 2];
+void rows_correct(const System& system, const Array& y, double s, const Field& f) {
+  std::size_t r = 0;
+  for (const HeldRow& row : system.constraints.rows) {
+    const Vec3 pull = at(y, r++);
+    for (std::size_t k = 0; k < row.on.node.size(); ++k) {
+      const std::size_t n = row.on.node[k];
+      set(f, n, at(f, n) - (s * row.on.weight[k] * system.inverse_mass[n]) * pull);
     }
   }
 }
 
-double weight_sum(const ConstraintRow& row) {
-  double sum = 0;
-  for (double w : row.weight) sum += w;
-  return sum;
+// m [v_{n-1/2} + h_o a/2 - (1 + c h_o/2) v_n] over m, from what the free step left.
+Vec3 told(const HeldStep& step, const Vec3& old, const Vec3& free, const Vec3& rate) {
+  return old + (step.half / step.kick) * (free - step.keep * old) - step.centred * rate;
+}
+
+// The work of an impulse on the outside world while what it acts on goes from one velocity to the next.
+double work(const Vec3& impulse, const Vec3& old, const Vec3& now) { return -0.5 * dot(impulse, old + now); }
+
+void fixed_apply(const System& system, const HeldStep& step, HeldMotion& held, State& s) {
+  const Constraints& c = system.constraints;
+  const Field r{s.x.data(), s.y.data(), s.z.data()}, v{s.vx.data(), s.vy.data(), s.vz.data()};
+  for (std::size_t k = 0; k < c.fixed.size(); ++k) {
+    const std::size_t n = c.fixed[k].node;
+    const Vec3 next = at(held.next, k), free = at(v, n), kept = (1 / step.h) * (next - at(held.now, k));
+    Vec3 impulse = (system.mass[n] * step.impulse) * (free - kept);
+    if (system.energy) s.input += work(impulse, at(held.old, k), kept);
+    if (step.begins) impulse -= system.mass[n] * told(step, at(held.old, k), free, at(held.rate, k));
+    load_add(c, held.arm, c.fixed[k].target, impulse, s.pin_impulse);
+    set(v, n, kept);
+    set(r, n, next);
+  }
+}
+
+void rows_apply(const System& system, const HeldStep& step, HeldMotion& held, State& s) {
+  const Constraints& c = system.constraints;
+  const Field r{s.x.data(), s.y.data(), s.z.data()}, v{s.vx.data(), s.vy.data(), s.vz.data()};
+  const std::size_t fixed = c.fixed.size();
+  std::size_t entry = fixed;
+  const auto old_of = [&](const SparseRow& row) {
+    Vec3 sum{0, 0, 0};
+    for (double w : row.weight) sum += w * at(held.old, entry++);
+    return sum;
+  };
+  for (std::size_t k = 0; k < c.rows.size(); ++k) {
+    const SparseRow& row = c.rows[k].on;
+    set(held.y, k, row_sum(row, r) - at(held.next, fixed + k));
+    if (step.begins) set(held.z, k, told(step, old_of(row), row_sum(row, v), at(held.rate, fixed + k)));
+  }
+  factor_solve(c.factor, held.y.data());
+  if (step.begins) factor_solve(c.factor, held.z.data());
+  rows_correct(system, held.y, 1, r);
+  rows_correct(system, held.y, 1 / step.h, v);
+  entry = fixed;
+  for (std::size_t k = 0; k < c.rows.size(); ++k) {
+    Vec3 impulse = (step.impulse / step.h) * at(held.y, k);
+    if (system.energy) s.input += work(impulse, old_of(c.rows[k].on), row_sum(c.rows[k].on, v));
+    if (step.begins) impulse -= at(held.z, k);
+    load_add(c, held.arm, c.rows[k].target, impulse, s.pin_impulse);
+  }
 }
 
 }  // namespace
 
-void constraints_apply(const Constraints& c, const Array& mass, double h, double kick, double weight,
-                       double* y, State& s) {
-  const Field r{s.x.data(), s.y.data(), s.z.data()}, v{s.vx.data(), s.vy.data(), s.vz.data()};
-  for (const FixedNode& f : c.fixed) {  // v was 0 before the kick: force = m v/kick
-    const double impulse = mass[f.node] / kick * weight;
-    Vec3& sum = s.pin_impulse[std::size_t(f.pin)];
-    sum[0] += impulse * v.x[f.node];
-    sum[1] += impulse * v.y[f.node];
-    sum[2] += impulse * v.z[f.node];
-    v.x[f.node] = v.y[f.node] = v.z[f.node] = 0;
-    r.x[f.node] = f.target[0];
-    r.y[f.node] = f.target[1];
-    r.z[f.node] = f.target[2];
-  }
-  if (c.rows.empty()) return;
-  rows_residual(c, r, true, y);  // A r = h kick A a, for the rows held before the step
-  constraints_solve(c, y);
-  rows_correct(c, y, 1, r);
-  rows_correct(c, y, 1 / h, v);
-  for (std::size_t k = 0; k < c.rows.size(); ++k) {
-    const double impulse = weight_sum(c.rows[k]) / (h * kick) * weight;
-    for (int d = 0; d < 3; ++d) s.pin_impulse[std::size_t(c.rows[k].pin)][d] += impulse * y[3 * k + d];
-  }
+HeldMotion held_make(const Constraints& c) {
+  HeldMotion held;
+  std::size_t entries = c.fixed.size();
+  for (const HeldRow& row : c.rows) entries += row.on.node.size();
+  for (Array* a : {&held.now, &held.next, &held.rate, &held.taken})
+    a->assign(3 * (c.fixed.size() + c.rows.size()), 0.0);
+  for (Array* a : {&held.y, &held.z}) a->assign(3 * c.rows.size(), 0.0);
+  held.arm.assign(3 * c.parts.size(), 0.0);
+  held.old.assign(3 * entries, 0.0);
+  each_target(c, [&](std::size_t k, const Target& t) {
+    set(held.now, k, t.start);
+    set(held.next, k, t.start);
+  });
+  return held;
 }
 
-void constraints_project(const Constraints& c, const Array& mass, double* y, Field field,
-                         std::vector<Vec3>* force) {
-  for (const FixedNode& f : c.fixed) {
-    if (force) {
-      Vec3& sum = (*force)[std::size_t(f.pin)];
-      sum[0] += mass[f.node] * field.x[f.node];
-      sum[1] += mass[f.node] * field.y[f.node];
-      sum[2] += mass[f.node] * field.z[f.node];
+void held_refresh(const Constraints& c, const State& s, HeldMotion& held) {
+  arms_set(c, s, held);
+  each_target(c, [&](std::size_t k, const Target& t) {
+    if (t.moves) set(held.now, k, target_now(c, s, t));
+  });
+}
+
+void held_rates(const Constraints& c, const State& s, Rate which, HeldMotion& held) {
+  each_target(c, [&](std::size_t k, const Target& t) {
+    Vec3 sum{0, 0, 0};
+    for (int p = t.first; t.moves && p < t.first + t.count; ++p) {
+      const TargetPart& part = c.parts[std::size_t(p)];
+      sum += part_rate(s.pin_frame[std::size_t(part.pin)], part.share, at(held.arm, std::size_t(p)), which);
     }
-    field.x[f.node] = field.y[f.node] = field.z[f.node] = 0;
+    set(held.rate, k, sum);
+  });
+}
+
+void held_keep(const Constraints& c, const State& s, HeldMotion& held) {
+  std::size_t entry = 0;
+  const auto keep = [&](std::size_t n) { set(held.old, entry++, {s.vx[n], s.vy[n], s.vz[n]}); };
+  for (const FixedNode& f : c.fixed) keep(f.node);
+  for (const HeldRow& row : c.rows)
+    for (std::size_t n : row.on.node) keep(n);
+}
+
+void constraints_apply(const System& system, const HeldStep& step, HeldMotion& held, State& s) {
+  const Constraints& c = system.constraints;
+  bool moving = false;
+  each_target(c, [&](std::size_t k, const Target& t) {
+    if (!t.moves) return;
+    moving = true;
+    set(held.next, k, target_now(c, s, t));
+  });
+  fixed_apply(system, step, held, s);
+  if (!c.rows.empty()) rows_apply(system, step, held, s);
+  if (!moving) return;
+  held.now.swap(held.next);
+  held.next = held.now;
+  arms_set(c, s, held);
+}
+
+void constraints_project(const System& system, HeldMotion& held, Field field, std::vector<PinLoad>* load) {
+  const Constraints& c = system.constraints;
+  const std::size_t fixed = c.fixed.size();
+  for (std::size_t k = 0; k < fixed; ++k) {
+    const std::size_t n = c.fixed[k].node;
+    set(held.taken, k, system.mass[n] * (at(field, n) - at(held.rate, k)));
+    set(field, n, at(held.rate, k));
   }
-  if (c.rows.empty()) return;
-  rows_residual(c, field, false, y);
-  constraints_solve(c, y);
-  rows_correct(c, y, 1, field);
-  if (!force) return;
   for (std::size_t k = 0; k < c.rows.size(); ++k)
-    for (int d = 0; d < 3; ++d)
-      (*force)[std::size_t(c.rows[k].pin)][d] += weight_sum(c.rows[k]) * y[3 * k + d];
+    set(held.y, k, row_sum(c.rows[k].on, field) - at(held.rate, fixed + k));
+  factor_solve(c.factor, held.y.data());
+  rows_correct(system, held.y, 1, field);
+  for (std::size_t k = 0; k < c.rows.size(); ++k) set(held.taken, fixed + k, at(held.y, k));
+  if (load)
+    each_target(c,
+                [&](std::size_t k, const Target& t) { load_add(c, held.arm, t, at(held.taken, k), *load); });
+}
+
+double held_work(const System& system, const State& s, double centred, const HeldMotion& held) {
+  const Constraints& c = system.constraints;
+  double sum = 0;
+  for (std::size_t k = 0; k < c.fixed.size(); ++k) {
+    const std::size_t n = c.fixed[k].node;
+    sum += work(centred * at(held.taken, k), {s.vx[n], s.vy[n], s.vz[n]}, at(held.rate, k));
+  }
+  for (std::size_t r = 0; r < c.rows.size(); ++r) {
+    const SparseRow& row = c.rows[r].on;
+    Vec3 old{0, 0, 0};
+    for (std::size_t k = 0; k < row.node.size(); ++k)
+      old += row.weight[k] * Vec3{s.vx[row.node[k]], s.vy[row.node[k]], s.vz[row.node[k]]};
+    sum += work(centred * at(held.taken, c.fixed.size() + r), old, at(held.rate, c.fixed.size() + r));
+  }
+  return sum;
 }
 
 }  // namespace drape

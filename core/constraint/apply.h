@@ -1,23 +1,57 @@
 // Constraints at work: after each step, and on accelerations and velocities for output.
+//
+// At the beginning of an advance the step's kick, from t_n - h_o/2 to t_n + h/2, belongs to two advances. The
+// one before has been told the impulse that turns its last half kick into the prescribed velocity, m
+// [v_{n-1/2} + h_o a/2 - (1 + c h_o/2) v_n]; the new one gets the rest, so that impulses and the momenta of
+// synchronous velocities balance exactly.
 #pragma once
 #include "system/system.h"
 
 namespace drape {
 
-// Puts constrained nodes back after the free step r <- r + h v, v <- keep v + kick a, and adds force x weight
-// (s) to the impulses of the pins.
-void constraints_apply(const Constraints& constraints, const Array& mass, double h, double kick,
-                       double weight, double* scratch, State& state);
+// Where held points are and are to be; "held" counts the fixed nodes, then the rows.
+struct HeldMotion {
+  Array now, next;  // [held x 3] m, targets at t_n and t_{n+1}
+  Array rate;       // [held x 3] prescribed velocities (or accelerations)
+  Array arm;        // [parts x 3] m, R (start - share p_0) at t_n
+  Array old;        // [entries x 3] m/s, v_{n-1/2} of fixed nodes and of the rows' nodes in order
+  Array y, z;       // [rows x 3]
+  Array taken;      // [held x 3] what the last projection took out, times m
+  double work = 0;  // J, of the pins on the cloth in the half step that the state's sums lack
+};
+HeldMotion held_make(const Constraints& constraints);
+
+// Targets and arms at the frames of a state.
+void held_refresh(const Constraints& constraints, const State& state, HeldMotion& held);
+
+enum class Rate { kVelocity, kAcceleration };
+void held_rates(const Constraints& constraints, const State& state, Rate which, HeldMotion& held);
+
+// Keeps v_{n-1/2} of the held nodes.
+void held_keep(const Constraints& constraints, const State& state, HeldMotion& held);
+
+// How a step turned v_{n-1/2} into the free velocity: v <- keep v + kick a.
+struct HeldStep {
+  double h, keep, kick;
+  double impulse;        // over mass and what is taken out of v: 1 + c h/2
+  bool begins;           // the first step of an advance: needs held_keep, and held_rates of velocities
+  double half, centred;  // h_o/2 and 1 + c h_o/2
+};
+
+// Puts held nodes where the frames of the state (at t_{n+1}) want them after the free step, and adds to the
+// impulses of the pins. With system.energy (and held_keep), adds their work on the cloth to state.input.
+void constraints_apply(const System& system, const HeldStep& step, HeldMotion& held, State& state);
 
 // Three components of a nodal field, [nodes] each.
 struct Field {
   double *x, *y, *z;
 };
 
-// Projects a field of accelerations or velocities onto those that the constraints allow; `force` [pins],
-// where it is not null, receives m times what was taken out: for accelerations, the pins' forces on the
-// outside world.
-void constraints_project(const Constraints& constraints, const Array& mass, double* scratch, Field field,
-                         std::vector<Vec3>* force);
+// Projects a field of accelerations or velocities onto held.rate; `load` [pins], where it is not null,
+// receives m times what was taken out: for accelerations, the pins' forces on the outside world.
+void constraints_project(const System& system, HeldMotion& held, Field field, std::vector<PinLoad>* load);
+
+// The work of the pins on the cloth while a projection of `centred` m v turned v_{n-1/2} into v_n.
+double held_work(const System& system, const State& state, double centred, const HeldMotion& held);
 
 }  // namespace drape

@@ -1,115 +1,151 @@
 #include "constraint/constraint.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
-#include <cmath>
 #include <map>
+#include <unordered_map>
+
+#include "constraint/vector3.h"
 
 namespace drape {
 namespace {
 
-constexpr double kRankTolerance = 1e-10;   // of A M^-1 A^T, relative to its largest diagonal
-constexpr double kTargetTolerance = 1e-9;  // m, between rows that say the same
+using namespace vector3;
 
-using Fixed = std::map<std::size_t, Vec3>;
+constexpr double kRankTolerance = 1e-10;  // of A M^-1 A^T, relative to the row's own diagonal
+// Between rows that say the same. A row that counts as dependent may differ by the root of the above in its
+// weights.
+constexpr double kTargetTolerance = 1e-6;  // m
+constexpr double kShareTolerance = 1e-4;
 
-// Takes fixed nodes out of a row; the rest must still reach the target.
-void row_reduce(ConstraintRow& row, const Fixed& fixed) {
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < row.node.size(); ++k) {
-    const auto f = fixed.find(row.node[k]);
-    if (f == fixed.end()) {
-      row.node[kept] = row.node[k];
-      row.weight[kept++] = row.weight[k];
-    } else {
-      for (int c = 0; c < 3; ++c) row.target[c] -= row.weight[k] * f->second[c];
+// A row while it is sorted.
+struct OpenRow {
+  int pin;
+  SparseRow on;
+  std::vector<TargetPart> parts;
+};
+
+void parts_add(std::vector<TargetPart>& sum, const std::vector<TargetPart>& parts, double factor) {
+  for (const TargetPart& p : parts) {
+    auto same = std::find_if(sum.begin(), sum.end(), [&](const TargetPart& s) { return s.pin == p.pin; });
+    if (same == sum.end()) same = sum.insert(sum.end(), {p.pin, 0, {0, 0, 0}});
+    same->share += factor * p.share;
+    same->start += factor * p.start;
+  }
+}
+
+using Fixed = std::unordered_map<std::size_t, std::vector<TargetPart>>;
+
+// Takes fixed nodes out of a row.
+void row_reduce(OpenRow& row, const Fixed& fixed) {
+  SparseRow kept;
+  for (std::size_t k = 0; k < row.on.node.size(); ++k) {
+    const auto f = fixed.find(row.on.node[k]);
+    if (f != fixed.end()) {
+      parts_add(row.parts, f->second, -row.on.weight[k]);
+      continue;
     }
+    kept.node.push_back(row.on.node[k]);
+    kept.weight.push_back(row.on.weight[k]);
   }
-  row.node.resize(kept);
-  row.weight.resize(kept);
+  row.on = std::move(kept);
 }
 
-double size_of(const Vec3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
-
-Eigen::MatrixXd gram_of(const std::vector<ConstraintRow>& rows, const Array& inverse_mass) {
-  const auto n = Eigen::Index(rows.size());
-  std::map<std::size_t, std::vector<std::pair<Eigen::Index, double>>> by_node;
-  for (Eigen::Index r = 0; r < n; ++r)
-    for (std::size_t k = 0; k < rows[r].node.size(); ++k)
-      by_node[rows[r].node[k]].push_back({r, rows[r].weight[k]});
-  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(n, n);
-  for (const auto& [node, entries] : by_node)
-    for (const auto& [r, wr] : entries)
-      for (const auto& [s, ws] : entries) gram(r, s) += wr * ws * inverse_mass[node];
-  return gram;
+// Tells where a target that must vanish does not: at the start, or for some poses of the driven pins.
+void contradiction_tell(const std::vector<PinBase>& pins, int pin, const std::vector<TargetPart>& rest,
+                        std::vector<Problem>& problems) {
+  const std::string& name = pins[std::size_t(pin)].name;
+  Vec3 off{0, 0, 0};
+  const PinBase *driven = nullptr, *other = nullptr;
+  for (const TargetPart& part : rest) {
+    const PinBase& base = pins[std::size_t(part.pin)];
+    off += part.start;
+    const bool shifts = std::abs(part.share) > kShareTolerance,
+               turns = base.clamp && norm(part.start - part.share * base.centre) > kTargetTolerance;
+    if (base.drive != Drive::kNone && (shifts || turns)) driven = &base;
+    if (base.name != name) other = &base;
+  }
+  if (norm(off) > kTargetTolerance)
+    problems.push_back({"pin." + name, "contradicts the other pins by " + std::to_string(norm(off)) + " m"});
+  else if (driven && other)
+    problems.push_back({"pin." + name, "holds cloth that pin '" + other->name + "' holds too, and '" +
+                                           driven->name +
+                                           "' is driven; allowed: driven pins hold cloth of their own"});
 }
 
-// Pivoted Cholesky: the rows that are independent, largest pivot first; each dropped row is checked against
-// the kept.
-std::vector<ConstraintRow> rows_independent(std::vector<ConstraintRow> rows, const Array& inverse_mass,
-                                            const std::vector<PinSpec>& pins,
-                                            std::vector<Problem>& problems) {
-  if (rows.empty()) return rows;
-  const Eigen::MatrixXd gram = gram_of(rows, inverse_mass);
-  const auto n = gram.rows();
-  Eigen::VectorXd pivot = gram.diagonal();
-  const double floor = kRankTolerance * pivot.maxCoeff();
-  Eigen::MatrixXd lower = Eigen::MatrixXd::Zero(n, n);
-  std::vector<Eigen::Index> kept;
-  for (Eigen::Index step = 0; step < n; ++step) {
-    Eigen::Index best;
-    if (pivot.maxCoeff(&best) <= floor) break;
-    const auto c = Eigen::Index(kept.size());
-    lower.col(c) =
-        (gram.col(best) - lower.leftCols(c) * lower.row(best).head(c).transpose()) / std::sqrt(pivot(best));
-    pivot -= lower.col(c).cwiseAbs2();
-    pivot(best) = 0;
-    kept.push_back(best);
+// The kept rows by the node that they act on.
+using RowsByNode = std::unordered_map<std::size_t, std::vector<std::pair<std::size_t, double>>>;
+
+// What is left of a dependent row's target less those that the kept rows, of which it is a combination, give
+// it.
+std::vector<TargetPart> rest_of(const OpenRow& row, const std::vector<OpenRow>& kept,
+                                const RowsByNode& by_node, const Factor& factor, const Array& inverse_mass) {
+  std::vector<double> b(3 * kept.size(), 0.0);
+  for (std::size_t k = 0; k < row.on.node.size(); ++k) {
+    const auto found = by_node.find(row.on.node[k]);
+    if (found == by_node.end()) continue;
+    for (const auto& [r, weight] : found->second)
+      b[3 * r] += row.on.weight[k] * weight * inverse_mass[row.on.node[k]];
   }
-  const auto rank = Eigen::Index(kept.size());
-  Eigen::MatrixXd basis(rank, rank), targets(rank, 3);
-  for (Eigen::Index a = 0; a < rank; ++a) {
-    targets.row(a) << rows[kept[a]].target[0], rows[kept[a]].target[1], rows[kept[a]].target[2];
-    for (Eigen::Index b = 0; b < rank; ++b) basis(a, b) = gram(kept[a], kept[b]);
-  }
-  const Eigen::LDLT<Eigen::MatrixXd> solver(basis);
-  for (Eigen::Index r = 0; r < n; ++r) {
-    if (std::find(kept.begin(), kept.end(), r) != kept.end()) continue;
-    Eigen::VectorXd overlap(rank);
-    for (Eigen::Index a = 0; a < rank; ++a) overlap(a) = gram(r, kept[a]);
-    const Eigen::RowVector3d said = solver.solve(overlap).transpose() * targets;
-    const Vec3 off{rows[r].target[0] - said[0], rows[r].target[1] - said[1], rows[r].target[2] - said[2]};
-    if (size_of(off) > kTargetTolerance)
-      problems.push_back({"pin." + pins[rows[r].pin].name,
-                          "contradicts the other pins by " + std::to_string(size_of(off)) + " m"});
-  }
-  std::sort(kept.begin(), kept.end());
-  std::vector<ConstraintRow> result;
-  for (Eigen::Index r : kept) result.push_back(std::move(rows[r]));
-  return result;
+  factor_solve(factor, b.data());
+  std::vector<TargetPart> rest = row.parts;
+  for (std::size_t r = 0; r < kept.size(); ++r)
+    if (b[3 * r] != 0) parts_add(rest, kept[r].parts, -b[3 * r]);
+  return rest;
 }
 
-}  // namespace
+std::vector<const SparseRow*> pointers_to(const std::vector<OpenRow>& rows) {
+  std::vector<const SparseRow*> pointers;
+  for (const OpenRow& row : rows) pointers.push_back(&row.on);
+  return pointers;
+}
 
-Constraints constraints_make(std::vector<ConstraintRow> rows, const Array& inverse_mass,
-                             const std::vector<PinSpec>& pins, std::vector<Problem>& problems) {
-  Constraints c;
+// The independent ones of the rows, in their order; the others are checked against them.
+std::vector<OpenRow> rows_independent(std::vector<OpenRow> rows, const Array& inverse_mass,
+                                      const std::vector<PinBase>& pins, std::vector<Problem>& problems) {
+  const Factor all = factor_make(pointers_to(rows), inverse_mass, kRankTolerance);
+  if (all.row.size() == rows.size()) return rows;
+  std::vector<char> independent(rows.size(), 0);
+  for (int r : all.row) independent[std::size_t(r)] = 1;
+  std::vector<OpenRow> kept, dependent;
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    (independent[r] ? kept : dependent).push_back(std::move(rows[r]));
+  RowsByNode by_node;
+  for (std::size_t r = 0; r < kept.size(); ++r)
+    for (std::size_t k = 0; k < kept[r].on.node.size(); ++k)
+      by_node[kept[r].on.node[k]].push_back({r, kept[r].on.weight[k]});
+  const Factor factor = factor_make(pointers_to(kept), inverse_mass, 0);
+  for (const OpenRow& row : dependent)
+    contradiction_tell(pins, row.pin, rest_of(row, kept, by_node, factor, inverse_mass), problems);
+  return kept;
+}
+
+Target target_make(Constraints& c, const std::vector<TargetPart>& parts) {
+  Target t{int(c.parts.size()), 0, {0, 0, 0}, false};
+  for (const TargetPart& part : parts) {
+    if (part.share == 0 && norm(part.start) == 0) continue;
+    c.parts.push_back(part);
+    ++t.count;
+    t.start += part.start;
+    t.moves = t.moves || c.pins[std::size_t(part.pin)].drive != Drive::kNone;
+  }
+  return t;
+}
+
+// A row on one node fixes it, which may leave another row with one node.
+std::vector<OpenRow> nodes_fix(Constraints& c, std::vector<OpenRow> rows, std::vector<Problem>& problems) {
   Fixed fixed;
-  // A row on one node fixes it, which may leave another row with one node.
   for (bool again = true; again;) {
     again = false;
-    std::vector<ConstraintRow> open;
-    for (ConstraintRow& row : rows) {
+    std::vector<OpenRow> open;
+    for (OpenRow& row : rows) {
       row_reduce(row, fixed);
-      if (row.node.empty()) {
-        if (size_of(row.target) > kTargetTolerance)
-          problems.push_back(
-              {"pin." + pins[row.pin].name, "contradicts another pin at the same particle by " +
-                                                std::to_string(size_of(row.target)) + " m"});
-      } else if (row.node.size() == 1) {
-        for (double& t : row.target) t /= row.weight[0];
-        fixed[row.node[0]] = row.target;
-        c.fixed.push_back({row.node[0], row.pin, row.target});
+      if (row.on.node.empty()) {
+        contradiction_tell(c.pins, row.pin, row.parts, problems);
+      } else if (row.on.node.size() == 1) {
+        std::vector<TargetPart> parts;
+        parts_add(parts, row.parts, 1 / row.on.weight[0]);
+        c.fixed.push_back({row.on.node[0], target_make(c, parts)});
+        fixed.emplace(row.on.node[0], std::move(parts));
         again = true;
       } else {
         open.push_back(std::move(row));
@@ -117,38 +153,31 @@ Constraints constraints_make(std::vector<ConstraintRow> rows, const Array& inver
     }
     rows = std::move(open);
   }
-  c.rows = rows_independent(std::move(rows), inverse_mass, pins, problems);
+  return rows;
+}
+
+}  // namespace
+
+Constraints constraints_make(const std::vector<ConstraintRow>& rows, const Array& inverse_mass,
+                             std::vector<PinBase> pins, std::vector<Problem>& problems) {
+  Constraints c;
+  c.pins = std::move(pins);
+  std::vector<OpenRow> open;
+  for (const ConstraintRow& row : rows)
+    open.push_back({row.pin, {row.node, row.weight}, {{row.pin, 1, row.target}}});
+  open = rows_independent(nodes_fix(c, std::move(open), problems), inverse_mass, c.pins, problems);
+  for (OpenRow& row : open) {
+    const Target target = target_make(c, row.parts);
+    c.rows.push_back({std::move(row.on), target});
+  }
   constraints_refactor(c, inverse_mass);
   return c;
 }
 
 void constraints_refactor(Constraints& c, const Array& inverse_mass) {
-  const auto n = Eigen::Index(c.rows.size());
-  c.inverse_mass.clear();
-  for (const ConstraintRow& row : c.rows)
-    for (std::size_t node : row.node) c.inverse_mass.push_back(inverse_mass[node]);
-  c.factor.assign(std::size_t(n * n), 0.0);
-  if (n == 0) return;
-  const Eigen::MatrixXd lower = gram_of(c.rows, inverse_mass).llt().matrixL();
-  for (Eigen::Index r = 0; r < n; ++r)
-    for (Eigen::Index s = 0; s <= r; ++s) c.factor[std::size_t(r * n + s)] = lower(r, s);
-}
-
-void constraints_solve(const Constraints& c, double* b) {
-  const std::size_t n = c.rows.size();
-  const double* f = c.factor.data();
-  for (int k = 0; k < 3; ++k) {
-    for (std::size_t r = 0; r < n; ++r) {
-      double sum = b[3 * r + k];
-      for (std::size_t s = 0; s < r; ++s) sum -= f[r * n + s] * b[3 * s + k];
-      b[3 * r + k] = sum / f[r * n + r];
-    }
-    for (std::size_t r = n; r-- > 0;) {
-      double sum = b[3 * r + k];
-      for (std::size_t s = r + 1; s < n; ++s) sum -= f[s * n + r] * b[3 * s + k];
-      b[3 * r + k] = sum / f[r * n + r];
-    }
-  }
+  std::vector<const SparseRow*> rows;
+  for (const HeldRow& row : c.rows) rows.push_back(&row.on);
+  c.factor = factor_make(rows, inverse_mass, 0);
 }
 
 }  // namespace drape

@@ -5,47 +5,74 @@
 //
 //   y = (A M^-1 A^T)^-1 (A r - target),   r <- r - M^-1 A^T y,   v <- v - M^-1 A^T y / h
 //
-// Either way the momentum taken out is the impulse on the outside world.
+// Either way the momentum taken out is the impulse on the outside world. A target moves with the frames of
+// pins:
+//
+//   target = sum_parts share p + R (start - share p_0)
+//
+// one part of share 1 but where nodes fixed by pins were taken out of a row; an impulse J on the row is then
+// share J on each pin, with the moment R (start - share p_0) x J about it.
 #pragma once
-#include <cstddef>
 #include <string>
 #include <vector>
 
+#include "constraint/factor.h"
 #include "scene/scene.h"
-#include "system/array.h"
 
 namespace drape {
+
+// What a pin is before it moves.
+struct PinBase {
+  std::string name;
+  Vec3 centre{0, 0, 0};  // p_0, m
+  bool clamp = false;    // the frame may turn
+  Drive drive = Drive::kNone;
+};
 
 // One constraint as the scene states it; nodes by index into the State's arrays.
 struct ConstraintRow {
   int pin;                        // index into Scene::pins
   std::vector<std::size_t> node;  // [k]
   std::vector<double> weight;     // [k] none of them 0, sum 1
-  Vec3 target;                    // m
+  Vec3 target;                    // m, at the start
+};
+
+struct TargetPart {
+  int pin;
+  double share;
+  Vec3 start;  // m
+};
+
+struct Target {
+  int first = 0, count = 0;  // its parts
+  Vec3 start{0, 0, 0};       // their sum at the start, m
+  bool moves = false;        // a pin among them is driven
 };
 
 struct FixedNode {
   std::size_t node;
-  int pin;
-  Vec3 target;
+  Target target;
+};
+
+struct HeldRow {
+  SparseRow on;  // two nodes or more, none of them fixed
+  Target target;
 };
 
 struct Constraints {
+  std::vector<PinBase> pins;  // as Scene::pins
+  std::vector<TargetPart> parts;
   std::vector<FixedNode> fixed;
-  std::vector<ConstraintRow> rows;   // on two nodes or more, independent, free of fixed nodes
-  std::vector<double> factor;        // [rows x rows] lower Cholesky factor of A M^-1 A^T, row-major
-  std::vector<double> inverse_mass;  // [sum of node counts] of the rows' nodes, in order
+  std::vector<HeldRow> rows;  // independent
+  Factor factor;              // of A M^-1 A^T
 };
 
-// Sorts rows into fixed nodes and independent rows. Rows that contradict each other are problems (place = pin
-// name).
-Constraints constraints_make(std::vector<ConstraintRow> rows, const Array& inverse_mass,
-                             const std::vector<PinSpec>& pins, std::vector<Problem>& problems);
+// Sorts rows into fixed nodes and independent rows. Rows that contradict each other, now or once their pins
+// are driven apart, are problems (place = pin name).
+Constraints constraints_make(const std::vector<ConstraintRow>& rows, const Array& inverse_mass,
+                             std::vector<PinBase> pins, std::vector<Problem>& problems);
 
 // Anew after a change of the masses.
 void constraints_refactor(Constraints& constraints, const Array& inverse_mass);
-
-// Solves A M^-1 A^T y = b for the three components of b at once; b [rows x 3] is overwritten by y.
-void constraints_solve(const Constraints& constraints, double* b);
 
 }  // namespace drape

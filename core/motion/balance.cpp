@@ -69,6 +69,7 @@ void balance_begin(const System& system, Balance& b, const State& s, double lead
   b.vy = s.vy;
   b.vz = s.vz;
   rates_set(system, b, s, lead);
+  b.wind = s.wind;
   for (std::size_t k = 0; k < b.held.size(); ++k) {
     b.held[k] = clamp_direction(system.side.clamps[k], s);
     b.link[k] = link_now(system.side.clamps[k], s);
@@ -88,7 +89,7 @@ void balance_end(const System& system, const Balance& b, State& s, double h_old,
         const double p = (*v0[k])[n], q = (*v1[k])[n];
         damped += system.mass[n] * (before * p + after * q) * (p + q) / 2;
       }
-  const double wind = span * dot(b.air, s.wind);
+  const double wind = span * dot(b.air, b.wind);
   const double rates =
       span / 2 * (power(system, b, b.vx, b.vy, b.vz) + power(system, b, s.vx, s.vy, s.vz));
   s.dissipated += system.damping * damped - (rates - wind);

@@ -10,6 +10,7 @@ struct Balance {
   Array vx, vy, vz;     // [nodes] m/s, before the kick
   Array fx, fy, fz;     // [nodes] N, of damping along springs and air
   Vec3 air{0, 0, 0};    // N, of air alone
+  Vec3 wind{0, 0, 0};   // m/s, before the step
   std::vector<Vec3> held, link;  // [clamps] R D and the link before the step
 };
 Balance balance_make(const System& system);

@@ -5,11 +5,14 @@
 #include <cstdio>
 #include <limits>
 
-#include "constraint/apply.h"
+#include "constraint/vector3.h"
+#include "forces/side.h"
 #include "motion/step_limit.h"
 
 namespace drape {
 namespace {
+
+using namespace vector3;
 
 constexpr int kWatchLongest = 32;    // steps between two looks at the step limit, at most
 constexpr int kWatchGiven = 8;       // the same where the scene gives the step
@@ -112,9 +115,67 @@ Advance interval_run(const System& system, Motion& motion, State& s, double leng
         }
       }
     }
-    leapfrog_step(system, motion, s, length / double(n));
+    leapfrog_step(system, motion, s, length / double(n), double(done + 1) / double(n));
   }
   return Advance::kDone;
+}
+
+void subs_begin(const System& system, const Motion& motion, State& s) {
+  s.omega2 = s.omega2_most = step_limit_omega2(system, *motion.kernel, s);
+  s.subs = subs_for(system.communication, step_allowed(system, s.omega2));
+  s.watch_wait = 0;
+}
+
+double kinetic_energy(const System& system, const State& s) {
+  double sum = 0;
+  for (std::size_t n : system.particle)
+    sum += system.mass[n] * (s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n]);
+  return sum / 2;
+}
+
+// What the slopes that clamps hold pass to the pins beside the forces on held points: their torques now x
+// `span` (s).
+void clamp_torques_add(const System& system, Motion& motion, State& s, double span) {
+  if (system.side.clamps.empty()) return;
+  motion.torque.assign(motion.torque.size(), Vec3{0, 0, 0});
+  side_clamp_torques(system, s, motion.torque);
+  for (std::size_t p = 0; p < motion.torque.size(); ++p) s.pin_impulse[p].torque += span * motion.torque[p];
+}
+
+// Completes the last half kick, so that the state is one of t_n as at the start, before a pin's velocity
+// jumps.
+void step_complete(const System& system, Motion& motion, State& s) {
+  std::vector<PinLoad> told;
+  const double lead = velocity_lead(system, s);
+  leapfrog_synchronous(system, motion, s, motion.vx.data(), motion.vy.data(), motion.vz.data(), told);
+  if (system.energy) {
+    const BalanceNow now = balance_now(system, motion.balance, s, lead, motion.vx, motion.vy, motion.vz);
+    s.dissipated = now.dissipated;
+    s.input = now.input + motion.held.work;
+  }
+  for (std::size_t n : system.particle) {
+    s.vx[n] = motion.vx[n];
+    s.vy[n] = motion.vy[n];
+    s.vz[n] = motion.vz[n];
+  }
+  s.h_old = s.h_older = 0;
+}
+
+// Lays the paths of an advance and begins them. Where the velocity of a pin jumps, so do those of the cloth;
+// the impulse is the first of the advance. (The paper's scheme takes it up in its first step.)
+void inputs_begin(const System& system, Motion& motion, State& s, double length) {
+  s.pin_impulse.assign(s.pin_impulse.size(), PinLoad{});
+  motion.path = path_make(system, s, motion.inputs, length);
+  const bool jumps = path_jumps(motion.path, s) && system.integrator == Integrator::kLeapfrog;
+  if (jumps && s.h_old > 0) step_complete(system, motion, s);
+  path_follow(motion.path, 0, s);
+  held_refresh(system.constraints, s, motion.held);
+  held_rates(system.constraints, s, Rate::kVelocity, motion.held);
+  if (!jumps) return;
+  const double before = system.energy ? kinetic_energy(system, s) : 0;
+  constraints_project(system, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()}, &s.pin_impulse);
+  if (!s.wx.empty()) s.wx = s.vx, s.wy = s.vy, s.wz = s.vz;
+  if (system.energy) s.input += kinetic_energy(system, s) - before;
 }
 
 }  // namespace
@@ -127,33 +188,43 @@ Motion motion_make(const System& system) {
   Motion m;
   m.kernel = &kernel_pick();
   m.workspace = workspace_make(system);
+  m.held = held_make(system.constraints);
   m.balance = balance_make(system);
-  m.rows.assign(3 * system.constraints.rows.size(), 0.0);
-  for (Array* a : {&m.ax, &m.ay, &m.az}) a->assign(system.nodes, 0.0);
+  m.torque.resize(system.constraints.pins.size());
+  for (Array* a : {&m.ax, &m.ay, &m.az, &m.vx, &m.vy, &m.vz}) a->assign(system.nodes, 0.0);
   return m;
 }
 
 void leapfrog_begin(const System& system, Motion& motion, State& s) {
+  motion.inputs = inputs_at(s);
+  motion.path.wind_from = motion.path.wind_to = s.wind;
+  held_refresh(system.constraints, s, motion.held);
+  held_rates(system.constraints, s, Rate::kVelocity, motion.held);
+  constraints_project(system, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()}, nullptr);
   rates_begin(system, s);
-  s.omega2 = s.omega2_most = step_limit_omega2(system, *motion.kernel, s);
-  s.subs = subs_for(system.communication, step_allowed(system, s.omega2));
-  s.watch_wait = 0;
+  subs_begin(system, motion, s);
 }
 
 void leapfrog_retuned(const System& system, Motion& motion, State& s) {
   rates_begin(system, s);
   s.watch_wait = 0;
   s.watch_period = 1;
-  if (s.steps == 0) leapfrog_begin(system, motion, s);
+  if (s.steps == 0) subs_begin(system, motion, s);
 }
 
-void leapfrog_step(const System& system, Motion& motion, State& s, double h) {
+void leapfrog_step(const System& system, Motion& motion, State& s, double h, double u) {
   const bool paper = system.integrator == Integrator::kPaper;
   const StepCoefficients c = coefficients(system, s, h);
+  const bool begins = s.advance_begins && !paper;
   if (system.energy) balance_begin(system, motion.balance, s, c.lead);
+  if (begins || system.energy) held_keep(system.constraints, s, motion.held);
+  clamp_torques_add(system, motion, s, paper ? h : (begins ? h : s.h_old + h) / 2);
   kernel_step(*motion.kernel, system, c, motion.workspace, s);
-  const double weight = paper ? h : (s.advance_begins ? 0 : s.h_old / 2) + h / 2;
-  constraints_apply(system.constraints, system.mass, h, c.kick, weight, motion.rows.data(), s);
+  path_follow(motion.path, u, s);
+  const double half = begins ? s.h_old / 2 : 0;
+  const HeldStep step{
+      h, c.keep, c.kick, paper ? 1 : 1 + system.damping * h / 2, begins, half, 1 + system.damping * half};
+  constraints_apply(system, step, motion.held, s);
   if (system.energy) balance_end(system, motion.balance, s, s.h_old, h);
   s.advance_begins = false;
   s.h_older = s.h_old;
@@ -166,16 +237,19 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
   const double q = system.communication;
   const double whole = std::round(length / q);
   // A master's own clock rounds: the length may be off by some units in the last place of the time.
-  const double rounding = 1e-12 * length + 8 * std::numeric_limits<double>::epsilon() * std::abs(state_time(s, q));
+  const double rounding =
+      1e-12 * length + 8 * std::numeric_limits<double>::epsilon() * std::abs(state_time(s, q));
   const bool on_grid = whole >= 1 && std::abs(length - whole * q) <= rounding;
   s.advance_length = length;
   s.advance_begins = true;
-  for (Vec3& impulse : s.pin_impulse) impulse = {0, 0, 0};
+  inputs_begin(system, motion, s, length);
+  motion.path.intervals = on_grid ? std::int64_t(whole) : 1;
   Advance result = Advance::kDone;
   if (on_grid) {
     for (std::int64_t k = 0; k < std::int64_t(whole) && result == Advance::kDone; ++k) {
       if (interval_begins) interval_begins(1);
       subs_relax(system, s, event);
+      path_interval(motion.path, s, k, q);
       result = interval_run(system, motion, s, q, s.subs, event);
       ++s.tick;
       ++s.calm;
@@ -193,10 +267,11 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
 
 // v_n = (v_{n-1/2} + h_old a_n / 2) / (1 + c h_old / 2); the paper's scheme holds v_n itself.
 void leapfrog_synchronous(const System& system, Motion& motion, const State& s, double* vx, double* vy,
-                          double* vz, std::vector<Vec3>& force) {
+                          double* vz, std::vector<PinLoad>& load) {
   const bool paper = system.integrator == Integrator::kPaper;
   const double half = paper ? 0 : s.h_old / 2, damping = system.damping, centred = 1 + damping * half;
-  kernel_forces(*motion.kernel, system, s, motion.workspace, motion.ax.data(), motion.ay.data(), motion.az.data());
+  kernel_forces(*motion.kernel, system, s, motion.workspace, motion.ax.data(), motion.ay.data(),
+                motion.az.data());
 
   const Array* staggered[] = {&s.vx, &s.vy, &s.vz};
   Array* acceleration[] = {&motion.ax, &motion.ay, &motion.az};
@@ -209,10 +284,22 @@ void leapfrog_synchronous(const System& system, Motion& motion, const State& s, 
       (*acceleration[k])[n] = free - damping * v;
     }
   }
-  force.assign(s.pin_impulse.size(), Vec3{0, 0, 0});
-  constraints_project(system.constraints, system.mass, motion.rows.data(),
-                      {motion.ax.data(), motion.ay.data(), motion.az.data()}, &force);
-  constraints_project(system.constraints, system.mass, motion.rows.data(), {vx, vy, vz}, nullptr);
+  HeldMotion& held = motion.held;
+  load.assign(s.pin_impulse.size(), PinLoad{});
+  held_refresh(system.constraints, s, held);
+  held_rates(system.constraints, s, Rate::kVelocity, held);
+  constraints_project(system, held, {vx, vy, vz}, half > 0 ? &load : nullptr);
+  if (half > 0) {
+    held.work = system.energy ? held_work(system, s, centred, held) : 0;
+    for (PinLoad& l : load) l = {(centred / half) * l.force, (centred / half) * l.torque};
+  } else {
+    held.work = 0;
+    held_rates(system.constraints, s, Rate::kAcceleration, held);
+    constraints_project(system, held, {motion.ax.data(), motion.ay.data(), motion.az.data()}, &load);
+  }
+  motion.torque.assign(load.size(), Vec3{0, 0, 0});
+  side_clamp_torques(system, s, motion.torque);
+  for (std::size_t p = 0; p < load.size(); ++p) load[p].torque += motion.torque[p];
 }
 
 }  // namespace drape

@@ -3,7 +3,9 @@
 #include <functional>
 #include <string>
 
+#include "constraint/apply.h"
 #include "motion/balance.h"
+#include "motion/drive.h"
 #include "motion/kernel.h"
 
 namespace drape {
@@ -12,8 +14,12 @@ namespace drape {
 struct Motion {
   const Kernel* kernel = nullptr;
   Workspace workspace;
-  Array rows;        // [constraint rows x 3]
-  Array ax, ay, az;  // [nodes] m/s^2, accelerations for output
+  HeldMotion held;
+  Inputs inputs;             // where the next advance goes
+  Path path;                 // of the present advance
+  Array ax, ay, az;          // [nodes] m/s^2, accelerations for output
+  Array vx, vy, vz;          // [nodes] m/s, synchronous velocities where a pin's velocity jumps
+  std::vector<Vec3> torque;  // [pins] N m, of the slopes that clamps hold
   Balance balance;
 };
 Motion motion_make(const System& system);
@@ -26,27 +32,29 @@ enum class Advance { kDone, kStepAboveLimit, kTooManySteps, kNotFinite };
 // Steps in an interval of q that a state with this omega^2 (1/s^2) needs; may be infinite.
 double leapfrog_steps(const System& system, double omega2);
 
-// Looks at the step limit of a new state and chooses the number of steps in an interval of q.
+// Begins a new state: held points take the velocity of their pins; looks at the step limit and chooses the
+// number of steps in an interval of q.
 void leapfrog_begin(const System& system, Motion& motion, State& state);
 
 // After a change of the system: looks again before the next step; before the first step, chooses anew.
 void leapfrog_retuned(const System& system, Motion& motion, State& state);
 
-// One step of size h.
-void leapfrog_step(const System& system, Motion& motion, State& state, double h);
+// One step of size h, which leads to the share u of the present interval of the inputs' paths.
+void leapfrog_step(const System& system, Motion& motion, State& state, double h, double u = 1);
 
 // Advances by `length` > 0: whole communication intervals of q on the grid, or one interval of its own
 // length. Each interval of q has state.subs steps; that number doubles when the step limit falls and is
 // chosen anew after 100 calm intervals. kStepAboveLimit: a given step met a limit below it. kTooManySteps:
 // the automatic step fell below q / kSubsMost. kNotFinite: the run left the finite numbers; the caller holds
-// the state from before. `event` receives a sentence when the step changed. `interval_begins` is called before
-// each interval, with its length over q; it may change the system.
+// the state from before. `event` receives a sentence when the step changed. `interval_begins` is called
+// before each interval, with its length over q; it may change the system.
 Advance leapfrog_advance(const System& system, Motion& motion, State& state, double length,
                          std::string& event, const std::function<void(double)>& interval_begins = {});
 
-// Synchronous velocities of all nodes at the present time (into vx, vy, vz [nodes]) and the forces of the
-// pins on the outside world (force [pins]).
+// Synchronous velocities of all nodes at the present time (into vx, vy, vz [nodes]) and the loads of the pins
+// on the outside world (load [pins]): their mean over the last half step, which the impulses of the state
+// lack; before the first step, the present ones.
 void leapfrog_synchronous(const System& system, Motion& motion, const State& state, double* vx, double* vy,
-                          double* vz, std::vector<Vec3>& force);
+                          double* vz, std::vector<PinLoad>& load);
 
 }  // namespace drape

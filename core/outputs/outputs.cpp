@@ -25,15 +25,19 @@ void probes_fill(Outputs& o, const System& system, const State& s) {
   }
 }
 
-// The impulse of whole steps lacks the half step up to now: force x h_old/2. The paper's scheme kicks whole
+// The impulse of whole steps lacks the half step up to now: load x h_old/2. The paper's scheme kicks whole
 // steps.
 void pins_fill(Outputs& o, const System& system, const State& s) {
   const double half = system.integrator == Integrator::kPaper ? 0 : s.h_old / 2;
-  for (std::size_t p = 0; p < o.pins.size(); ++p)
-    for (std::size_t k = 0; k < 3; ++k)
-      o.pins[p].force[k] = s.advance_length > 0
-                               ? (s.pin_impulse[p][k] + half * o.pin_force[p][k]) / s.advance_length
-                               : o.pin_force[p][k];
+  for (std::size_t p = 0; p < o.pins.size(); ++p) {
+    const PinLoad &done = s.pin_impulse[p], &load = o.pin_load[p];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool moved = s.advance_length > 0;
+      o.pins[p].force[k] = moved ? (done.force[k] + half * load.force[k]) / s.advance_length : load.force[k];
+      o.pins[p].torque[k] =
+          moved ? (done.torque[k] + half * load.torque[k]) / s.advance_length : load.torque[k];
+    }
+  }
 }
 
 void nodes_fill(Outputs& o, const System& system, const State& s) {
@@ -52,10 +56,9 @@ void energy_fill(Outputs& o, const System& system, Motion& motion, const State& 
   drape_energy& e = o.shown.energy;
   e = energy_potential(system, s);
   e.kinetic = energy_kinetic(system, o.vx, o.vy, o.vz);
-  const BalanceNow now =
-      balance_now(system, motion.balance, s, velocity_lead(system, s), o.vx, o.vy, o.vz);
+  const BalanceNow now = balance_now(system, motion.balance, s, velocity_lead(system, s), o.vx, o.vy, o.vz);
   e.dissipated = now.dissipated;
-  e.input = now.input;
+  e.input = now.input + motion.held.work;
   e.balance_error = energy_sum(e) - s.energy_start - e.input + e.dissipated;
 }
 
@@ -78,7 +81,7 @@ void outputs_make(Outputs& o, const Scene& scene, const System& system) {
 }
 
 void outputs_fill(Outputs& o, const System& system, Motion& motion, const State& s, bool nodes) {
-  leapfrog_synchronous(system, motion, s, o.vx.data(), o.vy.data(), o.vz.data(), o.pin_force);
+  leapfrog_synchronous(system, motion, s, o.vx.data(), o.vy.data(), o.vz.data(), o.pin_load);
   probes_fill(o, system, s);
   pins_fill(o, system, s);
   const StrainSummary strain = strain_summary(system, s);

@@ -13,7 +13,7 @@ struct Outputs {
   std::vector<drape_pin> pins;
   std::vector<double> node_position, node_velocity;
   Array vx, vy, vz;  // [nodes] synchronous
-  std::vector<Vec3> pin_force;
+  std::vector<PinLoad> pin_load;
 };
 
 // Room and names; the scene's names must outlive the result, which must not move afterwards.

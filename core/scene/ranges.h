@@ -28,10 +28,10 @@ inline constexpr Quantity kRamp{"parameter_ramp", 0, 1e6, false, "s"};
 
 // Inputs.
 inline constexpr Quantity kWind{"wind", -1e3, 1e3, false, "m/s"};
-inline constexpr Quantity kPinPosition{"position", -1e6, 1e6, false, "m"};
+inline constexpr Quantity kPinPosition{"position", -1e4, 1e4, false, "m"};
 inline constexpr Quantity kPinVelocity{"velocity", -1e4, 1e4, false, "m/s"};
 inline constexpr Quantity kPinOrientation{"orientation", -1e6, 1e6, false, "1"};
-inline constexpr Quantity kPinAngularVelocity{"angular_velocity", -1e5, 1e5, false, "rad/s"};
+inline constexpr Quantity kPinAngularVelocity{"angular_velocity", -1e4, 1e4, false, "rad/s"};
 
 // EI of a bending specimen over the width of the specimen.
 inline constexpr Quantity kSpecimenRigidity{"bending.rigidity", 0, 0.1, false, "N.m2"};

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "piece/hold.h"
+#include "constraint/pins.h"
 #include "piece/place.h"
 #include "system/threads.h"
 
@@ -87,34 +87,6 @@ std::vector<ClampSlopes> clamp_slopes(const Scene& scene, int piece, const Grid&
   return clamps;
 }
 
-ConstraintRow row_at(const Lattice& l, const GridPoint& at) {
-  ConstraintRow row{};
-  for (int k = 0; k < 4; ++k) {
-    if (at.weight[k] == 0) continue;
-    row.node.push_back(l.node_of(at.node[k]));
-    row.weight.push_back(at.weight[k]);
-  }
-  return row;
-}
-
-std::vector<ConstraintRow> pin_rows(const Scene& scene, const std::vector<Grid>& grids,
-                                    const System& system) {
-  std::vector<ConstraintRow> rows;
-  for (std::size_t p = 0; p < scene.pins.size(); ++p) {
-    const PinSpec& pin = scene.pins[p];
-    const PieceSpec& piece = scene.pieces[std::size_t(pin.piece)];
-    const Grid& grid = grids[std::size_t(pin.piece)];
-    const Hold hold = hold_make(grid, scene, pin);
-    for (std::size_t k = 0; k < hold.points.size(); ++k) {
-      ConstraintRow row = row_at(system.lattices[std::size_t(pin.piece)], hold.at[k]);
-      row.pin = int(p);
-      row.target = place_point(piece.place, hold.points[k]);
-      rows.push_back(std::move(row));
-    }
-  }
-  return rows;
-}
-
 Probe probe_make(const Lattice& l, const GridPoint& at) {
   Probe probe{};
   for (int k = 0; k < 4; ++k) {
@@ -168,10 +140,9 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
 
   system_retune(system, scene.fabrics, problems);
   if (!problems.empty()) return system;
-  system.constraints =
-      constraints_make(pin_rows(scene, grids, system), system.inverse_mass, scene.pins, problems);
-  for (const FixedNode& f : system.constraints.fixed)
-    start.vx[f.node] = start.vy[f.node] = start.vz[f.node] = 0;
+  system.constraints = constraints_make(pin_rows(scene, grids, system, start), system.inverse_mass,
+                                        pins_make(scene, grids), problems);
+  for (std::size_t p = 0; p < scene.pins.size(); ++p) start.pin_frame[p].position = system.constraints.pins[p].centre;
   for (const ProbeSpec& probe : scene.probes) {
     const auto p = std::size_t(probe.piece);
     system.probes.push_back(probe_make(system.lattices[p], grid_locate(grids[p], probe.at)));

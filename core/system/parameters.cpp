@@ -31,15 +31,6 @@ void each_value(P& p, Visit visit) {
     for (auto& v : list) visit(v);
 }
 
-// "= -1 kg/m2; allowed: from 0.0001 to 100 kg/m2"
-std::string limits_text(const Quantity& q, double value) {
-  const std::string unit = std::string(q.unit) == "1" ? "" : std::string(" ") + q.unit;
-  char text[160];
-  std::snprintf(text, sizeof text, "= %.9g%s; allowed: %s %.9g to %.9g%s", value, unit.c_str(),
-                q.above ? "above" : "from", q.low, q.high, unit.c_str());
-  return text;
-}
-
 // Name and range of every number, in the order of each_value.
 struct ValueRow {
   std::string place;
@@ -87,6 +78,14 @@ std::string fall_text(const std::vector<double>& force, std::size_t i) {
 }
 
 }  // namespace
+
+std::string limits_text(const Quantity& q, double value) {
+  const std::string unit = std::string(q.unit) == "1" ? "" : std::string(" ") + q.unit;
+  char text[160];
+  std::snprintf(text, sizeof text, "= %.9g%s; allowed: %s %.9g to %.9g%s", value, unit.c_str(),
+                q.above ? "above" : "from", q.low, q.high, unit.c_str());
+  return text;
+}
 
 void parameters_make(Parameters& p, const Scene& scene, double step_max) {
   const std::size_t n = scene.fabrics.size();

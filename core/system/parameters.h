@@ -1,6 +1,7 @@
 // The tunable values of a cloth behind drape_parameters: storage, copies, checks.
 #pragma once
 #include "drape.h"
+#include "scene/ranges.h"
 #include "system/system.h"
 
 namespace drape {
@@ -10,6 +11,9 @@ struct ParameterValues {
   std::vector<double> value;
   bool operator==(const ParameterValues&) const = default;
 };
+
+// "= -1 kg/m2; allowed: from 0.0001 to 100 kg/m2"
+std::string limits_text(const Quantity& limits, double value);
 
 // The struct handed to users and what it points to.
 struct Parameters {

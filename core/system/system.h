@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "constraint/constraint.h"
+#include "constraint/frame.h"
 #include "fabric/law.h"
 #include "piece/grid.h"
 #include "system/array.h"
@@ -104,6 +105,7 @@ struct State {
 
   Vec3 wind{0, 0, 0};          // m/s, at t_n
   std::vector<Mat3> pin_turn;  // [pins] R at t_n
+  std::vector<Frame> pin_frame;  // [pins] at t_n
 
   double dissipated = 0, input = 0;  // J, with system.energy: but for the last half step
   double energy_start = 0;           // J, kinetic and potential
@@ -123,8 +125,8 @@ struct State {
 
   double advance_length = 0;    // s, of the last advance; 0 = none yet
   bool advance_begins = false;  // the next step is the first of an advance
-  std::vector<Vec3>
-      pin_impulse;  // [pins] N s on the outside world in the last advance, but for its last half step
+  // [pins] N s and N m s on the outside world in the last advance, but for its last half step.
+  std::vector<PinLoad> pin_impulse;
 };
 
 inline double state_time(const State& s, double communication) {
@@ -133,7 +135,8 @@ inline double state_time(const State& s, double communication) {
 
 inline void state_resize(State& s, std::size_t nodes, std::size_t pins) {
   for (Array* a : {&s.x, &s.y, &s.z, &s.vx, &s.vy, &s.vz}) a->assign(nodes, 0.0);
-  s.pin_impulse.assign(pins, Vec3{0, 0, 0});
+  s.pin_impulse.assign(pins, PinLoad{});
+  s.pin_frame.assign(pins, Frame{});
   s.pin_turn.assign(pins, kNoTurn);
 }
 

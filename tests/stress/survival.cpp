@@ -91,7 +91,7 @@ struct Run {
   State state;
   Motion motion;
   Array vx, vy, vz;
-  std::vector<Vec3> force;
+  std::vector<PinLoad> load;
 };
 
 // Level cloth with every free particle off by up to kCrumple of a cell and moving at up to kThrow.
@@ -118,7 +118,7 @@ struct Energy {
   double total;   // and of the weight
 };
 Energy energy_of(Run& r) {
-  leapfrog_synchronous(r.system, r.motion, r.state, r.vx.data(), r.vy.data(), r.vz.data(), r.force);
+  leapfrog_synchronous(r.system, r.motion, r.state, r.vx.data(), r.vy.data(), r.vz.data(), r.load);
   const drape_energy e = energy_potential(r.system, r.state);
   const double moving = energy_kinetic(r.system, r.vx, r.vy, r.vz) + e.stretch + e.shear + e.bending;
   return {moving, moving + e.gravity};

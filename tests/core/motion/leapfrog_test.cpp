@@ -38,7 +38,7 @@ TEST(Leapfrog, ConservesItsDiscreteEnergyForAMillionSteps) {
     a.state.y[high + std::size_t(i)] += 2e-3;
   }
   const auto invariant = [&] {
-    std::vector<Vec3> pins;
+    std::vector<PinLoad> pins;
     Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
     leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), pins);
     const double x = (a.state.y[high] - a.state.y[low] - 0.01) / 2, v = (vy[high] - vy[low]) / 2;
@@ -236,7 +236,7 @@ TEST(Leapfrog, PinsTakeOutExactlyTheMomentumThatIsMissing) {
     scene.integrator = integrator;
     Assembled a = assemble(scene);
     std::string event;
-    std::vector<Vec3> force;
+    std::vector<PinLoad> force;
     Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
     double before = 0;
     for (int call = 0; call < 30; ++call) {
@@ -248,7 +248,7 @@ TEST(Leapfrog, PinsTakeOutExactlyTheMomentumThatIsMissing) {
         weight += a.system.mass[n] * a.system.gravity[2];
       }
       const double last_half = integrator == Integrator::kPaper ? 0 : a.state.h_old / 2;
-      const double impulse = a.state.pin_impulse[0][2] + last_half * force[0][2];
+      const double impulse = a.state.pin_impulse[0].force[2] + last_half * force[0].force[2];
       EXPECT_NEAR(impulse, weight * 0.003 - (momentum - before), 1e-12 * std::abs(weight))
           << width << " call " << call;
       before = momentum;
@@ -324,7 +324,7 @@ TEST(Leapfrog, UndampedWoolKeepsItsEnergy) {
   double kinetic = 0, worst = 0;
   const double start = energy_potential(a.system, a.state).gravity;
   Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
-  std::vector<Vec3> force;
+  std::vector<PinLoad> force;
   for (int call = 0; call < 60; ++call) {
     ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 0.1, event), Advance::kDone);
     leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), force);

@@ -1,0 +1,49 @@
+// The frame of a pin, in which what it holds is at rest, and rotations as unit quaternions (w, x, y, z).
+//
+//     exp(f) turns by |f| about f:   exp(f) = (cos(|f|/2), f sin(|f|/2)/|f|),
+//     and with R(z) = exp(f(z)) R_0 the angular velocity is, A = (1 - cos|f|)/|f|^2, B = (|f| -
+//     sin|f|)/|f|^3,
+//
+//         w = f' + A f x f' + B f x (f x f').
+#pragma once
+#include <array>
+
+#include "scene/scene.h"
+
+namespace drape {
+
+using Quaternion = std::array<double, 4>;
+
+struct Frame {
+  Vec3 position{0, 0, 0};       // p, m
+  Quaternion turn{1, 0, 0, 0};  // R since the start
+  Vec3 velocity{0, 0, 0};       // m/s
+  Vec3 spin{0, 0, 0};           // angular velocity, rad/s
+  Vec3 acceleration{0, 0, 0};   // m/s^2
+  Vec3 spin_rate{0, 0, 0};      // rad/s^2
+};
+
+// Of a pin on the outside world: forces or their impulses.
+struct PinLoad {
+  Vec3 force{0, 0, 0}, torque{0, 0, 0};  // the torque about the pin's present position
+};
+
+Quaternion quaternion_product(const Quaternion& a, const Quaternion& b);
+Quaternion quaternion_normalised(const Quaternion& q);  // length above 0
+
+std::array<Vec3, 3> rotation_matrix(const Quaternion& turn);  // row by row
+
+// R x - x, exactly 0 where R does not turn.
+Vec3 turned_away(const Quaternion& turn, const Vec3& x);
+
+Quaternion rotation_exp(const Vec3& f);
+// The rotation vector, at most pi long, from one orientation to another; exactly 0 where they are equal.
+Vec3 rotation_between(const Quaternion& from, const Quaternion& to);
+
+// The angular velocity of exp(f), and its derivative, from those of f.
+Vec3 rotation_spin(const Vec3& f, const Vec3& f1);
+Vec3 rotation_spin_rate(const Vec3& f, const Vec3& f1, const Vec3& f2);
+// The f' that gives this angular velocity: the inverse of rotation_spin, |f| at most pi.
+Vec3 rotation_rate(const Vec3& f, const Vec3& spin);
+
+}  // namespace drape
