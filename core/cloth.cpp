@@ -163,7 +163,7 @@ drape_parameters* drape_parameters_of(drape_cloth* c) { return &c->parameters.sh
 
 drape_inputs* drape_inputs_of(drape_cloth* c) { return &c->inputs; }
 drape_inputs* drape_input_rates_of(drape_cloth* c) { return &c->input_rates; }
-int drape_at_rest(const drape_cloth*) { return 0; }
+int drape_at_rest(const drape_cloth* c) { return c->state.fit.at_rest; }
 
 drape_status drape_start(drape_cloth* c, double time) {
   if (!std::isfinite(time) || c->state.steps > 0) {

@@ -107,6 +107,15 @@ Path path_make(const System& system, const State& s, const Inputs& inputs, doubl
   return path;
 }
 
+bool path_moves(const Path& path) {
+  const auto still = [](const Vec3(&c)[3]) {
+    return norm(c[0]) == 0 && norm(c[1]) == 0 && norm(c[2]) == 0;
+  };
+  for (const PinPath& p : path.pins)
+    if (!still(p.shift) || !still(p.turn)) return true;
+  return path.wind_from != path.wind_to;
+}
+
 bool path_jumps(const Path& path, const State& s) {
   for (const PinPath& p : path.pins) {
     const Frame begin = path_frame(p, 0);

@@ -42,6 +42,9 @@ Path path_make(const System& system, const State& state, const Inputs& inputs, d
 // rounding.
 bool path_jumps(const Path& path, const State& state);
 
+// True where a pin or the wind goes somewhere.
+bool path_moves(const Path& path);
+
 // Begins interval k, of `length`. Uniform motion is cut there, so that it does not depend on how an advance
 // is cut.
 void path_interval(Path& path, const State& state, std::int64_t k, double length);

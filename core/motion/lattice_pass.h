@@ -190,17 +190,18 @@ void lattice_pass(const System& system, const Lattice& l, const State& s, double
   }
 }
 
-// v <- keep v + kick (F/m + g),  r <- r + drift v. A node without mass stays.
-template <class L>
-DRAPE_INLINE void row_move(int n, const StepCoefficients& c, const double* inverse_mass, ConstRow force,
-                           Row r, Row v) {
+// v <- keep v + kick (F/m + g),  r <- r + drift v. A node without mass stays. In a fit, inertia is m/lightness.
+template <class L, bool kLight>
+DRAPE_INLINE void row_move(int n, const StepCoefficients& c, const double* inverse_mass, const double* lightness,
+                           ConstRow force, Row r, Row v) {
   const L keep = c.keep, kick = c.kick, drift = c.drift;
   const Vec<L> gravity{L(c.gravity[0]), L(c.gravity[1]), L(c.gravity[2])};
   for (int i = 0; i < n; i += L::kWidth) {
     const L im = L::load(inverse_mass + i);
     const auto present = gt(im, L(0.0));
     const Vec<L> f = vec_load<L>(force, i), v0 = vec_load<L>(v, i), r0 = vec_load<L>(r, i);
-    const Vec<L> a{fma(f.x, im, gravity.x), fma(f.y, im, gravity.y), fma(f.z, im, gravity.z)};
+    Vec<L> a{fma(f.x, im, gravity.x), fma(f.y, im, gravity.y), fma(f.z, im, gravity.z)};
+    if constexpr (kLight) a = a * L::load(lightness + i);
     const Vec<L> v1{select(present, fma(kick, a.x, keep * v0.x), L(0.0)),
                     select(present, fma(kick, a.y, keep * v0.y), L(0.0)),
                     select(present, fma(kick, a.z, keep * v0.z), L(0.0))};
@@ -218,7 +219,10 @@ void lattice_step(const System& system, const Lattice& l, const StepCoefficients
       const Row w = row_of(s.wx, s.wy, s.wz, o);
       for (int i = 0; i < n; i += L::kWidth) vec_store(w, i, vec_load<L>(v, i));
     }
-    row_move<L>(n, c, system.inverse_mass.data() + o, force, row_of(s.x, s.y, s.z, o), v);
+    const double* inverse_mass = system.inverse_mass.data() + o;
+    const Row r = row_of(s.x, s.y, s.z, o);
+    if (s.lightness.empty()) row_move<L, false>(n, c, inverse_mass, nullptr, force, r, v);
+    else row_move<L, true>(n, c, inverse_mass, s.lightness.data() + o, force, r, v);
   });
 }
 

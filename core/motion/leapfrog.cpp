@@ -7,6 +7,7 @@
 
 #include "constraint/vector3.h"
 #include "forces/side.h"
+#include "motion/fit.h"
 #include "motion/step_limit.h"
 
 namespace drape {
@@ -92,31 +93,42 @@ void subs_relax(const System& system, State& s, std::string& event) {
   say_step(event, "grows", state_time(s, q), q / double(wanted), s);
 }
 
-// n steps that fill `length`; more when the limit falls on the way.
+// Looks at the step limit after `done` of the n steps that fill `length`; where it has fallen, n doubles, in a fit the inertia grows.
+Advance watch(const System& system, Motion& motion, State& s, double length, std::int64_t& n, std::int64_t& done,
+              std::string& event) {
+  if (!all_finite(system, s)) return Advance::kNotFinite;
+  const auto h = [&] { return length / double(n); };
+  if (system.fit) {
+    fit_scale(system, s, h());
+    return Advance::kDone;
+  }
+  look(system, motion, s, h());
+  if (system.step_given > 0)
+    return h() > step_limit_of(system, s.omega2) ? Advance::kStepAboveLimit : Advance::kDone;
+  while (h() > step_allowed(system, s.omega2)) {
+    if (h() * double(kSubsMost) < system.communication) return Advance::kTooManySteps;
+    n *= 2;
+    done *= 2;
+    s.subs *= 2;
+    s.calm = 0;
+    s.omega2_most = s.omega2;
+    say_step(event, "falls", state_time(s, system.communication) + double(done) * h(), h(), s);
+  }
+  return Advance::kDone;
+}
+
+// n steps that fill `length`; more when the limit falls on the way. None where a fit is at rest.
 Advance interval_run(const System& system, Motion& motion, State& s, double length, std::int64_t n,
                      std::string& event) {
-  for (std::int64_t done = 0; done < n; ++done) {
+  for (std::int64_t done = 0; done < n && !s.fit.at_rest; ++done) {
     if (s.watch_wait-- <= 0) {
-      if (!all_finite(system, s)) return Advance::kNotFinite;
-      look(system, motion, s, length / double(n));
+      if (const Advance how = watch(system, motion, s, length, n, done, event); how != Advance::kDone) return how;
       --s.watch_wait;
-      if (system.step_given > 0) {
-        if (length / double(n) > step_limit_of(system, s.omega2)) return Advance::kStepAboveLimit;
-      } else {
-        while (length / double(n) > step_allowed(system, s.omega2)) {
-          if (length / double(n) * double(kSubsMost) < system.communication) return Advance::kTooManySteps;
-          n *= 2;
-          done *= 2;
-          s.subs *= 2;
-          s.calm = 0;
-          s.omega2_most = s.omega2;
-          say_step(event, "falls", state_time(s, system.communication) + length * double(done) / double(n),
-                   length / double(n), s);
-        }
-      }
     }
     leapfrog_step(system, motion, s, length / double(n), double(done + 1) / double(n));
+    if (system.fit) fit_damp(system, s);
   }
+  if (system.fit && !s.fit.at_rest) fit_judge(system, motion, s);
   return Advance::kDone;
 }
 
@@ -166,6 +178,7 @@ void step_complete(const System& system, Motion& motion, State& s) {
 void inputs_begin(const System& system, Motion& motion, State& s, double length) {
   s.pin_impulse.assign(s.pin_impulse.size(), PinLoad{});
   motion.path = path_make(system, s, motion.inputs, length);
+  if (system.fit && path_moves(motion.path)) fit_wake(s);
   const bool jumps = path_jumps(motion.path, s) && system.integrator == Integrator::kLeapfrog;
   if (jumps && s.h_old > 0) step_complete(system, motion, s);
   path_follow(motion.path, 0, s);
@@ -209,6 +222,7 @@ void leapfrog_retuned(const System& system, Motion& motion, State& s) {
   rates_begin(system, s);
   s.watch_wait = 0;
   s.watch_period = 1;
+  if (system.fit) fit_wake(s);
   if (s.steps == 0) subs_begin(system, motion, s);
 }
 
@@ -279,7 +293,8 @@ void leapfrog_synchronous(const System& system, Motion& motion, const State& s, 
   for (int k = 0; k < 3; ++k) {
     for (std::size_t n : system.particle) {
       const double free = (*acceleration[k])[n] * system.inverse_mass[n] + system.gravity[std::size_t(k)];
-      const double v = ((*staggered[k])[n] + half * free) / centred;
+      const double light = s.lightness.empty() ? 1 : s.lightness[n];
+      const double v = ((*staggered[k])[n] + half * light * free) / centred;
       velocity[k][n] = v;
       (*acceleration[k])[n] = free - damping * v;
     }
@@ -288,8 +303,9 @@ void leapfrog_synchronous(const System& system, Motion& motion, const State& s, 
   load.assign(s.pin_impulse.size(), PinLoad{});
   held_refresh(system.constraints, s, held);
   held_rates(system.constraints, s, Rate::kVelocity, held);
-  constraints_project(system, held, {vx, vy, vz}, half > 0 ? &load : nullptr);
-  if (half > 0) {
+  const bool step = half > 0 && !system.fit;  // a fit tells the forces of now: its steps have another inertia
+  constraints_project(system, held, {vx, vy, vz}, step ? &load : nullptr);
+  if (step) {
     held.work = system.energy ? held_work(system, s, centred, held) : 0;
     for (PinLoad& l : load) l = {(centred / half) * l.force, (centred / half) * l.torque};
   } else {

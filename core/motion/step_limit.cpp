@@ -31,20 +31,23 @@ double distance(const State& s, std::size_t a, std::size_t b, double ahead) {
   return std::sqrt(dot(d, d).v);
 }
 
-// rho b^2 omega^2 of the cells beside the rows.
-double side_bound(const System& system, const Lattice& l, const State& s, double ahead) {
+// rho b^2 omega^2 of a cell.
+double cell_bound(const Lattice& l, const State& s, const std::size_t* corner, double ahead) {
   const double inverse_diagonal = 1 / (std::sqrt(2.0) * l.cell);
+  Vec<Lane> r[4];
+  for (int k = 0; k < 4; ++k) r[k] = node_ahead(s, corner[k], ahead);
+  Lane bound = edges_bound(r[0], r[1], r[2], r[3], l);
+  if (l.law.bias.segments)
+    bound = bound + max(diagonal_bound(r[0], r[3], Lane(inverse_diagonal), l.law.bias),
+                        diagonal_bound(r[1], r[2], Lane(inverse_diagonal), l.law.bias));
+  return bound.v;
+}
+
+// The same of the cells beside the rows.
+double side_bound(const System& system, const Lattice& l, const State& s, double ahead) {
   double most = 0;
-  for (const SideCell& cell : system.side.cells) {
-    if (cell.lattice != l.piece) continue;
-    Vec<Lane> r[4];
-    for (int k = 0; k < 4; ++k) r[k] = node_ahead(s, cell.node[k], ahead);
-    Lane bound = edges_bound(r[0], r[1], r[2], r[3], l);
-    if (l.law.bias.segments)
-      bound = bound + max(diagonal_bound(r[0], r[3], Lane(inverse_diagonal), l.law.bias),
-                          diagonal_bound(r[1], r[2], Lane(inverse_diagonal), l.law.bias));
-    most = most_of(bound.v, most);
-  }
+  for (const SideCell& cell : system.side.cells)
+    if (cell.lattice == l.piece) most = most_of(cell_bound(l, s, cell.node, ahead), most);
   return most;
 }
 
@@ -113,13 +116,20 @@ void link_offer(WorstPart& worst, const Scene& scene, const Lattice& l, const St
 
 }  // namespace
 
+double step_limit_cell(const Lattice& l, const State& s, const std::size_t* corner, double ahead) {
+  return cell_bound(l, s, corner, ahead) / (l.law.areal_density * l.cell * l.cell);
+}
+
+double step_limit_clamps(const System& system, const Lattice& l, const State& s, double ahead) {
+  return clamps_bound(system, l, s, ahead) / (l.law.areal_density * l.cell * l.cell);
+}
+
 double step_limit_lattice(const System& system, const Kernel& kernel, const Lattice& l, const State& state,
                           double ahead) {
   double most = 0;
   for (int j = 0; j + 1 < l.rows; ++j) most = most_of(kernel.omega2(system, l, state, j, ahead), most);
-  const double scale = 1 / (l.law.areal_density * l.cell * l.cell);
-  most = most_of(side_bound(system, l, state, ahead) * scale, most);
-  return most + clamps_bound(system, l, state, ahead) * scale;
+  most = most_of(side_bound(system, l, state, ahead) / (l.law.areal_density * l.cell * l.cell), most);
+  return most + step_limit_clamps(system, l, state, ahead);
 }
 
 double step_limit_omega2(const System& system, const Kernel& kernel, const State& state, double ahead) {

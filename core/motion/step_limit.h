@@ -11,6 +11,10 @@ namespace drape {
 double step_limit_lattice(const System& system, const Kernel& kernel, const Lattice& lattice, const State& state,
                           double ahead = 0);
 
+// omega^2 (1/s^2) of one cell with the given corners a, b, c, d, and what the clamps of a lattice add to it.
+double step_limit_cell(const Lattice& lattice, const State& state, const std::size_t* corner, double ahead);
+double step_limit_clamps(const System& system, const Lattice& lattice, const State& state, double ahead);
+
 // The largest of all lattices, raised to what leads to the same limit where forces depend on velocity.
 double step_limit_omega2(const System& system, const Kernel& kernel, const State& state, double ahead = 0);
 

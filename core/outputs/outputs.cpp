@@ -32,7 +32,7 @@ void pins_fill(Outputs& o, const System& system, const State& s) {
   for (std::size_t p = 0; p < o.pins.size(); ++p) {
     const PinLoad &done = s.pin_impulse[p], &load = o.pin_load[p];
     for (std::size_t k = 0; k < 3; ++k) {
-      const bool moved = s.advance_length > 0;
+      const bool moved = s.advance_length > 0 && !system.fit;
       o.pins[p].force[k] = moved ? (done.force[k] + half * load.force[k]) / s.advance_length : load.force[k];
       o.pins[p].torque[k] =
           moved ? (done.torque[k] + half * load.torque[k]) / s.advance_length : load.torque[k];
@@ -71,6 +71,7 @@ void outputs_make(Outputs& o, const Scene& scene, const System& system) {
   o.node_velocity.assign(3 * system.particle.size(), 0.0);
   for (Array* a : {&o.vx, &o.vy, &o.vz}) a->assign(system.nodes, 0.0);
   o.shown.has_energy = scene.energy;
+  o.shown.has_fit = scene.mode == Mode::kFit;
   o.shown.probe_count = int(o.probes.size());
   o.shown.probe = o.probes.data();
   o.shown.pin_count = int(o.pins.size());
@@ -93,6 +94,7 @@ void outputs_fill(Outputs& o, const System& system, Motion& motion, const State&
   o.shown.step_size = s.h_old > 0 ? s.h_old : system.communication / double(s.subs);
   o.shown.step_count = double(s.steps);
   o.shown.step_stability = o.shown.step_size * std::sqrt(s.omega2) / 2;
+  o.shown.fit_residual = s.fit.residual;
   if (o.shown.has_energy) energy_fill(o, system, motion, s);
   if (nodes) nodes_fill(o, system, s);
 }

@@ -71,6 +71,7 @@ struct System {
   Vec3 gravity{0, 0, 0};        // m/s^2
   Air air;
   bool energy = false;          // the balance is kept
+  bool fit = false;             // mode "fit"
   LawOptions options;
   std::size_t nodes = 0;  // length of every array below and in State, unused nodes included
   Array share;            // [nodes] phi of the cell up and right of the node; 0 where that has a twin
@@ -95,6 +96,15 @@ inline bool system_has_rates(const System& system) {
   return rates;
 }
 
+// How a fit stands. core/README.md, section 4.
+struct Fit {
+  double kinetic = 0;     // J, at the last look
+  bool rising = false;    // it rose to that
+  int judge_wait = 0;     // intervals until the forces left are looked at
+  double residual = 1;    // the largest of them over the load
+  bool at_rest = false;
+};
+
 struct State {
   Array x, y, z;     // [nodes] m, at t_n
   Array vx, vy, vz;  // [nodes] m/s, at t_{n-1/2} (paper scheme: at t_n)
@@ -102,6 +112,9 @@ struct State {
   // Only in systems with forces that depend on velocity (system_has_rates):
   Array wx, wy, wz;   // [nodes] m/s, at t_{n-3/2}
   double h_older = 0; // s, the step before h_old; 0 at the first
+
+  Array lightness;  // [nodes] mass over inertia, at most 1; only in a fit
+  Fit fit;
 
   Vec3 wind{0, 0, 0};          // m/s, at t_n
   std::vector<Mat3> pin_turn;  // [pins] R at t_n

@@ -1,0 +1,128 @@
+#include "motion/fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/step_limit.h"
+#include "system/links.h"
+
+namespace drape {
+namespace {
+
+constexpr int kScaleEvery = 16;           // steps
+constexpr int kDampEvery = 4;             // steps
+constexpr int kJudgeEvery = 8;            // intervals
+constexpr double kResidualRest = 1e-6;    // of the larger of weight and pins' force
+constexpr double kKineticRest = 1e-9;     // of that times the size of the largest piece
+constexpr double kLeastLoad = 1e-12;      // N, where nothing weighs or pulls
+
+// Rows on several nodes are projected with the true masses, which is right where the nodes of connected rows have one
+// lightness: the least of theirs. Fixed nodes do not move; theirs is 1, for the force on the pin.
+void rows_even(const System& system, State& s) {
+  const std::vector<HeldRow>& rows = system.constraints.rows;
+  bool changed = !rows.empty();
+  while (changed) {
+    changed = false;
+    for (const HeldRow& row : rows) {
+      double least = 1;
+      for (std::size_t n : row.on.node) least = std::min(least, s.lightness[n]);
+      for (std::size_t n : row.on.node) {
+        changed = changed || s.lightness[n] != least;
+        s.lightness[n] = least;
+      }
+    }
+  }
+  for (const FixedNode& f : system.constraints.fixed) s.lightness[f.node] = 1;
+}
+
+double kinetic(const System& system, const State& s) {
+  double sum = 0;
+  for (std::size_t n : system.particle)
+    sum += system.mass[n] / s.lightness[n] * (s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n]);
+  return sum / 2;
+}
+
+void stop(const System& system, State& s) {
+  for (std::size_t n : system.particle) s.vx[n] = s.vy[n] = s.vz[n] = 0;
+  if (!s.wx.empty()) s.wx = s.vx, s.wy = s.vy, s.wz = s.vz;
+  s.h_old = s.h_older = 0;
+}
+
+double norm(const Vec3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+
+}  // namespace
+
+void fit_scale(const System& system, State& s, double h) {
+  s.lightness.assign(system.nodes, 0.0);  // holds m'/rho at first
+  double most = 0;
+  for (const Lattice& l : system.lattices) {
+    const double clamps = step_limit_clamps(system, l, s, kScaleEvery * h);
+    each_cell(system, l, [&](const std::size_t* corner, double share) {
+      const double omega2 = step_limit_cell(l, s, corner, kScaleEvery * h) + clamps;
+      const double ratio = h / (system.safety * step_limit_of(system, omega2));
+      const double quarter = share * l.cell * l.cell / 4 * std::max(1.0, ratio * ratio);
+      for (int k = 0; k < 4; ++k) s.lightness[corner[k]] += quarter;
+      most = std::max(most, std::min(omega2, omega2 / (ratio * ratio)));
+    });
+  }
+  for (std::size_t n : system.particle) s.lightness[n] = std::min(1.0, system.area[n] / s.lightness[n]);
+  rows_even(system, s);
+  s.omega2 = most;
+  s.watch_wait = kScaleEvery;
+}
+
+void fit_damp(const System& system, State& s) {
+  if (s.steps % kDampEvery != 0) return;
+  const double now = kinetic(system, s);
+  if (now < s.fit.kinetic && s.fit.rising) {
+    stop(system, s);
+    s.fit.kinetic = 0;
+    s.fit.rising = false;
+    return;
+  }
+  s.fit.rising = now > s.fit.kinetic;
+  s.fit.kinetic = now;
+}
+
+// The forces left over (N) and the largest force of a pin.
+namespace {
+struct Left {
+  double most = 0, pin = 0;
+};
+Left forces_left(const System& system, Motion& motion, const State& s) {
+  kernel_forces(*motion.kernel, system, s, motion.workspace, motion.ax.data(), motion.ay.data(), motion.az.data());
+  Array* a[] = {&motion.ax, &motion.ay, &motion.az};
+  for (std::size_t n : system.particle)
+    for (std::size_t k = 0; k < 3; ++k) (*a[k])[n] = (*a[k])[n] * system.inverse_mass[n] + system.gravity[k];
+  std::vector<PinLoad> load(s.pin_impulse.size());
+  held_refresh(system.constraints, s, motion.held);
+  held_rates(system.constraints, s, Rate::kAcceleration, motion.held);
+  constraints_project(system, motion.held, {motion.ax.data(), motion.ay.data(), motion.az.data()}, &load);
+  Left left;
+  for (const PinLoad& l : load) left.pin = std::max(left.pin, norm(l.force));
+  for (std::size_t n : system.particle)
+    left.most = std::max(left.most, system.mass[n] * norm({motion.ax[n], motion.ay[n], motion.az[n]}));
+  return left;
+}
+}  // namespace
+
+void fit_judge(const System& system, Motion& motion, State& s) {
+  if (s.fit.judge_wait-- > 0) return;
+  s.fit.judge_wait = kJudgeEvery - 1;
+  const Left left = forces_left(system, motion, s);
+  double weight = 0, size = 0;
+  for (std::size_t n : system.particle) weight += system.mass[n] * norm(system.gravity);
+  for (const Lattice& l : system.lattices) size = std::max(size, l.cell * std::max(l.columns, l.rows));
+  const double load = std::max({weight, left.pin, kLeastLoad});
+  s.fit.residual = left.most / load;
+  s.fit.at_rest = s.fit.residual <= kResidualRest && kinetic(system, s) <= kKineticRest * load * size;
+  if (s.fit.at_rest) stop(system, s);
+}
+
+void fit_wake(State& s) {
+  s.fit.at_rest = false;
+  s.fit.judge_wait = 0;
+  s.watch_wait = 0;
+}
+
+}  // namespace drape
