@@ -7,6 +7,10 @@
 //                  \c        F_2 = kappa psi (u - y v)/|c|,  F_0 = -kappa psi (v - y u)/|a|
 //                   o x2     F_1 = -F_0 - F_2,   E = kappa theta^2/2
 //
+//   clamp  R D ~~~> x0 o--o x1   the same with u = R D, v along the link x1 - x0:  F_1 = kappa psi (u - y
+//   v)/|c| = -F_0,
+//                            and the clamp feels the couple -(x1 - x0) x F_1
+//
 // Beyond 120 degrees psi is its own Taylor polynomial of degree 2 in y, and E follows by dE = -kappa psi dy.
 #include "reference/forces.h"
 
@@ -95,13 +99,32 @@ void add_bending(const Lattice& lattice, const VectorXd& r, VectorXd& F) {
   }
 }
 
-VectorXd forces(const Lattice& lattice, const VectorXd& r) {
+Turns unturned(const Lattice& lattice) { return Turns(lattice.pins.size(), Eigen::Matrix3d::Identity()); }
+
+VectorXd add_clamps(const Lattice& lattice, const Turns& turns, const VectorXd& r, VectorXd& F) {
+  VectorXd couple = VectorXd::Zero(3 * Eigen::Index(lattice.pins.size()));
+  for (const ClampHinge& clamp : lattice.clamps) {
+    const Vector3d u = turns[std::size_t(clamp.pin)] * clamp.direction;
+    const Vector3d c = at(r, clamp.j) - at(r, clamp.i);
+    const Fold fold = fold_of(u, c);
+    const Vector3d pull = clamp.kappa * fold.psi / c.norm() * (u - fold.y * c.normalized());
+    F.segment<3>(3 * clamp.j) += pull;
+    F.segment<3>(3 * clamp.i) -= pull;
+    couple.segment<3>(3 * clamp.pin) -= c.cross(pull);
+  }
+  return couple;
+}
+
+VectorXd forces(const Lattice& lattice, const VectorXd& r, const Turns& turns) {
   VectorXd F = VectorXd::Zero(3 * lattice.count);
   add_stretch(lattice, r, F);
   add_shear(lattice, r, F);
   add_bending(lattice, r, F);
+  add_clamps(lattice, turns, r, F);
   return F;
 }
+
+VectorXd forces(const Lattice& lattice, const VectorXd& r) { return forces(lattice, r, unturned(lattice)); }
 
 double stretch_energy(const Lattice& lattice, const VectorXd& r) {
   return links_energy(lattice, lattice.warp, r) + links_energy(lattice, lattice.weft, r);
@@ -115,6 +138,15 @@ double bending_energy(const Lattice& lattice, const VectorXd& r) {
   double energy = 0;
   for (const Hinge& hinge : lattice.hinges) {
     energy += hinge.kappa * fold_of(at(r, hinge.j) - at(r, hinge.i), at(r, hinge.k) - at(r, hinge.j)).energy;
+  }
+  return energy;
+}
+
+double clamp_energy(const Lattice& lattice, const Turns& turns, const VectorXd& r) {
+  double energy = 0;
+  for (const ClampHinge& clamp : lattice.clamps) {
+    const Vector3d c = at(r, clamp.j) - at(r, clamp.i);
+    energy += clamp.kappa * fold_of(turns[std::size_t(clamp.pin)] * clamp.direction, c).energy;
   }
   return energy;
 }

@@ -13,15 +13,24 @@ struct Fold {
 };
 Fold fold_of(const Eigen::Vector3d& a, const Eigen::Vector3d& c);
 
+// How far each pin's frame is turned since the start [pins].
+using Turns = std::vector<Eigen::Matrix3d>;
+Turns unturned(const Lattice& lattice);
+
 // Each law adds to F [3 N].
 void add_stretch(const Lattice& lattice, const Eigen::VectorXd& r, Eigen::VectorXd& F);
 void add_shear(const Lattice& lattice, const Eigen::VectorXd& r, Eigen::VectorXd& F);
 void add_bending(const Lattice& lattice, const Eigen::VectorXd& r, Eigen::VectorXd& F);
-Eigen::VectorXd forces(const Lattice& lattice, const Eigen::VectorXd& r);  // all three
+// The hinges between clamps and links; returns the couple that they exert on each clamp [3 pins].
+Eigen::VectorXd add_clamps(const Lattice& lattice, const Turns& turns, const Eigen::VectorXd& r,
+                           Eigen::VectorXd& F);
+Eigen::VectorXd forces(const Lattice& lattice, const Eigen::VectorXd& r, const Turns& turns);  // all four
+Eigen::VectorXd forces(const Lattice& lattice, const Eigen::VectorXd& r);  // with no pin turned
 
 // J.
 double stretch_energy(const Lattice& lattice, const Eigen::VectorXd& r);
 double shear_energy(const Lattice& lattice, const Eigen::VectorXd& r);
-double bending_energy(const Lattice& lattice, const Eigen::VectorXd& r);
+double bending_energy(const Lattice& lattice, const Eigen::VectorXd& r);  // of the cloth's own hinges
+double clamp_energy(const Lattice& lattice, const Turns& turns, const Eigen::VectorXd& r);
 
 }  // namespace drape::reference

@@ -1,10 +1,11 @@
-// Equations: core/README.md, section 1 (masses and widths from the cells' shares) and 3 (laws per width).
+// Equations: core/README.md, section 1 (masses and widths from the cells' shares), 3 (bending) and 4
+// (clamps).
 #include "reference/lattice.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
+#include <set>
 
 #include "piece/hold.h"
 #include "piece/place.h"
@@ -14,60 +15,6 @@ namespace {
 
 const double kRoot2 = std::sqrt(2.0);
 
-bool switched_on(const DiagramSpec& d) {
-  return std::any_of(d.force.begin(), d.force.end(), [](double f) { return f != 0; });
-}
-
-// P_i = z F_i / (K w_p): the diagram as force per width.
-std::vector<double> per_width(const DiagramSpec& d, double z, double K, double strip_width) {
-  std::vector<double> P;
-  for (double F : d.force) P.push_back(z * F / (K * strip_width));
-  return P;
-}
-
-// P_i q_i with the stored correction q, 1 where there is none.
-std::vector<double> corrected(std::vector<double> P, const DiagramSpec& d) {
-  for (std::size_t i = 0; i < d.correction.size(); ++i) P[i] *= d.correction[i];
-  return P;
-}
-
-Law thread_law(const Scene& scene, const FabricSpec& fabric, const DiagramSpec& d, double b) {
-  if (!switched_on(d)) return {Curve{}, std::numeric_limits<double>::infinity()};
-  const double z = scene.scaling == Scaling::kPaperArea ? b / fabric.strip_gauge : 1;
-  const std::vector<double> P = corrected(per_width(d, z, 1, fabric.strip_width), d);
-  return {curve_make(d.elongation, P, Below::kCompression, fabric.compression, fabric.compression_blend),
-          d.elongation.back()};
-}
-
-// K = r (r - 1.25)/(r - 1)^2: how much the jaws stiffen a strip cut at 45 degrees, r = gauge/width.
-double clamp_stiffening(const FabricSpec& fabric) {
-  const double r = fabric.strip_gauge / fabric.strip_width;
-  return r * (r - 1.25) / ((r - 1) * (r - 1));
-}
-
-Law bias_law(const Scene& scene, const FabricSpec& fabric, double b) {
-  const DiagramSpec& d = fabric.bias;
-  if (!switched_on(d)) return {Curve{}, std::numeric_limits<double>::infinity()};
-  const double z = scene.scaling == Scaling::kPaperArea ? kRoot2 * b / fabric.strip_gauge : 1;
-  const bool stored = !d.correction.empty();
-  const double K = scene.clamp_correction && !stored ? clamp_stiffening(fabric) : 1;
-  const std::vector<double> P = per_width(d, z, K, fabric.strip_width);
-  const double end = d.elongation.back();
-  if (scene.bias_model == BiasModel::kTension) {
-    return {curve_make(d.elongation, corrected(P, d), Below::kCompression, 0, fabric.compression_blend), end};
-  }
-  if (scene.bias_model == BiasModel::kPaper) {
-    return {curve_make(d.elongation, corrected(P, d), Below::kCompression, fabric.compression,
-                       fabric.compression_blend),
-            end};
-  }
-  if (!stored) return {odd_law(d.elongation, P), end};
-  const std::vector<double> kept = below_locking(d.elongation);
-  std::vector<double> g = corrected(P, d);
-  g.resize(kept.size());
-  return {curve_make(kept, g, Below::kOdd), end};
-}
-
 // One piece on its grid, and the numbers of its particles.
 struct Net {
   const Scene& scene;
@@ -75,6 +22,7 @@ struct Net {
   Grid grid;
   std::vector<int> number;  // [nodes of the grid] particle, -1 where the node carries nothing
   std::map<std::pair<int, int>, double> warp, weft;  // widths of links by their nodes
+  std::vector<Hold> holds;                           // by pins; empty for those of other pieces
 
   const PieceSpec& piece() const { return scene.pieces[std::size_t(index)]; }
   const FabricSpec& fabric() const { return scene.fabrics[std::size_t(piece().fabric)]; }
@@ -99,6 +47,7 @@ void add_links(Net& net, Lattice& lattice) {
   lattice.laws.push_back(thread_law(net.scene, net.fabric(), net.fabric().warp, b));
   lattice.laws.push_back(thread_law(net.scene, net.fabric(), net.fabric().weft, b));
   lattice.laws.push_back(bias_law(net.scene, net.fabric(), b));
+  for (int law : {warp, weft, bias}) lattice.laws[std::size_t(law)].damping = net.fabric().damping;
   for (const GridCell& cell : net.grid.cells) {
     const auto [a, right, above, opposite] = cell.node;
     const double half = b * cell.share / 2, diagonal = b * cell.share / kRoot2;
@@ -106,6 +55,7 @@ void add_links(Net& net, Lattice& lattice) {
     net.warp[{right, opposite}] += half;
     net.weft[{a, right}] += half;
     net.weft[{above, opposite}] += half;
+    lattice.cells.push_back({{net.at(a), net.at(right), net.at(above), net.at(opposite)}, cell.share});
     lattice.bias.push_back({net.at(a), net.at(opposite), kRoot2 * b, diagonal, bias});
     lattice.bias.push_back({net.at(right), net.at(above), kRoot2 * b, diagonal, bias});
   }
@@ -115,24 +65,67 @@ void add_links(Net& net, Lattice& lattice) {
     lattice.weft.push_back({net.at(ends.first), net.at(ends.second), b, width, weft});
 }
 
-// Two links of a thread in series, half of each: kappa = (B/b) 2 w_0 w_1/(W_1 + W_0), B = EI/(1 - nu^2); W_0, W_1 the
-// widths of all links of the thread that end and begin at the middle node.
-void add_hinges(const Net& net, Lattice& lattice) {
-  const FabricSpec& fabric = net.fabric();
-  const double factor = 1 / (1 - fabric.poisson * fabric.poisson) / net.grid.cell;
-  for (const auto& [links, B] : {std::pair{&net.warp, fabric.bending_warp * factor},
-                                 std::pair{&net.weft, fabric.bending_weft * factor}}) {
-    if (!(B > 0)) continue;
-    std::map<int, double> ending, beginning;
-    for (const auto& [ends, w] : *links) {
-      beginning[ends.first] += w;
-      ending[ends.second] += w;
+// What clamps do to the hinges along one kind of thread.
+struct Clamped {
+  std::map<std::pair<int, int>, double> series;  // q_c of the link (from, to) in the hinge at `to`; else 1
+  std::set<int> pivots;                          // nodes without a hinge
+
+  double q(int from, int to) const {
+    const auto found = series.find({from, to});
+    return found == series.end() ? 1 : found->second;
+  }
+};
+
+Clamped clamped_threads(const Net& net, bool warp) {
+  Clamped clamped;
+  for (const Hold& hold : net.holds)
+    for (const HeldSlope& slope : hold.slopes) {
+      if (slope.warp != warp) continue;
+      clamped.series.emplace(std::pair{slope.from, slope.to}, slope.series);
+      if (slope.pivot) clamped.pivots.insert(slope.from);
     }
-    for (const auto& [first, w0] : *links)
-      for (auto next = links->lower_bound({first.second, 0});
-           next != links->end() && next->first.first == first.second; ++next)
-        lattice.hinges.push_back({net.at(first.first), net.at(first.second), net.at(next->first.second),
-                                  B * 2 * w0 * next->second / (beginning[first.second] + ending[first.second])});
+  return clamped;
+}
+
+// B/b along one kind of thread, B = EI/(1 - nu^2).
+double link_rigidity(const Net& net, bool warp) {
+  const FabricSpec& fabric = net.fabric();
+  return (warp ? fabric.bending_warp : fabric.bending_weft) / (1 - fabric.poisson * fabric.poisson) /
+         net.grid.cell;
+}
+
+// Two links of a thread in series, half of each: kappa = (B/b) 2 w_0 w_1/(q_0 W_1 + q_1 W_0), W_0 and W_1 the
+// widths of all links of the thread that end and begin at the middle node.
+void add_hinges(const Net& net, bool warp, Lattice& lattice) {
+  const double B = link_rigidity(net, warp);
+  if (!(B > 0)) return;
+  const auto& links = warp ? net.warp : net.weft;
+  const Clamped clamped = clamped_threads(net, warp);
+  std::map<int, double> ending, beginning;
+  for (const auto& [ends, w] : links) {
+    beginning[ends.first] += w;
+    ending[ends.second] += w;
+  }
+  for (const auto& [first, w0] : links) {
+    const auto [i, j] = first;
+    if (clamped.pivots.count(j)) continue;
+    for (auto next = links.lower_bound({j, 0}); next != links.end() && next->first.first == j; ++next) {
+      const auto& [second, w1] = *next;
+      const double q0 = clamped.q(i, j), q1 = clamped.q(second.second, j);
+      lattice.hinges.push_back({net.at(i), net.at(j), net.at(second.second),
+                                B * 2 * w0 * w1 / (q0 * beginning[j] + q1 * ending[j])});
+    }
+  }
+}
+
+// The half link between a clamp and a link that leaves it: kappa_c = y 2 B w/b.
+void add_clamps(const Net& net, const Hold& hold, int pin, Lattice& lattice) {
+  for (const HeldSlope& slope : hold.slopes) {
+    const double B = link_rigidity(net, slope.warp);
+    if (!(B > 0)) continue;
+    const auto& links = slope.warp ? net.warp : net.weft;
+    const double width = links.at({std::min(slope.from, slope.to), std::max(slope.from, slope.to)});
+    lattice.clamps.push_back({net.at(slope.from), net.at(slope.to), slope.clamp * 2 * B * width, pin});
   }
 }
 
@@ -146,6 +139,30 @@ Point point_at(const Net& net, const GridPoint& found) {
   return point;
 }
 
+void add_pin(const Net& net, int index, Lattice& lattice) {
+  const PinSpec& spec = net.scene.pins[std::size_t(index)];
+  const Hold& hold = net.holds[std::size_t(index)];
+  const Vec3 centre = place_point(net.piece().place, hold.centre);
+  lattice.pins.push_back({spec.name, {centre[0], centre[1], centre[2]}, spec.drive, spec.clamp});
+  for (const GridPoint& at : hold.at) lattice.rows.push_back({point_at(net, at), index});
+  add_clamps(net, hold, index, lattice);
+}
+
+// Where the held points and slopes are when the cloth starts.
+void measure_start(Lattice& lattice) {
+  for (Row& row : lattice.rows) row.start = point_value(row.point, lattice.position);
+  for (ClampHinge& clamp : lattice.clamps)
+    clamp.direction =
+        (lattice.position.segment<3>(3 * clamp.j) - lattice.position.segment<3>(3 * clamp.i)).normalized();
+}
+
+Net net_make(const Scene& scene, int piece) {
+  Net net{scene, piece, grid_make(scene, piece), {}, {}, {}, {}};
+  for (const PinSpec& pin : scene.pins)
+    net.holds.push_back(pin.piece == piece ? hold_make(net.grid, scene, pin) : Hold{});
+  return net;
+}
+
 }  // namespace
 
 Lattice lattice_make(const Scene& scene) {
@@ -153,25 +170,22 @@ Lattice lattice_make(const Scene& scene) {
   std::vector<double> r, v;
   std::vector<Net> nets;
   for (std::size_t p = 0; p < scene.pieces.size(); ++p) {
-    nets.push_back({scene, int(p), grid_make(scene, int(p)), {}, {}, {}});
+    nets.push_back(net_make(scene, int(p)));
     Net& net = nets.back();
     add_particles(net, lattice, r, v);
     add_links(net, lattice);
-    add_hinges(net, lattice);
+    for (bool warp : {true, false}) add_hinges(net, warp, lattice);
     lattice.cell = p == 0 ? net.grid.cell : std::min(lattice.cell, net.grid.cell);
   }
-  for (const PinSpec& pin : scene.pins) {
-    const Net& net = nets[std::size_t(pin.piece)];
-    for (const GridPoint& at : hold_make(net.grid, scene, pin).at)
-      lattice.rows.push_back({point_at(net, at), int(lattice.pins.size())});
-    lattice.pins.push_back(pin.name);
-  }
+  for (std::size_t k = 0; k < scene.pins.size(); ++k)
+    add_pin(nets[std::size_t(scene.pins[k].piece)], int(k), lattice);
   for (const ProbeSpec& probe : scene.probes) {
     const Net& net = nets[std::size_t(probe.piece)];
     lattice.probes.push_back(point_at(net, grid_locate(net.grid, probe.at)));
   }
   lattice.position = Eigen::Map<Eigen::VectorXd>(r.data(), Eigen::Index(r.size()));
   lattice.velocity = Eigen::Map<Eigen::VectorXd>(v.data(), Eigen::Index(v.size()));
+  measure_start(lattice);
   return lattice;
 }
 

@@ -1,20 +1,15 @@
-// The cloth as explicit lists. Equations: core/README.md, sections 1 and 3. Particles are numbered piece by
-// piece, row by row (j outer, i inner); nodes without mass are no particles.
+// The cloth as explicit lists. Equations: core/README.md, sections 1, 3 and 4. Particles are numbered piece
+// by piece, row by row (j outer, i inner), then the piece's twins; nodes without mass are no particles.
 #pragma once
 #include <Eigen/Dense>
+#include <array>
 #include <string>
 #include <vector>
 
-#include "reference/curve.h"
+#include "reference/law.h"
 #include "scene/scene.h"
 
 namespace drape::reference {
-
-// A law per width and where its test ended; a law switched off has a curve without points and no end.
-struct Law {
-  Curve curve;      // N/m over strain
-  double test_end;  // last elongation of the diagram
-};
 
 struct Link {
   int i, j;
@@ -27,16 +22,39 @@ struct Hinge {
   double kappa;  // N m
 };
 
+// A link from i, held or behind a clamped edge, to j; it bends against the direction D that turns with the
+// pin.
+struct ClampHinge {
+  int i, j;
+  double kappa;                                         // N m
+  int pin;                                              // index into Lattice::pins
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();  // of the link at the start
+};
+
+struct Cell {
+  std::array<int, 4> node;  // corners a, b, c, d
+  double share;             // phi
+};
+
 // A point of the cloth: sum_k weight[k] r(node[k]), zero weights left out.
 struct Point {
   std::vector<int> node;
   std::vector<double> weight;
 };
 
-// A pin holds a point where it starts: sum_k weight[k] r(node[k]) = const.
+// A pin holds a point X where it starts, in the frame of the pin: sum_k weight[k] r(node[k]) = p + R (X -
+// p_0).
 struct Row {
   Point point;
   int pin;  // index into Lattice::pins
+  Eigen::Vector3d start = Eigen::Vector3d::Zero();
+};
+
+struct Pin {
+  std::string name;
+  Eigen::Vector3d centre;  // p_0
+  Drive drive;
+  bool clamp;
 };
 
 struct Lattice {
@@ -46,8 +64,10 @@ struct Lattice {
   std::vector<Law> laws;
   std::vector<Link> warp, weft, bias;
   std::vector<Hinge> hinges;
+  std::vector<ClampHinge> clamps;
+  std::vector<Cell> cells;  // that feel the air
   std::vector<Row> rows;
-  std::vector<std::string> pins;
+  std::vector<Pin> pins;
   std::vector<Point> probes;
   double cell = 0;  // m, the smallest of all pieces
 };

@@ -1,33 +1,61 @@
-// Equations: core/README.md, section 4. With a the free acceleration, 0 on the fixed particles, as M^-1 is,
-//
-//     lambda = -(A M^-1 A^T)^-1 A a,     r'' = a + M^-1 A^T lambda,
-//
-// the pins act on the cloth by A^T lambda, and on a fixed one so that it stays: by -m a_free - A^T lambda.
+// Equations: core/README.md, section 4. What a pin's frame does to the cloth has the power -(F.v + T.w), F
+// and T being its force and torque on the outside world: every held point moves with v + w x arm.
 #include "reference/motion.h"
-
-#include "reference/forces.h"
 
 namespace drape::reference {
 namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXd;
+using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kRankTolerance = 1e-10;  // of A M^-1 A^T
+// m g - m c v + F(r, v) over m.
+struct Free {
+  VectorXd acceleration, couple;  // [3 N]; of the clamps' hinges on their pins [3 pins]
+  double given, taken;            // W, by the wind and from the cloth
+};
 
-// Pivoted QR of M^-1/2 A^T takes the order of pivoted Cholesky of A M^-1 A^T; its pivots are their roots.
-void keep_independent_rows(const MatrixXd& all, const std::vector<int>& pins, Motion& motion) {
-  const MatrixXd scaled = motion.inverse_mass.cwiseSqrt().asDiagonal() * all.transpose();
-  Eigen::ColPivHouseholderQR<MatrixXd> qr(scaled);
-  qr.setThreshold(std::sqrt(kRankTolerance));
-  motion.A.resize(qr.rank(), all.cols());
-  for (Index k = 0; k < qr.rank(); ++k) {
-    const Index row = qr.colsPermutation().indices()[k];
-    motion.A.row(k) = all.row(row);
-    motion.row_pin.push_back(pins[std::size_t(row)]);
+Free free_motion(const Motion& motion, const Outside& outside, const VectorXd& r, const VectorXd& v) {
+  const Lattice& lattice = motion.lattice;
+  VectorXd F = VectorXd::Zero(3 * lattice.count);
+  add_stretch(lattice, r, F);
+  add_shear(lattice, r, F);
+  add_bending(lattice, r, F);
+  Free free;
+  free.couple = add_clamps(lattice, turns_of(outside), r, F);
+  free.taken = add_link_damping(lattice, r, v, F);
+  const AirPower air = add_air(lattice, motion.air, outside.wind, r, v, F);
+  free.taken += air.taken;
+  free.given = air.given;
+  for (int n = 0; n < lattice.count; ++n) {
+    const double m = lattice.mass[std::size_t(n)];
+    const Vector3d speed = v.segment<3>(3 * n);
+    F.segment<3>(3 * n) = F.segment<3>(3 * n) / m + motion.gravity - motion.damping * speed;
+    free.taken += motion.damping * m * speed.squaredNorm();
   }
-  motion.gram.compute(motion.A * motion.inverse_mass.asDiagonal() * motion.A.transpose());
+  free.acceleration = std::move(F);
+  return free;
+}
+
+double kinetic_energy(const Lattice& lattice, const VectorXd& v) {
+  double sum = 0;
+  for (int n = 0; n < lattice.count; ++n)
+    sum += lattice.mass[std::size_t(n)] * v.segment<3>(3 * n).squaredNorm() / 2;
+  return sum;
+}
+
+std::vector<Vector3d> arms_of(const Lattice& lattice, const Outside& outside,
+                              const std::vector<Target>& targets) {
+  std::vector<Vector3d> arms;
+  for (std::size_t k = 0; k < targets.size(); ++k)
+    arms.push_back(targets[k].r - outside.pins[std::size_t(lattice.rows[k].pin)].p);
+  return arms;
+}
+
+std::vector<Vector3d> each(const std::vector<Target>& targets, Vector3d Target::* what) {
+  std::vector<Vector3d> values;
+  for (const Target& target : targets) values.push_back(target.*what);
+  return values;
 }
 
 }  // namespace
@@ -35,81 +63,97 @@ void keep_independent_rows(const MatrixXd& all, const std::vector<int>& pins, Mo
 Motion motion_make(const Scene& scene) {
   Motion motion;
   motion.lattice = lattice_make(scene);
+  motion.held = held_make(motion.lattice);
   motion.gravity = {scene.gravity[0], scene.gravity[1], scene.gravity[2]};
   motion.damping = scene.damping;
-  const Lattice& lattice = motion.lattice;
-  motion.holder.assign(std::size_t(lattice.count), -1);
-  motion.inverse_mass.resize(lattice.count);
-  for (int n = 0; n < lattice.count; ++n) motion.inverse_mass[n] = 1 / lattice.mass[std::size_t(n)];
-
-  std::vector<const Row*> others;
-  for (const Row& row : lattice.rows) {
-    if (row.point.node.size() > 1) {
-      others.push_back(&row);
-      continue;
-    }
-    int& holder = motion.holder[std::size_t(row.point.node[0])];
-    if (holder < 0) holder = row.pin;
-    motion.inverse_mass[row.point.node[0]] = 0;
-  }
-  if (others.empty()) return motion;
-
-  MatrixXd all = MatrixXd::Zero(Index(others.size()), lattice.count);
-  std::vector<int> pins;
-  for (std::size_t k = 0; k < others.size(); ++k) {
-    const Point& point = others[k]->point;
-    for (std::size_t m = 0; m < point.node.size(); ++m) all(Index(k), point.node[m]) = point.weight[m];
-    pins.push_back(others[k]->pin);
-  }
-  keep_independent_rows(all, pins, motion);
+  if (scene.has_air) motion.air = {scene.air_density, scene.air_normal, scene.air_tangential};
+  motion.start = outside_start(scene, motion.lattice);
   return motion;
 }
 
-VectorXd constrain(const Motion& motion, VectorXd& x) {
-  const Lattice& lattice = motion.lattice;
-  VectorXd world = VectorXd::Zero(3 * Index(lattice.pins.size()));
-  const VectorXd free = x;
-  for (int n = 0; n < lattice.count; ++n) {
-    if (motion.holder[std::size_t(n)] >= 0) x.segment<3>(3 * n).setZero();
-  }
-
-  VectorXd on_cloth = VectorXd::Zero(x.size());  // A^T lambda
-  for (Index axis = 0; axis < 3 && motion.A.rows() > 0; ++axis) {
-    const VectorXd along = x(Eigen::seqN(axis, lattice.count, 3));
-    const VectorXd lambda = -motion.gram.solve(motion.A * along);
-    on_cloth(Eigen::seqN(axis, lattice.count, 3)) = motion.A.transpose() * lambda;
-    for (Index k = 0; k < lambda.size(); ++k) world[3 * motion.row_pin[std::size_t(k)] + axis] -= lambda[k];
-  }
-  for (int n = 0; n < lattice.count; ++n) {
-    const int pin = motion.holder[std::size_t(n)];
-    x.segment<3>(3 * n) += motion.inverse_mass[n] * on_cloth.segment<3>(3 * n);
-    if (pin < 0) continue;
-    world.segment<3>(3 * pin) +=
-        lattice.mass[std::size_t(n)] * free.segment<3>(3 * n) + on_cloth.segment<3>(3 * n);
-  }
-  return world;
+Layout layout_of(const Lattice& lattice) {
+  const Index n = 3 * Index(lattice.count), pins = 3 * Index(lattice.pins.size()), end = 2 * (n + pins);
+  return {n, 2 * n, 2 * n + pins, end, end + 1, end + 2, end + 3};
 }
 
-VectorXd motion_rate(const Motion& motion, const VectorXd& y) {
-  const int N = motion.lattice.count;
-  const auto r = y.head(3 * N), v = y.segment(3 * N, 3 * N);
-  VectorXd a = forces(motion.lattice, r);
-  for (int n = 0; n < N; ++n) {
-    a.segment<3>(3 * n) /= motion.lattice.mass[std::size_t(n)];
-    a.segment<3>(3 * n) += motion.gravity - motion.damping * v.segment<3>(3 * n);
-  }
-  const VectorXd world = constrain(motion, a);
-  VectorXd rate(y.size());
-  rate << v, a, world;
+Turns turns_of(const Outside& outside) {
+  Turns turns;
+  for (const Frame& frame : outside.pins) turns.push_back(frame.R.toRotationMatrix());
+  return turns;
+}
+
+VectorXd motion_rate(const Motion& motion, const Course& course, const VectorXd& y) {
+  const Lattice& lattice = motion.lattice;
+  const Layout at = layout_of(lattice);
+  const Outside outside = course_at(course, y[at.time]);
+  const VectorXd r = y.head(at.velocity), v = y.segment(at.velocity, at.velocity);
+  Free free = free_motion(motion, outside, r, v);
+  const std::vector<Target> targets = targets_of(lattice, outside.pins);
+  Passed passed = hold(lattice, motion.held, each(targets, &Target::a), arms_of(lattice, outside, targets),
+                       free.acceleration);
+  passed.torque += free.couple;
+  for (std::size_t k = 0; k < outside.pins.size(); ++k)
+    free.given -= passed.force.segment<3>(3 * Index(k)).dot(outside.pins[k].v) +
+                  passed.torque.segment<3>(3 * Index(k)).dot(outside.pins[k].w);
+  VectorXd rate(at.size);
+  rate << v, free.acceleration, passed.force, passed.torque, free.given, free.taken, 1;
   return rate;
 }
 
 VectorXd motion_start(const Motion& motion) {
-  VectorXd v = motion.lattice.velocity;
-  const VectorXd impulse = constrain(motion, v);
-  VectorXd y(motion.lattice.position.size() + v.size() + impulse.size());
-  y << motion.lattice.position, v, impulse;
+  const Lattice& lattice = motion.lattice;
+  const Layout at = layout_of(lattice);
+  VectorXd y = VectorXd::Zero(at.size);
+  y.head(at.velocity) = lattice.position;
+  y.segment(at.velocity, at.velocity) = lattice.velocity;
+  motion_begin(motion, course_make(lattice, motion.start, motion.start, 1), y);
+  y[at.given] = 0;  // of the energy at the start
   return y;
+}
+
+void motion_begin(const Motion& motion, const Course& course, VectorXd& y) {
+  const Lattice& lattice = motion.lattice;
+  const Layout at = layout_of(lattice);
+  const Outside outside = course_at(course, 0);
+  const std::vector<Target> targets = targets_of(lattice, outside.pins);
+  const std::vector<Vector3d> arms = arms_of(lattice, outside, targets);
+  VectorXd r = y.head(at.velocity), v = y.segment(at.velocity, at.velocity);
+  hold(lattice, motion.held, each(targets, &Target::r), arms, r);
+  const double before = kinetic_energy(lattice, v);
+  const Passed passed = hold(lattice, motion.held, each(targets, &Target::v), arms, v);
+  y.head(at.velocity) = r;
+  y.segment(at.velocity, at.velocity) = v;
+  y.segment(at.impulse, passed.force.size()) += passed.force;
+  y.segment(at.angular, passed.torque.size()) += passed.torque;
+  y[at.given] += kinetic_energy(lattice, v) - before;
+  y[at.time] = 0;
+}
+
+Energy motion_energy(const Motion& motion, const Turns& turns, const VectorXd& y) {
+  const Lattice& lattice = motion.lattice;
+  const Index n = 3 * Index(lattice.count);
+  const VectorXd r = y.head(n), v = y.segment(n, n);
+  double gravity = 0;
+  for (int k = 0; k < lattice.count; ++k)
+    gravity -= lattice.mass[std::size_t(k)] * motion.gravity.dot(r.segment<3>(3 * k));
+  return {kinetic_energy(lattice, v), stretch_energy(lattice, r), shear_energy(lattice, r),
+          bending_energy(lattice, r) + clamp_energy(lattice, turns, r), gravity};
+}
+
+Residual residual(const Motion& motion, const Outside& outside, const VectorXd& r) {
+  const Lattice& lattice = motion.lattice;
+  VectorXd a = free_motion(motion, outside, r, VectorXd::Zero(r.size())).acceleration;
+  const std::vector<Vector3d> still(lattice.rows.size(), Vector3d::Zero());
+  const Passed passed = hold(lattice, motion.held, still, still, a);
+  Residual left{0, 0};
+  double mass = 0, pull = 0;
+  for (int n = 0; n < lattice.count; ++n) {
+    mass += lattice.mass[std::size_t(n)];
+    left.force = std::max(left.force, lattice.mass[std::size_t(n)] * a.segment<3>(3 * n).norm());
+  }
+  for (Index k = 0; k < passed.force.size(); k += 3) pull += passed.force.segment<3>(k).norm();
+  left.ratio = left.force / std::max(mass * motion.gravity.norm(), pull);
+  return left;
 }
 
 }  // namespace drape::reference

@@ -1,38 +1,60 @@
-// The cloth in motion: r'' = g + F(r)/m - c v under its pins, integrated by ARKODE's explicit ERKStep.
+// The cloth in motion: r'' = g + F(r, v, t)/m - c v under its pins, integrated by ARKODE's explicit ERKStep.
 // Equations: core/README.md, section 4. One vector holds all that is integrated,
-//     y = [r (3 N), v (3 N), J (3 pins)],
-// J being the impulse that each pin has given to the outside world since the start.
+//     y = [r (3 N), v (3 N), J (3 pins), L (3 pins), W, D, t],
+// J and L being impulse and angular impulse (about its present position) that each pin has given to the
+// outside world since the start, W the energy given to the cloth by pins and wind, D the dissipated one, and
+// t the time since the beginning of the advance: with it in the state the equations are autonomous.
 #pragma once
 #include <Eigen/Dense>
 #include <memory>
-#include <string>
-#include <vector>
 
+#include "reference/course.h"
+#include "reference/forces.h"
+#include "reference/held.h"
 #include "reference/lattice.h"
+#include "reference/resistance.h"
 
 namespace drape::reference {
 
 struct Motion {
   Lattice lattice;
-  Eigen::Vector3d gravity;           // m/s^2
-  double damping = 0;                // 1/s
-  std::vector<int> holder;           // [N] pin that fixes the particle; -1: free
-  Eigen::VectorXd inverse_mass;      // [N] 1/kg; 0 where fixed
-  Eigen::MatrixXd A;                 // [rows x N] the independent rows on several particles
-  std::vector<int> row_pin;          // [rows]
-  Eigen::LLT<Eigen::MatrixXd> gram;  // A M^-1 A^T
+  Held held;
+  Eigen::Vector3d gravity;  // m/s^2
+  double damping = 0;       // 1/s
+  Air air;
+  Outside start;  // where the inputs are before the first advance
 };
 Motion motion_make(const Scene& scene);
 
-// Turns the free rate x [3 N] (an acceleration or a velocity) into the one the pins allow; returns what each
-// pin passes to the outside world [3 pins] (a force or an impulse).
-Eigen::VectorXd constrain(const Motion& motion, Eigen::VectorXd& x);
+// Where the parts of y begin.
+struct Layout {
+  Eigen::Index velocity, impulse, angular, given, taken, time, size;
+};
+Layout layout_of(const Lattice& lattice);
 
-// dy/dt; its last part is the force of each pin on the outside world.
-Eigen::VectorXd motion_rate(const Motion& motion, const Eigen::VectorXd& y);
+// dy/dt within an advance: for J and L force and torque of each pin on the outside world.
+Eigen::VectorXd motion_rate(const Motion& motion, const Course& course, const Eigen::VectorXd& y);
 
-// The start: what velocity the pins do not allow they take up as a first impulse.
+// The start: what velocity the pins at rest do not allow they take up as a first impulse.
 Eigen::VectorXd motion_start(const Motion& motion);
+
+// Puts y to the beginning of an advance: what is held goes to where its pins are, and takes up the jump of
+// their velocities; impulses and work are booked.
+void motion_begin(const Motion& motion, const Course& course, Eigen::VectorXd& y);
+
+struct Energy {  // J
+  double kinetic, stretch, shear, bending, gravity;
+  double total() const { return kinetic + stretch + shear + bending + gravity; }
+};
+Energy motion_energy(const Motion& motion, const Turns& turns, const Eigen::VectorXd& y);
+Turns turns_of(const Outside& outside);
+
+// The largest force left on a particle at rest at r [3 N], constraints taken out, and that over the larger of
+// the total weight and the pins' total force. Equations: core/README.md, "Fit".
+struct Residual {
+  double force, ratio;  // N, 1
+};
+Residual residual(const Motion& motion, const Outside& outside, const Eigen::VectorXd& r);
 
 struct Accuracy {
   double rtol = 1e-10;    // relative; absolute: rtol times one cell, 1 m/s, and total mass times 1 m/s
@@ -49,7 +71,10 @@ using SolverHandle = std::unique_ptr<Solver, SolverClose>;
 // All of these throw std::runtime_error with one sentence that names the time and ARKODE's flag. The motion
 // must outlive the solver.
 SolverHandle solver_open(const Motion& motion, const Eigen::VectorXd& y, const Accuracy& accuracy);
-Eigen::VectorXd solver_advance(Solver& solver, double time);  // the state at that time
+// The state at that time, with the inputs on their way to `to`; one step ends exactly there.
+Eigen::VectorXd solver_advance(Solver& solver, double time, const Outside& to);
+Eigen::VectorXd solver_advance(Solver& solver, double time);  // with the inputs staying where they are
+const Outside& solver_outside(const Solver& solver);          // where they are
 double solver_last_step(Solver& solver);                      // s; 0 before the first
 long solver_step_count(Solver& solver);
 

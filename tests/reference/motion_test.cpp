@@ -26,6 +26,8 @@ Reached state_at(const Motion& motion, double time, const Accuracy& accuracy) {
   return {y, solver_step_count(*solver)};
 }
 
+Course standing(const Motion& motion) { return course_make(motion.lattice, motion.start, motion.start, 1); }
+
 // v = v_inf + (v_0 - v_inf) e^{-ct}, r = r_0 + v_inf t + (v_0 - v_inf)(1 - e^{-ct})/c, v_inf = g/c.
 TEST(ReferenceMotion, FallsWithDamping) {
   const double c = 8, t = 0.1, rtol = 1e-12;
@@ -71,7 +73,7 @@ TEST(ReferenceMotion, HangingStripComesToItsDiscreteAnswer) {
 
   VectorXd still = motion_start(motion);
   still.head(n) = answer;
-  const VectorXd rate = motion_rate(motion, still);
+  const VectorXd rate = motion_rate(motion, standing(motion), still);
   EXPECT_LE(rate.segment(n, n).lpNorm<Eigen::Infinity>(), 1e-9 * kG);
   const double weight = 0.15 * b * cells * b * kG;
   EXPECT_NEAR(rate[2 * n + 2], -weight, 1e-11 * weight);
@@ -91,7 +93,7 @@ TEST(ReferenceMotion, SlackStripHangsAsADiscreteCatenary) {
   const Motion motion = motion_make(scene);
   const Eigen::Index n = 3 * motion.lattice.count;
   const VectorXd y = state_at(motion, 1.2, {1e-11, 8, 0}).y;
-  const VectorXd rate = motion_rate(motion, y);
+  const VectorXd rate = motion_rate(motion, standing(motion), y);
   ASSERT_LE(rate.segment(n, n).lpNorm<Eigen::Infinity>(), 1e-7 * kG);  // at rest
 
   const double H = rate[2 * n + 1] / 2;  // of each of the two threads, along y
@@ -170,9 +172,10 @@ TEST(ReferenceMotion, KeepsIndependentRowsOnly) {
       pin_at("all", {{0.011, 0.012}, {0.018, 0.013}, {0.012, 0.018}, {0.017, 0.017}, {0.015, 0.015}})};
   const Motion motion = motion_make(scene);
   ASSERT_EQ(motion.lattice.rows.size(), 5u);
-  EXPECT_EQ(motion.A.rows(), 4);
+  EXPECT_EQ(motion.held.A.rows(), 4);
   VectorXd x = crumpled(motion.lattice, 1, 2);
-  constrain(motion, x);
+  const std::vector<Vector3d> still(5, Vector3d::Zero());
+  hold(motion.lattice, motion.held, still, still, x);
   for (const Row& row : motion.lattice.rows) EXPECT_LE(point_value(row.point, x).norm(), 1e-12);
 }
 

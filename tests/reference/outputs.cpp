@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "reference/forces.h"
+#include "reference/names.h"
 
 namespace drape::reference {
 namespace {
@@ -53,38 +54,40 @@ double beyond_test_count(const Lattice& lattice, const VectorXd& r) {
   return count;
 }
 
-void push_energies(std::vector<double>& row, const Motion& motion, const VectorXd& r, const VectorXd& v) {
-  const Lattice& lattice = motion.lattice;
-  double kinetic = 0, gravity = 0;
-  for (int n = 0; n < lattice.count; ++n) {
-    const double m = lattice.mass[std::size_t(n)];
-    kinetic += m * v.segment<3>(3 * n).squaredNorm() / 2;
-    gravity -= m * motion.gravity.dot(r.segment<3>(3 * n));
-  }
-  row.insert(row.end(), {kinetic, stretch_energy(lattice, r), shear_energy(lattice, r),
-                         bending_energy(lattice, r), gravity});
+// The solver's own error appears as balance_error: exactly it is 0.
+void push_energies(std::vector<double>& row, const Motion& motion, const Sample& sample) {
+  const Layout at = layout_of(motion.lattice);
+  const Energy energy = motion_energy(motion, turns_of(sample.outside), sample.y);
+  const double given = sample.y[at.given], taken = sample.y[at.taken];
+  row.insert(row.end(), {energy.kinetic, energy.stretch, energy.shear, energy.bending, energy.gravity, taken,
+                         given, energy.total() - sample.energy_start - given + taken});
 }
 
 }  // namespace
 
-std::vector<std::string> output_columns(const Scene& scene, const Lattice& lattice, OutputChoice choice) {
+std::vector<std::string> output_columns(const Scene& scene, const Lattice& lattice, bool nodes) {
   std::vector<std::string> names{"time"};
   for (const ProbeSpec& probe : scene.probes) {
-    push_axes(names, "probe." + probe.name + ".position");
-    push_axes(names, "probe." + probe.name + ".velocity");
+    push_axes(names, variable_prefix("probe", probe.name) + "position");
+    push_axes(names, variable_prefix("probe", probe.name) + "velocity");
   }
-  for (const std::string& pin : lattice.pins) push_axes(names, "pin." + pin + ".force");
+  for (const Pin& pin : lattice.pins) {
+    push_axes(names, variable_prefix("pin", pin.name) + "force");
+    push_axes(names, variable_prefix("pin", pin.name) + "torque");
+  }
   for (const char* direction : {"warp", "weft", "bias"}) {
     for (const char* what : {".min", ".max", ".mean"})
       names.push_back(std::string("strain.") + direction + what);
   }
   names.insert(names.end(), {"tension.max", "strain.beyond_test.count", "step.size", "step.count"});
-  if (choice.energy) {
-    for (const char* kind : {"kinetic", "stretch", "shear", "bending", "gravity"}) {
+  if (scene.mode == Mode::kFit) names.push_back("fit.residual");
+  if (scene.energy) {
+    for (const char* kind :
+         {"kinetic", "stretch", "shear", "bending", "gravity", "dissipated", "input", "balance_error"}) {
       names.push_back(std::string("energy.") + kind);
     }
   }
-  if (!choice.nodes) return names;
+  if (!nodes) return names;
   for (const char* what : {"node.position[", "node.velocity["}) {
     for (int n = 1; n <= lattice.count; ++n) {
       for (const char* axis : {",1]", ",2]", ",3]"}) names.push_back(what + std::to_string(n) + axis);
@@ -93,23 +96,27 @@ std::vector<std::string> output_columns(const Scene& scene, const Lattice& latti
   return names;
 }
 
-std::vector<double> output_row(const Motion& motion, OutputChoice choice, double time, const VectorXd& y,
-                               const VectorXd& pin_force, double last_step, long step_count) {
+std::vector<double> output_row(const Scene& scene, const Motion& motion, bool nodes, const Sample& sample) {
   const Lattice& lattice = motion.lattice;
-  const VectorXd r = y.head(3 * lattice.count), v = y.segment(3 * lattice.count, 3 * lattice.count);
-  std::vector<double> row{time};
+  const VectorXd r = sample.y.head(3 * lattice.count),
+                 v = sample.y.segment(3 * lattice.count, 3 * lattice.count);
+  std::vector<double> row{sample.time};
   for (const Point& probe : lattice.probes) {
     push(row, point_value(probe, r));
     push(row, point_value(probe, v));
   }
-  row.insert(row.end(), pin_force.begin(), pin_force.end());
+  for (std::size_t k = 0; k < lattice.pins.size(); ++k) {
+    push(row, sample.pins.force.segment<3>(3 * Eigen::Index(k)));
+    push(row, sample.pins.torque.segment<3>(3 * Eigen::Index(k)));
+  }
   push_strain(row, lattice.warp, r);
   push_strain(row, lattice.weft, r);
   push_strain(row, lattice.bias, r);
-  row.insert(row.end(),
-             {tension_max(lattice, r), beyond_test_count(lattice, r), last_step, double(step_count)});
-  if (choice.energy) push_energies(row, motion, r, v);
-  if (!choice.nodes) return row;
+  row.insert(row.end(), {tension_max(lattice, r), beyond_test_count(lattice, r), sample.step_size,
+                         double(sample.step_count)});
+  if (scene.mode == Mode::kFit) row.push_back(residual(motion, sample.outside, r).ratio);
+  if (scene.energy) push_energies(row, motion, sample);
+  if (!nodes) return row;
   row.insert(row.end(), r.begin(), r.end());
   row.insert(row.end(), v.begin(), v.end());
   return row;

@@ -4,15 +4,18 @@
 
 namespace drape::reference {
 
-struct OutputChoice {
-  bool energy = false, nodes = false;
+std::vector<std::string> output_columns(const Scene& scene, const Lattice& lattice, bool nodes);
+
+// A row's data at a time.
+struct Sample {
+  double time;
+  Eigen::VectorXd y;
+  Outside outside;
+  Passed pins;          // mean force and torque on the outside world over the last advance
+  double energy_start;  // J
+  double step_size;
+  long step_count;
 };
-
-std::vector<std::string> output_columns(const Scene& scene, const Lattice& lattice, OutputChoice choice);
-
-// The row at a time. pin_force [3 pins] is on the outside world.
-std::vector<double> output_row(const Motion& motion, OutputChoice choice, double time,
-                               const Eigen::VectorXd& y, const Eigen::VectorXd& pin_force, double last_step,
-                               long step_count);
+std::vector<double> output_row(const Scene& scene, const Motion& motion, bool nodes, const Sample& sample);
 
 }  // namespace drape::reference

@@ -1,7 +1,10 @@
-// Output times are k every and the end. A row's pin force is the mean over the interval since the row before,
-// (J(t_k) - J(t_{k-1})) / (t_k - t_{k-1}); the first row has the value at the start.
+// Output times are k every and the end. Between two of them lies one advance; with inputs, advances as long
+// as scene.communication (the last may be shorter), each to the inputs at its end. A row's pin forces and
+// torques are the mean over the advance before it, (J(t) - J(t - H))/H, what the pins take up at the start
+// belonging to the first one; the first row has the values at the start.
 #include "reference/run.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -11,7 +14,6 @@
 namespace drape::reference {
 namespace {
 
-using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr double kRtolLeast = 1e-12, kRtolMost = 1e-3;
@@ -33,35 +35,91 @@ bool options_good(const Options& o, double until, double every, const Sink& sink
   return good;
 }
 
-void run(const Scene& scene, const Options& options, double until, double every, const Sink& sink) {
-  const Motion motion = motion_make(scene);
-  const OutputChoice choice{scene.energy, options.nodes};
-  const Index pin_values = 3 * Index(motion.lattice.pins.size());
-  sink.columns(output_columns(scene, motion.lattice, choice));
+// The cloth on its way.
+struct Run {
+  const Scene& scene;
+  const Options& options;
+  Motion motion;
+  SolverHandle solver;
+  Sample sample;
+};
 
-  VectorXd y = motion_start(motion);
-  SolverHandle solver = solver_open(motion, y, {options.rtol, options.order, 0});
-  sink.row(output_row(motion, choice, 0, y, motion_rate(motion, y).tail(pin_values), 0, 0));
-  double time = 0;
-  for (long k = 1; time < until; ++k) {
-    const double asked = double(k) * every, next = asked < until - kSameTime * every ? asked : until;
-    const VectorXd given = y.tail(pin_values);
-    y = solver_advance(*solver, next);
-    const VectorXd pin_force = (y.tail(pin_values) - given) / (next - time);
-    time = next;
-    sink.row(output_row(motion, choice, time, y, pin_force, solver_last_step(*solver),
-                        solver_step_count(*solver)));
+Passed passed_of(const Motion& motion, const VectorXd& y) {
+  const Layout at = layout_of(motion.lattice);
+  return {y.segment(at.impulse, at.angular - at.impulse), y.segment(at.angular, at.given - at.angular)};
+}
+
+void advance(Run& run, double time) {
+  Sample& s = run.sample;
+  const double length = time - s.time;
+  const Passed before = s.time > 0 ? passed_of(run.motion, s.y) : passed_of(run.motion, 0 * s.y);
+  const Inputs& inputs = run.options.inputs;
+  s.y = inputs.time.empty()
+            ? solver_advance(*run.solver, time)
+            : solver_advance(*run.solver, time, inputs_at(inputs, run.scene, run.motion.lattice, time));
+  const Passed after = passed_of(run.motion, s.y);
+  s.pins = {(after.force - before.force) / length, (after.torque - before.torque) / length};
+  s.time = time;
+  s.outside = solver_outside(*run.solver);
+  s.step_size = solver_last_step(*run.solver);
+  s.step_count = solver_step_count(*run.solver);
+}
+
+void advance_in_intervals(Run& run, double time) {
+  const double q = run.scene.communication, begin = run.sample.time;
+  const double steps =
+      run.options.inputs.time.empty() ? 1 : std::max(1.0, std::ceil((time - begin) / q - 1e-9));
+  for (double k = 1; k <= steps; ++k) advance(run, k < steps ? begin + k * q : time);
+}
+
+Run run_open(const Scene& scene, const Options& options) {
+  Run run{scene, options, motion_make(scene), {}, {}};
+  Motion& motion = run.motion;
+  if (!options.inputs.time.empty())
+    motion.start.wind = inputs_at(options.inputs, scene, motion.lattice, 0).wind;
+  const VectorXd y = motion_start(motion);
+  const Course still = course_make(motion.lattice, motion.start, motion.start, 1);
+  run.sample = {0,
+                y,
+                motion.start,
+                passed_of(motion, motion_rate(motion, still, y)),
+                motion_energy(motion, turns_of(motion.start), y).total(),
+                0,
+                0};
+  return run;
+}
+
+void run_rows(const Scene& scene, const Options& options, double until, double every, const Sink& sink) {
+  Run run = run_open(scene, options);
+  run.solver = solver_open(run.motion, run.sample.y, {options.rtol, options.order, 0});
+  sink.columns(output_columns(scene, run.motion.lattice, options.nodes));
+  sink.row(output_row(scene, run.motion, options.nodes, run.sample));
+  for (long k = 1; run.sample.time < until; ++k) {
+    const double asked = double(k) * every;
+    advance_in_intervals(run, asked < until - kSameTime * every ? asked : until);
+    sink.row(output_row(scene, run.motion, options.nodes, run.sample));
   }
 }
 
 }  // namespace
+
+ReferenceState reference_state_at(const Scene& scene, const Inputs& inputs, double time, double rtol) {
+  Options options;
+  options.rtol = rtol;
+  options.inputs = inputs;
+  Run run = run_open(scene, options);
+  run.solver = solver_open(run.motion, run.sample.y, {rtol, options.order, 0});
+  advance_in_intervals(run, time);
+  const Eigen::Index n = 3 * run.motion.lattice.count;
+  return {run.sample.y.head(n), run.sample.y.segment(n, n)};
+}
 
 int reference_run(const Scene& scene, const Options& options, const Sink& sink) {
   const double until = options.until == 0 ? scene.duration : options.until;
   const double every = options.every == 0 ? scene.duration / 100 : options.every;
   if (!options_good(options, until, every, sink)) return 1;
   try {
-    run(scene, options, until, every, sink);
+    run_rows(scene, options, until, every, sink);
   } catch (const std::exception& problem) {
     sink.error(problem.what());
     return 2;

@@ -1,5 +1,6 @@
 // The only file that knows SUNDIALS: y' = motion_rate(y) by ARKODE's ERKStep with embedded error control,
-// each step ending exactly at the asked time. Source: SUNDIALS 6.4.1, ARKODE user guide, "Using ERKStep".
+// each advance ending exactly at the asked time, where the inputs have a kink. Source: SUNDIALS 6.4.1, ARKODE
+// user guide, "Using ERKStep".
 #include <arkode/arkode_erkstep.h>
 #include <nvector/nvector_serial.h>
 
@@ -17,6 +18,8 @@ struct Solver {
   N_Vector y = nullptr, tolerance = nullptr;
   void* arkode = nullptr;
   double time = 0;
+  Course course;        // of the present advance
+  Outside outside;      // at its end
   std::string message;  // ARKODE's last words
 };
 
@@ -29,7 +32,8 @@ Eigen::Map<VectorXd> view(N_Vector v) { return {N_VGetArrayPointer(v), Eigen::In
 // Numbers that are not finite are no state to go on from: ARKODE is told to stop.
 int rate(realtype, N_Vector y, N_Vector ydot, void* user) {
   const VectorXd state = view(y);
-  view(ydot) = motion_rate(*static_cast<const Solver*>(user)->motion, state);
+  const Solver& solver = *static_cast<const Solver*>(user);
+  view(ydot) = motion_rate(*solver.motion, solver.course, state);
   return view(ydot).allFinite() ? 0 : -1;
 }
 
@@ -51,8 +55,8 @@ void demand(const Solver& solver, int flag, const char* call) {
 
 // ARKODE's own choice of method by order. SUNDIALS 6.4.1 takes a table whose last stage lies at c = 1 for one
 // whose last stage is the next step's first (LLNL/sundials issue 311), and then starts each step with a wrong
-// slope: Verner's 6 falls to order 3, Fehlberg's 8 to about 6. Our equations do not contain the time, so any
-// c does, and 0 makes it evaluate anew.
+// slope: Verner's 6 falls to order 3, Fehlberg's 8 to about 6. Our equations have the time among their
+// states, not as ARKODE's, so any c does, and 0 makes it evaluate anew.
 void set_method(Solver& solver, int order) {
   constexpr int kTables[] = {ERKSTEP_DEFAULT_2, ERKSTEP_DEFAULT_3, ERKSTEP_DEFAULT_4, ERKSTEP_DEFAULT_5,
                              ERKSTEP_DEFAULT_6, ERKSTEP_DEFAULT_8, ERKSTEP_DEFAULT_8};
@@ -66,13 +70,15 @@ void set_method(Solver& solver, int order) {
 
 void set_tolerance(Solver& solver, double rtol) {
   const Lattice& lattice = solver.motion->lattice;
-  const Eigen::Index n = 3 * lattice.count;
+  const Layout at = layout_of(lattice);
   double mass = 0;
   for (double m : lattice.mass) mass += m;
   auto tolerance = view(solver.tolerance);
-  tolerance.head(n).setConstant(rtol * lattice.cell);
-  tolerance.segment(n, n).setConstant(rtol * 1.0);
-  tolerance.tail(tolerance.size() - 2 * n).setConstant(rtol * mass * 1.0);
+  tolerance.setConstant(rtol * mass * 1.0);  // of impulses and work: the mass at 1 m/s
+  tolerance.head(at.velocity).setConstant(rtol * lattice.cell);
+  tolerance.segment(at.velocity, at.velocity).setConstant(rtol * 1.0);
+  tolerance.segment(at.angular, at.given - at.angular).setConstant(rtol * mass * 1.0 * lattice.cell);
+  tolerance[at.time] = 1.0;  // exact by every method
   demand(solver, ERKStepSVtolerances(solver.arkode, rtol, solver.tolerance), "ERKStepSVtolerances");
 }
 
@@ -90,6 +96,7 @@ SolverHandle solver_open(const Motion& motion, const VectorXd& y, const Accuracy
   SolverHandle handle(new Solver);
   Solver& s = *handle;
   s.motion = &motion;
+  s.outside = motion.start;
   if (SUNContext_Create(nullptr, &s.context) != 0) throw std::runtime_error("SUNDIALS gives no context");
   s.y = N_VNew_Serial(y.size(), s.context);
   s.tolerance = N_VNew_Serial(y.size(), s.context);
@@ -108,15 +115,25 @@ SolverHandle solver_open(const Motion& motion, const VectorXd& y, const Accuracy
   return handle;
 }
 
-VectorXd solver_advance(Solver& s, double time) {
+VectorXd solver_advance(Solver& s, double time, const Outside& to) {
+  s.course = course_make(s.motion->lattice, s.outside, to, time - s.time);
+  VectorXd y = view(s.y);
+  motion_begin(*s.motion, s.course, y);
+  view(s.y) = y;
+  demand(s, ERKStepReset(s.arkode, s.time, s.y), "ERKStepReset");
   demand(s, ERKStepSetStopTime(s.arkode, time), "ERKStepSetStopTime");
   realtype reached = s.time;
   const int flag = ERKStepEvolve(s.arkode, time, s.y, &reached, ARK_NORMAL);
   s.time = reached;
   demand(s, flag, "ERKStepEvolve");
   s.time = time;
+  s.outside = course_at(s.course, s.course.length);
   return view(s.y);
 }
+
+VectorXd solver_advance(Solver& s, double time) { return solver_advance(s, time, s.outside); }
+
+const Outside& solver_outside(const Solver& s) { return s.outside; }
 
 double solver_last_step(Solver& s) {
   realtype step = 0;

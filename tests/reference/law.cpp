@@ -1,0 +1,73 @@
+// Equations: core/README.md, section 3, "Laws per width".
+#include "reference/law.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace drape::reference {
+namespace {
+
+const double kRoot2 = std::sqrt(2.0);
+
+bool switched_on(const DiagramSpec& d) {
+  return std::any_of(d.force.begin(), d.force.end(), [](double f) { return f != 0; });
+}
+
+// P_i = z F_i / (K w_p): the diagram as force per width.
+std::vector<double> per_width(const DiagramSpec& d, double z, double K, double strip_width) {
+  std::vector<double> P;
+  for (double F : d.force) P.push_back(z * F / (K * strip_width));
+  return P;
+}
+
+// P_i q_i with the stored correction q, 1 where there is none.
+std::vector<double> corrected(std::vector<double> P, const DiagramSpec& d) {
+  for (std::size_t i = 0; i < d.correction.size(); ++i) P[i] *= d.correction[i];
+  return P;
+}
+
+}  // namespace
+
+Law thread_law(const Scene& scene, const FabricSpec& fabric, const DiagramSpec& d, double b) {
+  if (!switched_on(d)) return {Curve{}, std::numeric_limits<double>::infinity()};
+  const double z = scene.scaling == Scaling::kPaperArea ? b / fabric.strip_gauge : 1;
+  const std::vector<double> P = corrected(per_width(d, z, 1, fabric.strip_width), d);
+  return {curve_make(d.elongation, P, Below::kCompression, fabric.compression, fabric.compression_blend),
+          d.elongation.back()};
+}
+
+namespace {
+
+// K = r (r - 1.25)/(r - 1)^2: how much the jaws stiffen a strip cut at 45 degrees, r = gauge/width.
+double clamp_stiffening(const FabricSpec& fabric) {
+  const double r = fabric.strip_gauge / fabric.strip_width;
+  return r * (r - 1.25) / ((r - 1) * (r - 1));
+}
+
+}  // namespace
+
+Law bias_law(const Scene& scene, const FabricSpec& fabric, double b) {
+  const DiagramSpec& d = fabric.bias;
+  if (!switched_on(d)) return {Curve{}, std::numeric_limits<double>::infinity()};
+  const double z = scene.scaling == Scaling::kPaperArea ? kRoot2 * b / fabric.strip_gauge : 1;
+  const bool stored = !d.correction.empty();
+  const double K = scene.clamp_correction && !stored ? clamp_stiffening(fabric) : 1;
+  const std::vector<double> P = per_width(d, z, K, fabric.strip_width);
+  const double end = d.elongation.back();
+  if (scene.bias_model == BiasModel::kTension) {
+    return {curve_make(d.elongation, corrected(P, d), Below::kCompression, 0, fabric.compression_blend), end};
+  }
+  if (scene.bias_model == BiasModel::kPaper) {
+    return {curve_make(d.elongation, corrected(P, d), Below::kCompression, fabric.compression,
+                       fabric.compression_blend),
+            end};
+  }
+  if (!stored) return {odd_law(d.elongation, P), end};
+  const std::vector<double> kept = below_locking(d.elongation);
+  std::vector<double> g = corrected(P, d);
+  g.resize(kept.size());
+  return {curve_make(kept, g, Below::kOdd), end};
+}
+
+}  // namespace drape::reference
