@@ -56,7 +56,7 @@ Outside course_at(const Course& course, double time) {
   return outside;
 }
 
-Outside inputs_at(const Inputs& inputs, const Scene& scene, const Lattice& lattice, double time) {
+Outside inputs_at(const InputTable& inputs, const Scene& scene, const Lattice& lattice, double time) {
   Outside outside = outside_start(scene, lattice);
   if (inputs.time.empty()) return outside;
   const auto above = std::upper_bound(inputs.time.begin(), inputs.time.end(), time);
@@ -68,6 +68,11 @@ Outside inputs_at(const Inputs& inputs, const Scene& scene, const Lattice& latti
     if (!value) throw std::runtime_error("'" + inputs.names[k] + "' is no input of this scene");
     *value = inputs.value[a][k] + share * (inputs.value[b][k] - inputs.value[a][k]);
   }
+  for (std::size_t k = 0; k < lattice.pins.size(); ++k)
+    if (!(outside.pins[k].R.norm() > 0))
+      throw std::runtime_error(variable_prefix("pin", lattice.pins[k].name) +
+                               "orientation has length 0 at t = " + std::to_string(time) +
+                               " s; allowed: above 0");
   return outside;
 }
 

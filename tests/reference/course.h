@@ -27,12 +27,12 @@ Outside course_at(const Course& course, double time);  // since the beginning of
 
 // Columns of inputs by the names of the FMU's variables, linear between the rows; the first and the last row
 // hold outside. Inputs without a column keep their start values.
-struct Inputs {
+struct InputTable {
   std::vector<std::string> names;          // [columns]
   std::vector<double> time;                // [rows] s, rising; none: no inputs
   std::vector<std::vector<double>> value;  // [rows][columns]
 };
 // The inputs at a time; throws std::runtime_error where a name is no input of the scene.
-Outside inputs_at(const Inputs& inputs, const Scene& scene, const Lattice& lattice, double time);
+Outside inputs_at(const InputTable& inputs, const Scene& scene, const Lattice& lattice, double time);
 
 }  // namespace drape::reference

@@ -53,7 +53,7 @@ void advance(Run& run, double time) {
   Sample& s = run.sample;
   const double length = time - s.time;
   const Passed before = s.time > 0 ? passed_of(run.motion, s.y) : passed_of(run.motion, 0 * s.y);
-  const Inputs& inputs = run.options.inputs;
+  const InputTable& inputs = run.options.inputs;
   s.y = inputs.time.empty()
             ? solver_advance(*run.solver, time)
             : solver_advance(*run.solver, time, inputs_at(inputs, run.scene, run.motion.lattice, time));
@@ -103,7 +103,7 @@ void run_rows(const Scene& scene, const Options& options, double until, double e
 
 }  // namespace
 
-ReferenceState reference_state_at(const Scene& scene, const Inputs& inputs, double time, double rtol) {
+ReferenceState reference_state_at(const Scene& scene, const InputTable& inputs, double time, double rtol) {
   Options options;
   options.rtol = rtol;
   options.inputs = inputs;

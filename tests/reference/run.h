@@ -17,7 +17,7 @@ struct Options {
   double until = 0;     // s; 0 = scene.duration
   double every = 0;     // s; 0 = scene.duration / 100
   bool nodes = false;   // node.position and node.velocity too
-  Inputs inputs{};
+  InputTable inputs{};
 };
 
 struct Sink {
@@ -31,7 +31,7 @@ struct Sink {
 struct ReferenceState {
   Eigen::VectorXd r, v;
 };
-ReferenceState reference_state_at(const Scene& scene, const Inputs& inputs, double time, double rtol);
+ReferenceState reference_state_at(const Scene& scene, const InputTable& inputs, double time, double rtol);
 
 // 0 done, 1 bad options, 2 failed run.
 int reference_run(const Scene& scene, const Options& options, const Sink& sink);
