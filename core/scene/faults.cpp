@@ -35,10 +35,18 @@ std::string fault_place(const Faults& faults, const std::string& path) {
 
 void fault_add(Faults& faults, const std::string& path, const std::string& message) {
   fault_add_at(faults, place_find(faults, path), fault_place(faults, path), message);
+  faults.found.back().path = path;
+}
+
+bool fault_within(const Faults& faults, const std::string& path) {
+  return std::any_of(faults.found.begin(), faults.found.end(), [&](const Faults::Found& f) {
+    return f.path.compare(0, path.size(), path) == 0 &&
+           (f.path.size() == path.size() || f.path[path.size()] == '.' || f.path[path.size()] == '[');
+  });
 }
 
 void fault_add_at(Faults& faults, const Place& at, const std::string& place, const std::string& message) {
-  faults.found.push_back({at, {one_line(place), one_line(message)}});
+  faults.found.push_back({at, {one_line(place), one_line(message)}, ""});
 }
 
 void faults_report(const Faults& faults, std::vector<Problem>& problems) {

@@ -19,6 +19,7 @@ struct Faults {
   struct Found {
     Place place;
     Problem problem;
+    std::string path;  // dotted; "" where none stands for the place
   };
   std::vector<Found> found;
 };
@@ -26,6 +27,9 @@ struct Faults {
 // Adds a fault. Its line is that of the longest beginning of the path that has one: a missing key is reported
 // on the line of its table, an entry on that of its list.
 void fault_add(Faults& faults, const std::string& path, const std::string& message);
+
+// True if there is a fault at the path or in what it holds.
+bool fault_within(const Faults& faults, const std::string& path);
 
 // "scene.toml:12: scene.step", the place of such a fault.
 std::string fault_place(const Faults& faults, const std::string& path);

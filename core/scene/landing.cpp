@@ -3,49 +3,13 @@
 #include <algorithm>
 #include <optional>
 
+#include "scene/keys.h"
+
 namespace drape {
 
 namespace {
 
 std::string entry(const std::string& path, std::size_t i) { return path + "[" + std::to_string(i) + "]"; }
-
-std::string with_unit(const std::string& number, const Key& key) {
-  return *key.unit ? number + " " + key.unit : number;
-}
-
-std::string words_text(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + in_quotes(word);
-  return text;
-}
-
-std::string range_text(const Key& key) {
-  const Range& r = key.range;
-  const std::string high = with_unit(number_text(r.high), key);
-  return r.above ? "above " + number_text(r.low) + ", at most " + high
-                 : "from " + number_text(r.low) + " to " + high;
-}
-
-// What a key takes, for messages.
-struct Wanted {
-  const Key& key;
-  std::string of(const char* what) const { return *key.unit ? std::string(what) + " in " + key.unit : what; }
-
-  std::string operator()(Elsewhere) const { return "a table"; }
-  std::string operator()(Later) const { return "nothing"; }
-  std::string operator()(std::string*) const { return "a text"; }
-  std::string operator()(const Name&) const { return "a name in quotes"; }
-  std::string operator()(double*) const { return of("a number"); }
-  std::string operator()(const Auto&) const { return "\"auto\" or " + of("a number"); }
-  std::string operator()(const Flag&) const { return "true or false"; }
-  std::string operator()(const Choice& c) const { return words_text(c.words); }
-  std::string operator()(const Reference& r) const { return std::string("the name of a ") + r.kind; }
-  std::string operator()(Vec2*) const { return of("a list of two numbers"); }
-  std::string operator()(Vec3*) const { return of("a list of three numbers"); }
-  std::string operator()(std::vector<double>*) const { return of("a list of numbers"); }
-  std::string operator()(std::vector<int>*) const { return of("a list of whole numbers"); }
-  std::string operator()(std::vector<Vec2>*) const { return of("a list of points [[x, y], ...]"); }
-};
 
 // Puts one value where it belongs, or adds a fault. Nothing lands from a list with a fault.
 struct Land {
@@ -63,11 +27,11 @@ struct Land {
     double value;
     if (const auto* floating = n.as_floating_point()) value = floating->get();
     else if (const auto* whole = n.as_integer()) value = static_cast<double>(whole->get());
-    else return misfit(at, n, Wanted{key}.of("a number")), std::nullopt;
+    else return misfit(at, n, key_number_wanted(key)), std::nullopt;
     const Range& r = key.range;
     if (value >= r.low && value <= r.high && !(r.above && value == r.low)) return value / key.per_si;
     place_note(faults, at, n);
-    fault_add(faults, at, "= " + with_unit(number_text(value), key) + "; allowed: " + range_text(key));
+    fault_add(faults, at, "= " + key_number(key, value) + "; allowed: " + key_range(key));
     return std::nullopt;
   }
 
@@ -77,15 +41,22 @@ struct Land {
     return std::nullopt;
   }
 
+  // The entries of a list of `count`.
+  const toml::array* list_of(const toml::node& n, const std::string& at, std::size_t count,
+                             const std::string& want) const {
+    const toml::array* list = n.as_array();
+    if (!list) return misfit(at, n, want), nullptr;
+    if (list->size() == count) return list;
+    place_note(faults, at, n);
+    return fault_add(faults, at, "has " + entries_text(list->size()) + "; wanted: " + want), nullptr;
+  }
+
   template <std::size_t N>
   std::optional<std::array<double, N>> fixed(const toml::node& n, const std::string& at) const {
-    const std::string want = Wanted{key}(static_cast<std::array<double, N>*>(nullptr));
-    const toml::array* list = n.as_array();
-    if (!list) return misfit(at, n, want), std::nullopt;
-    if (list->size() != N) {
-      place_note(faults, at, n);
-      return fault_add(faults, at, "has " + entries_text(list->size()) + "; wanted: " + want), std::nullopt;
-    }
+    const Key of_these{key.name, static_cast<std::array<double, N>*>(nullptr), key.required, key.range,
+                       key.unit};
+    const toml::array* list = list_of(n, at, N, key_wanted(of_these));
+    if (!list) return std::nullopt;
     std::array<double, N> values;
     bool complete = true;
     for (std::size_t i = 0; i < N; ++i) {
@@ -96,18 +67,33 @@ struct Land {
     return complete ? std::optional(values) : std::nullopt;
   }
 
-  template <class T, class Take>
-  void list(std::vector<T>& to, Take take) const {
-    const toml::array* entries = node.as_array();
-    const auto flat = [](const toml::node& n) { return !n.is_array(); };
-    if (!entries) return misfit(path, node, key_wanted(key));
-    if (entries->empty()) return fault_add(faults, path, "is an empty list; wanted: " + key_wanted(key));
-    if (std::is_same_v<T, Vec2> && std::all_of(entries->begin(), entries->end(), flat))
-      return fault_add(faults, path, "is a flat list; wanted: " + key_wanted(key));
-    std::vector<T> values;
+  // A list of one or more; `nested` where its entries are lists themselves.
+  template <class Take>
+  auto list(const toml::node& n, const std::string& at, const std::string& want, bool nested, Take take) const
+      -> std::optional<std::vector<typename decltype(take(n, at))::value_type>> {
+    const toml::array* entries = n.as_array();
+    const auto flat = [](const toml::node& e) { return !e.is_array(); };
+    if (!entries) return misfit(at, n, want), std::nullopt;
+    place_note(faults, at, n);
+    if (entries->empty()) return fault_add(faults, at, "is an empty list; wanted: " + want), std::nullopt;
+    if (nested && std::all_of(entries->begin(), entries->end(), flat))
+      return fault_add(faults, at, "is a flat list; wanted: " + want), std::nullopt;
+    std::vector<typename decltype(take(n, at))::value_type> values;
     for (std::size_t i = 0; i < entries->size(); ++i)
-      if (const std::optional<T> value = take((*entries)[i], entry(path, i))) values.push_back(*value);
-    if (values.size() == entries->size()) to = values;
+      if (auto value = take((*entries)[i], entry(at, i))) values.push_back(std::move(*value));
+    if (values.size() != entries->size()) return std::nullopt;
+    return values;
+  }
+
+  std::optional<std::vector<Vec2>> points(const toml::node& n, const std::string& at) const {
+    const Key of_these{key.name, static_cast<std::vector<Vec2>*>(nullptr), key.required, key.range, key.unit};
+    return list(n, at, key_wanted(of_these), true,
+                [&](const toml::node& e, const std::string& e_at) { return fixed<2>(e, e_at); });
+  }
+
+  template <class T, class U>
+  static void put(T* to, std::optional<U> value) {
+    if (value) *to = std::move(*value);
   }
 
   // A word of TOML text, passed on to `take`.
@@ -119,6 +105,18 @@ struct Land {
 
   void operator()(Elsewhere) const {}
   void operator()(Later) const { fault_add(faults, path, "is not supported by this version"); }
+  void operator()(const Only& only) const {
+    const auto refuse = [&](const auto& own, const std::string& value) {
+      if (own->get() != std::get<std::decay_t<decltype(own->get())>>(only.value))
+        fault_add(faults, path, "= " + value + "; allowed: " + key_wanted(key) + " in this version");
+    };
+    const bool wants_flag = std::holds_alternative<bool>(only.value);
+    if (const auto* flag = node.as_boolean(); flag && wants_flag)
+      refuse(flag, flag->get() ? "true" : "false");
+    else if (const auto* whole = node.as_integer(); whole && !wants_flag)
+      refuse(whole, std::to_string(whole->get()));
+    else misfit(path, node, key_wanted(key));
+  }
   void operator()(std::string* to) const {
     word([&](const std::string& text) { *to = text; });
   }
@@ -128,14 +126,11 @@ struct Land {
       if (!name_fits(text)) fault_add(faults, path, "= " + in_quotes(text) + " " + kNameRule);
     });
   }
-  void operator()(double* to) const {
-    if (const auto value = number(node, path)) *to = *value;
-  }
   void operator()(const Auto& automatic) const {
     const auto* text = node.as_string();
     if (text && text->get() == "auto") *automatic.to = 0;
     else if (text) fault_add(faults, path, "= " + in_quotes(text->get()) + "; wanted: " + key_wanted(key));
-    else (*this)(automatic.to);
+    else put(automatic.to, number(node, path));
   }
   void operator()(const Flag& flag) const {
     if (const auto* value = node.as_boolean()) *flag.to = value->get();
@@ -160,20 +155,47 @@ struct Land {
                       "; known: " + words_text(*reference.names));
     });
   }
-  void operator()(Vec2* to) const {
-    if (const auto values = fixed<2>(node, path)) *to = *values;
+  void operator()(double* to) const { put(to, number(node, path)); }
+  void operator()(int* to) const { put(to, whole(node, path)); }
+  void operator()(const Whole& w) const {
+    if (!node.is_integer()) return misfit(path, node, key_wanted(key));
+    if (number(node, path)) *w.to = node.as_integer()->get();
   }
-  void operator()(Vec3* to) const {
-    if (const auto values = fixed<3>(node, path)) *to = *values;
+  void operator()(const Pair& pair) const {
+    if (!node.is_array()) {
+      if (!node.is_number()) return misfit(path, node, key_wanted(key));
+      if (const auto value = number(node, path)) *pair.to = {*value, *value};
+    } else if (list_of(node, path, 2, key_wanted(key))) {
+      put(pair.to, fixed<2>(node, path));
+    }
   }
+  void operator()(Vec2* to) const { put(to, fixed<2>(node, path)); }
+  void operator()(std::optional<Vec2>* to) const { put(to, fixed<2>(node, path)); }
+  void operator()(Vec3* to) const { put(to, fixed<3>(node, path)); }
   void operator()(std::vector<double>* to) const {
-    list(*to, [&](const toml::node& n, const std::string& at) { return number(n, at); });
+    put(to, list(node, path, key_wanted(key), false,
+                 [&](const toml::node& n, const std::string& at) { return number(n, at); }));
   }
   void operator()(std::vector<int>* to) const {
-    list(*to, [&](const toml::node& n, const std::string& at) { return whole(n, at); });
+    put(to, list(node, path, key_wanted(key), false,
+                 [&](const toml::node& n, const std::string& at) { return whole(n, at); }));
   }
-  void operator()(std::vector<Vec2>* to) const {
-    list(*to, [&](const toml::node& n, const std::string& at) { return fixed<2>(n, at); });
+  void operator()(std::vector<Vec2>* to) const { put(to, points(node, path)); }
+  // Where there may be several, there may be none.
+  void operator()(std::vector<std::vector<Vec2>>* to) const {
+    if (const toml::array* none = node.as_array(); none && none->empty()) return;
+    put(to, list(node, path, key_wanted(key), true,
+                 [&](const toml::node& n, const std::string& at) { return points(n, at); }));
+  }
+  void operator()(const Tables& tables) const {
+    const toml::array* entries = node.as_array();
+    if (!entries) return misfit(path, node, key_wanted(key));
+    for (std::size_t i = 0; i < entries->size(); ++i) {
+      const toml::node& n = (*entries)[i];
+      place_note(faults, entry(path, i), n);
+      if (n.is_table()) keys_read(faults, *n.as_table(), entry(path, i), tables.add());
+      else misfit(entry(path, i), n, "a table");
+    }
   }
 };
 
@@ -181,39 +203,6 @@ struct Land {
 
 void value_land(Faults& faults, const std::string& path, const Key& key, const toml::node& node) {
   std::visit(Land{faults, path, key, node}, key.lands);
-}
-
-std::string key_wanted(const Key& key) { return std::visit(Wanted{key}, key.lands); }
-
-const char* node_kind(const toml::node& node) {
-  switch (node.type()) {
-    case toml::node_type::table:
-      return "a table";
-    case toml::node_type::array:
-      return "a list";
-    case toml::node_type::string:
-      return "a text";
-    case toml::node_type::integer:
-      return "a whole number";
-    case toml::node_type::floating_point:
-      return "a number";
-    case toml::node_type::boolean:
-      return "true or false";
-    default:
-      return "a date or time";
-  }
-}
-
-bool name_fits(const std::string& name) {
-  constexpr std::size_t kLongest = 64;
-  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  const auto inner = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; };
-  return !name.empty() && name.size() <= kLongest && letter(name[0]) &&
-         std::all_of(name.begin(), name.end(), inner);
-}
-
-void place_note(Faults& faults, const std::string& path, const toml::node& node) {
-  if (node.source().path) faults.places[path] = {*node.source().path, node.source().begin.line};
 }
 
 }  // namespace drape

@@ -1,7 +1,9 @@
 // Rows of keys: one row says what a key is called, where its value lands, what is allowed, in which unit.
 // Here one value lands; all messages about values are made here.
 #pragma once
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -11,6 +13,8 @@
 #include "scene/scene.h"
 
 namespace drape {
+
+struct Key;
 
 constexpr bool kRequired = true, kOptional = false;
 constexpr bool kAbove = true;  // the low end itself is not allowed
@@ -38,11 +42,26 @@ struct Reference {
   int* to;
   const char* kind;
   const std::vector<std::string>* names;
-};                    // the index of a name
+};  // the index of a name
+struct Whole {
+  std::int64_t* to;
+};  // a whole number
+struct Pair {
+  Vec2* to;
+  const char* names;
+};  // two numbers, or one that stands for both
+struct Only {
+  std::variant<bool, std::int64_t> value;
+};  // a key of the contract of which this version builds one value
+struct Tables {
+  std::function<std::vector<Key>()> add;  // the rows of one more
+};  // a list of tables; those with a fault are there too
 struct Elsewhere {};  // a table with rows of its own
 struct Later {};      // a key of the contract that this version does not build
-using Landing = std::variant<Elsewhere, Later, std::string*, Name, double*, Auto, Flag, Choice, Reference,
-                             Vec2*, Vec3*, std::vector<double>*, std::vector<int>*, std::vector<Vec2>*>;
+using Landing =
+    std::variant<Elsewhere, Later, Only, std::string*, Name, double*, Auto, Flag, Choice, Reference, int*,
+                 Whole, Pair, Vec2*, std::optional<Vec2>*, Vec3*, std::vector<double>*, std::vector<int>*,
+                 std::vector<Vec2>*, std::vector<std::vector<Vec2>>*, Tables>;
 
 struct Key {
   std::string name;  // within its table; "strip.width" is `width` in the table `strip`
@@ -57,8 +76,12 @@ struct Key {
 // keeps its default, empty or -1.
 void value_land(Faults& faults, const std::string& path, const Key& key, const toml::node& node);
 
-// Texts of messages: what a key takes, what a node is.
+// Texts of messages: what a key takes, the range of its numbers, a number in its unit, what a node is.
 std::string key_wanted(const Key& key);
+std::string key_number_wanted(const Key& key);
+std::string key_range(const Key& key);
+std::string key_number(const Key& key, double value);
+std::string words_text(const std::vector<std::string>& words);
 const char* node_kind(const toml::node& node);
 
 // Names become part of variables' names.

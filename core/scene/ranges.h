@@ -21,7 +21,7 @@ inline constexpr Quantity kPoisson{"poisson", 0, 0.999, false, "1"};
 inline constexpr Quantity kCompression{"compression", 0, 1, false, "1"};
 inline constexpr Quantity kGravity{"gravity", -1e4, 1e4, false, "m/s2"};
 inline constexpr Quantity kDamping{"damping", 0, 1e6, false, "1/s"};
-inline constexpr Quantity kSpringDamping{"damping", 0, 10, false, "s"};
+inline constexpr Quantity kSpringDamping{"damping", 0, 1, false, "s"};
 inline constexpr Quantity kFriction{"friction", 0, 10, false, "1"};
 inline constexpr Quantity kAirCoefficient{"air", 0, 1000, false, "1"};
 inline constexpr Quantity kRamp{"parameter_ramp", 0, 1e6, false, "s"};

@@ -1,56 +1,14 @@
 #include "scene/read.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "scene/keys.h"
 #include "scene/rows.h"
+#include "scene/settle.h"
 
 namespace drape {
 
 namespace {
-
-// ---- What a single row cannot say.
-
-// Axes as typed have six digits or so; within that they are made exactly orthonormal: x keeps its direction.
-void place_settle(Faults& faults, const toml::table& table, const std::string& path, PlaceSpec& place) {
-  constexpr double kTolerance = 1e-6;
-  const bool x_given(table["place"]["axis_x"]), y_given(table["place"]["axis_y"]);
-  if (x_given != y_given)
-    return fault_add(faults, path + ".place", "has only one of axis_x and axis_y; wanted: both or neither");
-
-  const auto dot = [](const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
-  Vec3 &x = place.axis_x, &y = place.axis_y;
-  const auto length_check = [&](const Vec3& a, const char* name) {
-    const double length = std::sqrt(dot(a, a));
-    if (!(std::abs(length - 1) <= kTolerance))
-      fault_add(faults, path + ".place." + name,
-                "has length " + number_text(length) + "; wanted: 1, within " + number_text(kTolerance));
-  };
-  length_check(x, "axis_x");
-  length_check(y, "axis_y");
-  if (!(std::abs(dot(x, y)) <= kTolerance))
-    fault_add(faults, path + ".place",
-              "has axis_x . axis_y = " + number_text(dot(x, y)) + "; wanted: 0, a right angle, within " +
-                  number_text(kTolerance));
-
-  const double x_length = std::sqrt(dot(x, x));
-  for (double& v : x) v /= x_length;
-  const double along = dot(x, y);
-  for (int k = 0; k < 3; ++k) y[k] -= along * x[k];
-  const double y_length = std::sqrt(dot(y, y));
-  for (double& v : y) v /= y_length;
-}
-
-void pin_settle(Faults& faults, const toml::table& table, const std::string& path) {
-  const int ways = table.contains("at") + table.contains("edges") + table.contains("region");
-  if (ways != 1)
-    fault_add(faults, path,
-              ways ? "has more than one of at and edges; wanted: one of them"
-                   : "holds nothing; wanted: at or edges");
-}
-
-// ---- Tables of a kind.
 
 std::vector<FabricSpec> fabrics_read(Faults& faults, const Document& document) {
   std::vector<FabricSpec> fabrics;
@@ -115,6 +73,7 @@ std::vector<std::string> names_of(const std::vector<Spec>& specs) {
 void document_read(Faults& faults, const Document& document, Scene& scene) {
   const toml::table& root = document.root;
   keys_read(faults, root, "", scene_keys(scene));
+  scene.has_air = root["air"]["normal"] || root["air"]["tangential"];
   if (!root.contains("scene"))
     fault_add(faults, "scene.name", "is missing; wanted: a table [scene] with a name");
 
@@ -122,9 +81,7 @@ void document_read(Faults& faults, const Document& document, Scene& scene) {
   const std::vector<std::string> fabrics = names_of(scene.fabrics);
   scene.pieces = specs_read<PieceSpec>(
       faults, root, "piece", [&](PieceSpec& p) { return piece_keys(p, fabrics); },
-      [&](const toml::table& t, const std::string& path, PieceSpec& p) {
-        place_settle(faults, t, path, p.place);
-      });
+      [&](const toml::table& t, const std::string& path, PieceSpec& p) { piece_settle(faults, t, path, p); });
   if (!root.contains("piece")) fault_add(faults, "piece", "is missing; wanted: at least one [[piece]]");
 
   const std::vector<std::string> pieces = names_of(scene.pieces);
@@ -146,6 +103,7 @@ Scene scene_read(const std::filesystem::path& file, std::vector<Problem>& proble
     document_read(faults, document, scene);
     std::vector<Problem> found;
     scene_check(scene, found);
+    if (found.empty() && faults.found.empty()) scene_check_layout(scene, found);
     for (const Problem& p : found) fault_add(faults, p.place, p.message);
   }
   faults_report(faults, problems);

@@ -25,4 +25,7 @@ std::string scene_resolve(const std::filesystem::path& file, std::vector<Problem
 // scene_read.
 void scene_check(const Scene& scene, std::vector<Problem>& problems);
 
+// What only the grids of a scene that is otherwise without fault show. Called by scene_read.
+void scene_check_layout(const Scene& scene, std::vector<Problem>& problems);
+
 }  // namespace drape

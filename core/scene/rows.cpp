@@ -9,6 +9,7 @@ namespace {
 constexpr double kPercent = 100;     // per 1
 constexpr double kMicroNcm2 = 1e10;  // uN cm^2 per N m^2
 constexpr Range kPosition{-1e4, 1e4};
+constexpr Range kWhole{-2147483647, 2147483647};  // judged against the outline later
 
 // In the unit of the key.
 constexpr Range range_of(const Quantity& q, double per_si = 1) {
@@ -27,21 +28,24 @@ std::vector<Key> scene_keys(Scene& s) {
       {"scene.communication", &s.communication, kOptional, range_of(kCommunication), "s"},
       {"scene.damping", &s.damping, kOptional, range_of(kDamping), "1/s"},
       {"scene.energy", Flag{&s.energy}},
+      {"scene.wind", &s.wind, kOptional, range_of(kWind), "m/s"},
+      {"scene.mode", Choice{{"dynamic", "fit"}, [&s](int k) { s.mode = Mode(k); }}},
+      {"scene.order", Only{std::int64_t(2)}},
+      {"scene.self_contact", Only{false}},
+      {"scene.imperfection.amplitude", &s.imperfection_amplitude, kRequired, {0, 1, kAbove}, "m"},
+      {"scene.imperfection.seed", Whole{&s.imperfection_seed}, kOptional, {0, 1e15}},
+      {"air.density", &s.air_density, kOptional, {0, 1e4}, "kg/m^3"},
+      {"air.normal", &s.air_normal, kOptional, range_of(kAirCoefficient)},
+      {"air.tangential", &s.air_tangential, kOptional, range_of(kAirCoefficient)},
       {"options.scaling", Choice{{"width", "paper_area"}, [&s](int k) { s.scaling = Scaling(k); }}},
       {"options.bias_model",
        Choice{{"odd", "tension", "paper"}, [&s](int k) { s.bias_model = BiasModel(k); }}},
       {"options.clamp_correction", Flag{&s.clamp_correction}},
+      {"options.outline", Choice{{"cutcell", "paper"}, [&s](int k) { s.outline = OutlineModel(k); }}},
       {"fabric", Elsewhere{}},
       {"piece", Elsewhere{}},
       {"pin", Elsewhere{}},
       {"probe", Elsewhere{}},
-      {"scene.wind", Later{}},
-      {"scene.mode", Later{}},
-      {"scene.order", Later{}},
-      {"scene.self_contact", Later{}},
-      {"scene.imperfection", Later{}},
-      {"options.outline", Later{}},
-      {"air", Later{}},
       {"seam", Later{}},
       {"body", Later{}},
   };
@@ -63,8 +67,8 @@ std::vector<Key> fabric_keys(FabricText& t) {
       {"bending.poisson", &f.poisson, kOptional, range_of(kPoisson)},
       {"compression", &f.compression, kOptional, range_of(kCompression)},
       {"compression_blend", &f.compression_blend, kOptional, {1e-6, 0.5}},
-      {"friction", Later{}},
-      {"damping", Later{}},
+      {"friction", Pair{&f.friction, "[static, kinetic]"}, kOptional, range_of(kFriction)},
+      {"damping", &f.damping, kOptional, range_of(kSpringDamping), "s"},
   };
   const auto diagram = [&](const std::string& name, DiagramSpec& d) {
     keys.push_back({name + ".elongation_percent", &d.elongation, kRequired, {0, 1e3}, "percent", kPercent});
@@ -87,11 +91,23 @@ std::vector<Key> piece_keys(PieceSpec& p, const std::vector<std::string>& fabric
       {"place.origin", &p.place.origin, kOptional, kPosition, "m"},
       {"place.axis_x", &p.place.axis_x, kOptional, {-1.1, 1.1}},
       {"place.axis_y", &p.place.axis_y, kOptional, {-1.1, 1.1}},
-      {"place.cylinder", Later{}},
-      {"curves", Later{}},
-      {"holes", Later{}},
-      {"grain", Later{}},
-      {"grid_origin", Later{}},
+      {"place.cylinder.axis_point", &p.place.axis_point, kRequired, kPosition, "m"},
+      {"place.cylinder.axis", &p.place.axis, kRequired, {-1.1, 1.1}},
+      {"place.cylinder.radius", &p.place.radius, kRequired, {1e-4, 1e4}, "m"},
+      {"curves", Tables{[&p] { return curve_keys(p.curves.emplace_back()); }}},
+      {"holes", &p.holes, kOptional, kPosition, "m"},
+      {"grain", &p.grain, kOptional, {-10, 10}, "rad"},
+      {"grid_origin", &p.grid_origin, kOptional, kPosition, "m"},
+  };
+}
+
+std::vector<Key> curve_keys(CurveSpec& c) {
+  return {
+      {"edge", &c.edge, kRequired, kWhole},
+      {"bezier", &c.bezier, kOptional, kPosition, "m"},
+      {"arc", &c.radius, kOptional, {0, 1e4, kAbove}, "m"},
+      {"large", Flag{&c.large}},
+      {"right", Flag{&c.right}},
   };
 }
 
@@ -100,10 +116,10 @@ std::vector<Key> pin_keys(PinSpec& p, const std::vector<std::string>& pieces) {
       {"name", Name{&p.name}, kRequired},
       {"piece", Reference{&p.piece, "piece", &pieces}, kRequired},
       {"at", &p.at, kOptional, kPosition, "m"},
-      {"edges", &p.edges, kOptional, {-2147483647, 2147483647}},  // judged against the outline later
-      {"hold", Choice{{"point"}, [](int) {}}},
-      {"region", Later{}},
-      {"drive", Later{}},
+      {"edges", &p.edges, kOptional, kWhole},
+      {"region", &p.region, kOptional, kPosition, "m"},
+      {"hold", Choice{{"point", "clamp"}, [&p](int k) { p.clamp = k == 1; }}},
+      {"drive", Choice{{"position", "velocity", "both"}, [&p](int k) { p.drive = Drive(k + 1); }}},
   };
 }
 

@@ -21,6 +21,7 @@ struct FabricText {
 std::vector<Key> scene_keys(Scene& scene);  // of the whole file; tables of their own have the rows below
 std::vector<Key> fabric_keys(FabricText& text);
 std::vector<Key> piece_keys(PieceSpec& piece, const std::vector<std::string>& fabrics);
+std::vector<Key> curve_keys(CurveSpec& curve);
 std::vector<Key> pin_keys(PinSpec& pin, const std::vector<std::string>& pieces);
 std::vector<Key> probe_keys(ProbeSpec& probe, const std::vector<std::string>& pieces);
 

@@ -28,10 +28,10 @@ inline std::string edited(std::string text, const Case& c) {
 inline std::string name_of(const testing::TestParamInfo<Case>& info) { return info.param.name; }
 
 // Faults of the scene file, beside a good fabric file.
-inline Messages scene_fault(const Case& c) {
+inline Messages scene_fault(const Case& c, const std::string& scene = kScene) {
   const SceneFolder folder;
   folder.write("wool.toml", kFabric);
-  return messages_of(folder, folder.write("scene.toml", edited(kScene, c)));
+  return messages_of(folder, folder.write("scene.toml", edited(scene, c)));
 }
 
 }  // namespace drape

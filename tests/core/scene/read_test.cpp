@@ -54,6 +54,49 @@ TEST(SceneRead, EveryKeyLands) {
   EXPECT_EQ(s.probes[0].at, (Vec2{0.2, 0}));
 }
 
+TEST(SceneRead, EveryKeyOfAClothLands) {
+  const SceneFolder folder;
+  const Scene s = scene_of(folder, kCloth);
+  EXPECT_EQ(s.mode, Mode::kFit);
+  EXPECT_EQ(s.wind, (Vec3{1.5, 0, -2}));
+  EXPECT_EQ(s.imperfection_amplitude, 0.001);
+  EXPECT_EQ(s.imperfection_seed, 7);
+  EXPECT_TRUE(s.has_air);
+  EXPECT_EQ(s.air_density, 1.3);
+  EXPECT_EQ(s.air_normal, 1.1);
+  EXPECT_EQ(s.air_tangential, 0.02);
+  EXPECT_EQ(s.outline, OutlineModel::kPaper);
+  EXPECT_EQ(s.fabrics[0].friction, (Vec2{0.4, 0.25}));
+  EXPECT_EQ(s.fabrics[0].damping, 0.001);
+
+  const PieceSpec& piece = s.pieces[0];
+  ASSERT_EQ(piece.curves.size(), 3u);
+  EXPECT_EQ(piece.curves[0].edge, 0);
+  EXPECT_EQ(piece.curves[0].bezier, (std::vector<Vec2>{{0.1, -0.05}, {0.3, 0.05}}));
+  EXPECT_EQ(piece.curves[1].edge, 1);
+  EXPECT_EQ(piece.curves[1].radius, 0.5);
+  EXPECT_TRUE(piece.curves[1].bezier.empty());
+  EXPECT_FALSE(piece.curves[1].large);
+  EXPECT_TRUE(piece.curves[1].right);
+  EXPECT_EQ(piece.curves[2].edge, 4);
+  EXPECT_EQ(piece.holes,
+            (std::vector<std::vector<Vec2>>{{{0.1, 0.1}, {0.2, 0.1}, {0.1, 0.2}},
+                                            {{0.25, 0.25}, {0.3, 0.25}, {0.3, 0.3}, {0.25, 0.3}}}));
+  EXPECT_EQ(piece.grain, 0.3);
+  EXPECT_EQ(piece.grid_origin, (Vec2{0.01, -0.02}));
+  EXPECT_EQ(piece.place.radius, 0.3);
+  EXPECT_EQ(piece.place.axis_point, (Vec3{0.2, 0, 0}));
+  EXPECT_EQ(piece.place.axis, (Vec3{0, 0, 1}));
+
+  ASSERT_EQ(s.pins.size(), 3u);
+  EXPECT_TRUE(s.pins[0].clamp);
+  EXPECT_EQ(s.pins[0].drive, Drive::kVelocity);
+  EXPECT_FALSE(s.pins[1].clamp);
+  EXPECT_EQ(s.pins[1].drive, Drive::kBoth);
+  EXPECT_EQ(s.pins[1].region, (std::vector<Vec2>{{0.25, 0.05}, {0.35, 0.05}, {0.35, 0.15}, {0.25, 0.15}}));
+  EXPECT_EQ(s.pins[2].drive, Drive::kPosition);
+}
+
 TEST(SceneRead, FabricFileAndItsOverridesLandInSiUnits) {
   const SceneFolder folder;
   const Scene s = scene_of(folder, kScene);
@@ -112,6 +155,18 @@ outline = [[0, 0], [0, 2], [-1, 2], [-1, 0]]
   EXPECT_EQ(f.poisson, 0);
   EXPECT_EQ(f.compression, 1);
   EXPECT_EQ(f.compression_blend, 0.002);
+  EXPECT_EQ(f.friction, (Vec2{0.3, 0.3}));
+  EXPECT_EQ(f.damping, 0);
+  EXPECT_EQ(s.mode, Mode::kDynamic);
+  EXPECT_EQ(s.outline, OutlineModel::kCutCell);
+  EXPECT_EQ(s.wind, (Vec3{0, 0, 0}));
+  EXPECT_FALSE(s.has_air);
+  EXPECT_EQ(s.air_density, 1.2);
+  EXPECT_EQ(s.imperfection_amplitude, 0);
+  EXPECT_TRUE(s.pieces[0].curves.empty() && s.pieces[0].holes.empty());
+  EXPECT_EQ(s.pieces[0].grain, 0);
+  EXPECT_FALSE(s.pieces[0].grid_origin);
+  EXPECT_EQ(s.pieces[0].place.radius, 0);
   EXPECT_EQ(s.pieces[0].velocity, (Vec3{0, 0, 0}));
   EXPECT_EQ(s.pieces[0].place.axis_y, (Vec3{0, 1, 0}));
 }
@@ -132,6 +187,38 @@ TEST(SceneRead, AxesAreMadeOrthonormal) {
   EXPECT_NEAR(dot(place.axis_x, place.axis_y), 0, kRounding);
   EXPECT_NEAR(place.axis_x[0], 0.7071068, 1e-6);
   EXPECT_NEAR(place.axis_y[2], 0.8164966, 1e-6);
+}
+
+// What says nothing may be said: one number for both frictions, no curves and no holes, an air that only has
+// a density, the values of the keys that have only one.
+TEST(SceneRead, WhatSaysNothing) {
+  const SceneFolder folder;
+  std::string text = kScene;
+  const auto put = [&](const std::string& before, const std::string& more) {
+    text.insert(text.find(before), more);
+  };
+  put("duration", "order = 2\nself_contact = false\nmode = \"dynamic\"\nwind = [0, 0, 0]\n");
+  put("[options]", "[air]\ndensity = 1\n");
+  put("areal_density", "friction = 0.2\n");
+  put("outline", "curves = []\nholes = []\ngrain = 0\n");
+  const Scene s = scene_of(folder, text);
+  EXPECT_FALSE(s.has_air);
+  EXPECT_EQ(s.air_density, 1);
+  EXPECT_EQ(s.fabrics[0].friction, (Vec2{0.2, 0.2}));
+  EXPECT_TRUE(s.pieces[0].curves.empty() && s.pieces[0].holes.empty());
+}
+
+// A cylinder's axis typed to seven digits becomes parallel to the plane to rounding.
+TEST(SceneRead, CylinderAxisIsMadeParallelToThePlane) {
+  const SceneFolder folder;
+  std::string text = kCloth;
+  const std::string exact = "axis = [0, 0, 1]";
+  text.replace(text.find(exact), exact.size(), "axis = [0.6, 0.0000003, 0.8000001]");
+  const PlaceSpec place = scene_of(folder, text).pieces[0].place;
+  constexpr double kRounding = 4 * 2.3e-16;
+  EXPECT_NEAR(place.axis[1], 0, kRounding);  // the plane is that of x and z
+  EXPECT_NEAR(std::hypot(place.axis[0], place.axis[1], place.axis[2]), 1, kRounding);
+  EXPECT_NEAR(place.axis[0], 0.6, 1e-6);
 }
 
 // Length of the list and last points as the source of the figures has them.

@@ -14,23 +14,37 @@ namespace {
 std::vector<double> numbers_of(const Scene& s) {
   std::vector<double> n{s.duration, s.step,           s.communication,
                         s.damping,  double(s.energy), double(s.clamp_correction)};
-  n.insert(n.end(), {double(s.integrator), double(s.scaling), double(s.bias_model)});
+  n.insert(n.end(), {double(s.integrator), double(s.scaling), double(s.bias_model), double(s.outline)});
+  n.insert(n.end(), {double(s.mode), double(s.has_air), s.air_density, s.air_normal, s.air_tangential,
+                     s.imperfection_amplitude, double(s.imperfection_seed)});
   const auto put = [&](const auto& list) { n.insert(n.end(), list.begin(), list.end()); };
-  put(s.gravity);
+  put(s.gravity), put(s.wind);
   for (const FabricSpec& f : s.fabrics) {
     n.insert(n.end(), {f.areal_density, f.thickness, f.strip_width, f.strip_gauge, f.bending_warp,
-                       f.bending_weft, f.poisson, f.compression, f.compression_blend});
+                       f.bending_weft, f.poisson, f.compression, f.compression_blend, f.damping});
+    put(f.friction);
     for (const DiagramSpec* d : {&f.warp, &f.weft, &f.bias})
       put(d->elongation), put(d->force), put(d->correction);
   }
   for (const PieceSpec& p : s.pieces) {
-    n.insert(n.end(), {double(p.fabric), p.cell});
+    n.insert(n.end(), {double(p.fabric), p.cell, p.grain, double(p.grid_origin.has_value())});
+    put(p.grid_origin.value_or(Vec2{0, 0}));
     for (const Vec2& v : p.outline) put(v);
+    for (const CurveSpec& c : p.curves) {
+      n.insert(n.end(), {double(c.edge), c.radius, double(c.large), double(c.right)});
+      for (const Vec2& v : c.bezier) put(v);
+    }
+    for (const std::vector<Vec2>& hole : p.holes) {
+      n.push_back(double(hole.size()));
+      for (const Vec2& v : hole) put(v);
+    }
     put(p.velocity), put(p.place.origin), put(p.place.axis_x), put(p.place.axis_y);
+    put(p.place.axis_point), put(p.place.axis), n.push_back(p.place.radius);
   }
   for (const PinSpec& p : s.pins) {
-    n.push_back(p.piece);
+    n.insert(n.end(), {double(p.piece), double(p.clamp), double(p.drive)});
     for (const Vec2& v : p.at) put(v);
+    for (const Vec2& v : p.region) put(v);
     for (int e : p.edges) n.push_back(e);
   }
   for (const ProbeSpec& p : s.probes) n.push_back(p.piece), put(p.at);
@@ -66,7 +80,10 @@ std::string with(std::string text, const std::string& from, const std::string& t
   return text.replace(text.find(from), from.size(), to);
 }
 
-TEST(SceneResolve, StandsAlone) { expect_round_trip(kScene, kFabric); }
+TEST(SceneResolve, StandsAlone) {
+  expect_round_trip(kScene, kFabric);
+  expect_round_trip(kCloth, kFabric);
+}
 
 TEST(SceneResolve, AwkwardNumbersKeepTheirBits) {
   std::string scene = with(kScene, "[0, 0.5, -9.81]", "[1e-320, -0.0, 0.30000000000000004]");

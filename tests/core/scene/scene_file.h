@@ -42,7 +42,7 @@ inline std::vector<std::string> messages_of(const SceneFolder& folder, const std
   return messages;
 }
 
-// A scene without fault that has every key this version takes.
+// A scene without fault. It and kCloth have every key this version takes.
 inline const std::string kScene = R"([scene]
 name = "sheet_2"
 duration = 2
@@ -80,6 +80,59 @@ at = [[0.1, 0.1], [0.2, 0.1]]
 name = "hem"
 piece = "sheet"
 at = [0.2, 0]
+)";
+
+inline const std::string kCloth = R"([scene]
+name = "cloth"
+mode = "fit"
+order = 2
+self_contact = false
+wind = [1.5, 0, -2]
+imperfection = { amplitude = 0.001, seed = 7 }
+[air]
+density = 1.3
+normal = 1.1
+tangential = 0.02
+[options]
+outline = "paper"
+[fabric.wool]
+file = "wool.toml"
+friction = [0.4, 0.25]
+damping = 0.001
+[[piece]]
+name = "skirt"
+fabric = "wool"
+cell = 0.02
+outline = [[0, 0], [0.4, 0], [0.4, 0.6], [0.2, 0.5], [0, 0.6]]
+curves = [
+  { edge = 0, bezier = [[0.1, -0.05], [0.3, 0.05]] },
+  { edge = 1, arc = 0.5, large = false, right = true },
+  { edge = 4, bezier = [[0.05, 0.3]] },
+]
+holes = [[[0.1, 0.1], [0.2, 0.1], [0.1, 0.2]], [[0.25, 0.25], [0.3, 0.25], [0.3, 0.3], [0.25, 0.3]]]
+grain = 0.3
+grid_origin = [0.01, -0.02]
+place = { origin = [0, 0.3, 1], axis_x = [1, 0, 0], axis_y = [0, 0, 1], cylinder = { axis_point = [0.2, 0, 0], axis = [0, 0, 1], radius = 0.3 } }
+[[pin]]
+name = "waist"
+piece = "skirt"
+edges = [2]
+hold = "clamp"
+drive = "velocity"
+[[pin]]
+name = "patch"
+piece = "skirt"
+region = [[0.25, 0.05], [0.35, 0.05], [0.35, 0.15], [0.25, 0.15]]
+drive = "both"
+[[pin]]
+name = "tip"
+piece = "skirt"
+at = [[0.05, 0.05]]
+drive = "position"
+[[probe]]
+name = "hem"
+piece = "skirt"
+at = [0.1, 0.3]
 )";
 
 inline const std::string kFabric = R"(description = "made up"

@@ -1,0 +1,85 @@
+// Diagrams as a whole.
+#include <algorithm>
+
+#include "scene/check.h"
+#include "scene/faults.h"
+
+namespace drape {
+
+namespace {
+
+constexpr double kLeastRise = 1e-8;   // of a diagram's elongation from point to point
+constexpr double kLocking = 0.41421;  // below sqrt(2) - 1, where the trellis of a bias strip locks
+
+void diagram_check(const DiagramSpec& d, const std::string& path, Problems& problems) {
+  const std::string elongation = path + ".elongation_percent", force = path + ".force";
+  const auto percent = [](double e) { return rounded(100 * e) + " percent"; };
+  const auto length_check = [&](const std::vector<double>& list, const std::string& name) {
+    if (!list.empty() && !d.elongation.empty() && list.size() != d.elongation.size())
+      problems.push_back({name, "has " + entries_text(list.size()) + ", elongation_percent has " +
+                                    std::to_string(d.elongation.size()) + "; wanted: as many"});
+  };
+  if (!d.elongation.empty() && (d.elongation.size() < 2 || d.elongation.size() > 64))
+    problems.push_back({elongation, "has " + entries_text(d.elongation.size()) + "; allowed: 2 to 64"});
+  length_check(d.force, force);
+  length_check(d.correction, path + ".correction");
+
+  if (!d.elongation.empty() && d.elongation[0] != 0)
+    problems.push_back(
+        {entry(elongation, 0), "= " + percent(d.elongation[0]) + "; a diagram starts at 0 percent"});
+  if (!d.force.empty() && d.force[0] != 0)
+    problems.push_back({entry(force, 0), "= " + number_text(d.force[0]) + " N; a diagram starts at 0 N"});
+  for (std::size_t i = 1; i < d.elongation.size(); ++i)
+    if (!(d.elongation[i] - d.elongation[i - 1] >= kLeastRise))
+      problems.push_back({entry(elongation, i), "= " + percent(d.elongation[i]) + " after " +
+                                                    percent(d.elongation[i - 1]) +
+                                                    "; wanted: a rise of at least " + percent(kLeastRise)});
+  for (std::size_t i = 1; i < d.force.size(); ++i)
+    if (!(d.force[i] >= d.force[i - 1]))
+      problems.push_back({entry(force, i), "= " + number_text(d.force[i]) + " N after " +
+                                               number_text(d.force[i - 1]) +
+                                               " N; the force of a diagram does not fall"});
+  if (d.correction.size() != d.force.size()) return;
+  for (std::size_t i = 1; i < d.force.size(); ++i)
+    if (const double law = d.force[i] * d.correction[i], last = d.force[i - 1] * d.correction[i - 1];
+        law < last && d.force[i] >= d.force[i - 1])
+      problems.push_back({entry(path + ".correction", i), "= " + number_text(d.correction[i]) + " gives " +
+                                                              rounded(law) + " N after " + rounded(last) +
+                                                              " N; force x correction does not fall"});
+}
+
+// A bias diagram without a stored correction is worked up from the strip's geometry, which sets limits of its
+// own.
+void bias_check(const Scene& scene, const FabricSpec& f, const std::string& path, Problems& problems) {
+  const std::vector<double>& force = f.bias.force;
+  const bool off = std::all_of(force.begin(), force.end(), [](double v) { return v == 0; });
+  if (off || !f.bias.correction.empty()) return;
+  const double ratio = f.strip_gauge / f.strip_width;
+  if (scene.clamp_correction && !(ratio > 1.25))
+    problems.push_back(
+        {path + ".strip", "has gauge/width = " + rounded(ratio) +
+                              "; the clamp correction of a bias diagram takes values above 1.25 (or set "
+                              "options.clamp_correction = false)"});
+  if (scene.bias_model == BiasModel::kOdd && f.bias.elongation.size() > 1 && f.bias.elongation[1] > kLocking)
+    problems.push_back(
+        {path + ".bias.elongation_percent[1]", "= " + rounded(100 * f.bias.elongation[1]) +
+                                                   " percent; bias_model \"odd\" takes at least one point "
+                                                   "above 0 and below 41.42 percent, where the threads "
+                                                   "of a strip lie along the pull"});
+}
+
+}  // namespace
+
+void fabric_check(const Scene& scene, const FabricSpec& f, Problems& problems) {
+  const std::string path = "fabric." + f.name;
+  diagram_check(f.warp, path + ".warp", problems);
+  diagram_check(f.weft, path + ".weft", problems);
+  diagram_check(f.bias, path + ".bias", problems);
+  bias_check(scene, f, path, problems);
+  if (f.friction[1] > f.friction[0])
+    problems.push_back({entry(path + ".friction", 1),
+                        "= " + number_text(f.friction[1]) + " is more than the static coefficient, " +
+                            number_text(f.friction[0]) + "; allowed: at most as much"});
+}
+
+}  // namespace drape

@@ -1,0 +1,103 @@
+#include "scene/settle.h"
+
+#include <cmath>
+
+namespace drape {
+
+namespace {
+
+constexpr double kTolerance = 1e-6;  // directions as typed have six digits or so
+
+double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// a, without what lies along the unit vector u.
+void remove(Vec3& a, const Vec3& u) {
+  const double along = dot(a, u);
+  for (std::size_t k = 0; k < 3; ++k) a[k] -= along * u[k];
+}
+
+void normalise(Vec3& a) {
+  const double length = std::sqrt(dot(a, a));
+  for (double& v : a) v /= length;
+}
+
+void length_check(Faults& faults, const Vec3& a, const std::string& path) {
+  const double length = std::sqrt(dot(a, a));
+  if (!(std::abs(length - 1) <= kTolerance))
+    fault_add(faults, path,
+              "has length " + number_text(length) + "; wanted: 1, within " + number_text(kTolerance));
+}
+
+// Within the tolerance axes are made exactly orthonormal: x keeps its direction.
+void axes_settle(Faults& faults, const toml::table& table, const std::string& path, PlaceSpec& place) {
+  const bool x_given(table["place"]["axis_x"]), y_given(table["place"]["axis_y"]);
+  if (x_given != y_given)
+    return fault_add(faults, path, "has only one of axis_x and axis_y; wanted: both or neither");
+  Vec3 &x = place.axis_x, &y = place.axis_y;
+  length_check(faults, x, path + ".axis_x");
+  length_check(faults, y, path + ".axis_y");
+  if (!(std::abs(dot(x, y)) <= kTolerance))
+    fault_add(faults, path,
+              "has axis_x . axis_y = " + number_text(dot(x, y)) + "; wanted: 0, a right angle, within " +
+                  number_text(kTolerance));
+  normalise(x);
+  remove(y, x);
+  normalise(y);
+}
+
+// Likewise the cylinder's axis becomes exactly parallel to the plane.
+void cylinder_settle(Faults& faults, const std::string& path, PlaceSpec& place) {
+  length_check(faults, place.axis, path + ".axis");
+  const Vec3 normal = cross(place.axis_x, place.axis_y);
+  const double out = dot(place.axis, normal);
+  if (!(std::abs(out) <= kTolerance))
+    fault_add(faults, path + ".axis",
+              "has " + number_text(out) +
+                  " across the plane of axis_x and axis_y; wanted: 0, an axis parallel to " +
+                  "the plane, within " + number_text(kTolerance));
+  remove(place.axis, normal);
+  normalise(place.axis);
+}
+
+void curves_settle(Faults& faults, const toml::table& table, const std::string& path) {
+  const toml::array* curves = table["curves"].as_array();
+  for (std::size_t i = 0; curves && i < curves->size(); ++i) {
+    const toml::table* curve = (*curves)[i].as_table();
+    if (!curve) continue;
+    const std::string at = path + ".curves[" + std::to_string(i) + "]";
+    const bool bezier = curve->contains("bezier"), arc = curve->contains("arc");
+    if (bezier == arc)
+      fault_add(
+          faults, at,
+          bezier ? "has both bezier and arc; wanted: one of them" : "is no curve; wanted: bezier or arc");
+    for (const char* key : {"large", "right"})
+      if (bezier && !arc && curve->contains(key))
+        fault_add(faults, at + "." + key, "belongs to an arc, not to a Bezier curve");
+  }
+}
+
+}  // namespace
+
+void piece_settle(Faults& faults, const toml::table& table, const std::string& path, PieceSpec& piece) {
+  const std::string place = path + ".place";
+  const auto sound = [&](const std::string& key) { return !fault_within(faults, path + "." + key); };
+  if (sound("place.axis_x") && sound("place.axis_y")) axes_settle(faults, table, place, piece.place);
+  if (table["place"]["cylinder"].is_table() && sound("place"))
+    cylinder_settle(faults, place + ".cylinder", piece.place);
+  curves_settle(faults, table, path);
+  if (!sound("curves") || !sound("holes")) piece.outline.clear();
+}
+
+void pin_settle(Faults& faults, const toml::table& table, const std::string& path) {
+  const int ways = table.contains("at") + table.contains("edges") + table.contains("region");
+  if (ways != 1)
+    fault_add(faults, path,
+              ways ? "has more than one of at, edges and region; wanted: one of them"
+                   : "holds nothing; wanted: at, edges or region");
+}
+
+}  // namespace drape

@@ -1,0 +1,17 @@
+// What no single row of a table can say, and what the rows leave open.
+#pragma once
+#include <string>
+
+#include "scene/document.h"
+#include "scene/faults.h"
+#include "scene/scene.h"
+
+namespace drape {
+
+// Axes become exactly orthonormal. A piece whose outline, curves or holes have a fault loses its outline:
+// what rests on them is passed over.
+void piece_settle(Faults& faults, const toml::table& table, const std::string& path, PieceSpec& piece);
+
+void pin_settle(Faults& faults, const toml::table& table, const std::string& path);
+
+}  // namespace drape
