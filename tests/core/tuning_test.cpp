@@ -232,5 +232,81 @@ TEST(Tuning, ranges_of_the_new_values) {
   EXPECT_EQ(p.fabric[0].friction, 0.3);
 }
 
+double total(const drape_energy& e) { return e.kinetic + e.stretch + e.shear + e.bending + e.gravity; }
+
+drape_energy energy(const Cloth& c) { return drape_outputs_at(c.get(), 0)->energy; }
+
+// The energy put in is the work of the change: all energies after it minus those before, less what braking
+// takes of the half step up to now; the error of the balance does not jump. Sums of 1e2 terms, each rounded.
+void expect_work(const Cloth& c) {
+  const drape_energy before = energy(c);
+  ASSERT_EQ(drape_commit(c.get()), DRAPE_OK);
+  const drape_energy after = energy(c);
+  const double size = total(before) + total(after);
+  EXPECT_NE(after.input, before.input);
+  EXPECT_NEAR(after.input - before.input, total(after) - total(before) + after.dissipated - before.dissipated,
+              1e-14 * size);
+  EXPECT_NEAR(after.balance_error, before.balance_error, 1e-14 * size);
+}
+
+// Gravity doubled in free fall: the weight's potential energy doubles, and the velocity at t_n, which the
+// last half step makes, v_n = v_{n-1/2} - h g/2, is that of the new gravity. No force, so nothing else.
+TEST(Tuning, work_of_doubling_gravity_in_free_fall) {
+  Heard heard;
+  const Cloth c = open_sheet(heard, false);
+  ASSERT_TRUE(c);
+  run(c, 10);
+  const double mass = 0.15 * 0.05 * 0.05, centre = height(c) + 0.025, h = kQ / kSteps;
+  const double v = -(10 * kSteps - 0.5) * h * kG;  // v_{n-1/2}
+  const double input = energy(c).input;
+  drape_parameters_of(c.get())->gravity[2] *= 2;
+  expect_work(c);
+  const auto kinetic = [&](double u) { return mass * u * u / 2; };
+  const double work = mass * kG * centre + kinetic(v - h * kG) - kinetic(v - h * kG / 2);
+  EXPECT_NEAR(energy(c).input - input, work, 1e-12 * work);
+}
+
+// A diagram doubled under strain doubles its energy; the density times 1.5 the weight's and that of motion.
+TEST(Tuning, work_of_a_stiffer_and_a_heavier_cloth) {
+  Heard heard;
+  const Cloth c = open_sheet(heard, true);
+  ASSERT_TRUE(c);
+  run(c, 40);
+  const drape_energy before = energy(c);
+  for (double* force : {&drape_parameters_of(c.get())->fabric[0].warp.force[0],
+                        &drape_parameters_of(c.get())->fabric[0].warp.force[1],
+                        &drape_parameters_of(c.get())->fabric[0].weft.force[0],
+                        &drape_parameters_of(c.get())->fabric[0].weft.force[1]})
+    *force *= 2;
+  expect_work(c);
+  EXPECT_NEAR(energy(c).stretch, 2 * before.stretch, 1e-12 * before.stretch);
+  drape_parameters_of(c.get())->fabric[0].areal_density *= 1.5;
+  expect_work(c);
+  EXPECT_NEAR(energy(c).gravity, 1.5 * before.gravity, 1e-12 * before.gravity);
+}
+
+// Along a ramp the works of its steps add up, and the error of the balance stays that of the scheme: of order
+// h^2.
+TEST(Tuning, balance_along_a_ramp) {
+  double errors[2], inputs[2];
+  for (int halved = 0; halved < 2; ++halved) {
+    Heard heard;
+    const Cloth c = open_sheet(heard, true, halved ? "0.0000152587890625" : "0.000030517578125");
+    ASSERT_TRUE(c);
+    run(c, 20);
+    tune_everything(c);
+    drape_parameters_of(c.get())->ramp = 20 * kQ;
+    errors[halved] = 0;
+    for (int k = 0; k < 30; ++k) {
+      run(c, 1);
+      errors[halved] = std::max(errors[halved], std::abs(energy(c).balance_error));
+    }
+    inputs[halved] = energy(c).input;
+  }
+  EXPECT_GT(std::abs(inputs[0]), 100 * errors[0]);
+  EXPECT_NEAR(inputs[1], inputs[0], 1e-3 * std::abs(inputs[0]));
+  EXPECT_NEAR(errors[0] / errors[1], 4, 0.5);
+}
+
 }  // namespace
 }  // namespace drape

@@ -4,6 +4,7 @@ from pathlib import Path
 import numpy as np
 from fmpy import extract, instantiate_fmu, read_model_description
 from fmpy.fmi1 import FMICallException
+from scenes import scalars
 
 OK, WARNING, DISCARD, ERROR = range(4)
 
@@ -67,6 +68,12 @@ class Instance:
 
     def set(self, name, value):
         return self.status(self.slave.setReal, [self.fmu.variables[name].valueReference], [value])
+
+    def drive(self, inputs):
+        """Sets vectors of inputs: {"wind": [x, y, z]}."""
+        values = scalars(inputs)
+        references = [self.fmu.variables[name].valueReference for name in values]
+        assert self.status(self.slave.setReal, references, list(values.values())) == OK, self.log
 
     def get(self, *names):
         return np.array(self.slave.getReal([self.fmu.variables[name].valueReference for name in names]))

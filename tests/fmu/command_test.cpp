@@ -163,6 +163,52 @@ TEST_F(Command, reference_has_the_columns_of_run) {
   }
 }
 
+// Every problem of the file at once, with its line and column.
+TEST_F(Command, inputs_that_are_refused) {
+  fs::copy_file(DRAPE_SAMPLES "/flag.toml", folder / "flag.toml");
+  const auto expect_problems = [&](const std::string& csv, const std::vector<std::string>& sentences) {
+    std::ofstream(folder / "u.csv") << csv;
+    const Done done = drape("run flag.toml --until 0.01 -o out --inputs u.csv");
+    EXPECT_EQ(done.code, 1) << done.text;
+    std::string expected;
+    for (const std::string& sentence : sentences) expected += "error: u.csv" + sentence + "\n";
+    EXPECT_EQ(done.text, expected) << csv;
+    EXPECT_FALSE(fs::exists(folder / "out"));
+  };
+  expect_problems("wind[1],wind[2]\n1,2\n", {":1:1: the column 'time' is missing"});
+  expect_problems("time,widn[1]\n0,1\n", {":1:2: 'widn[1]' is no variable; the nearest is 'wind[1]'"});
+  expect_problems("time,tension.max,damping\n0,1,2\n",
+                  {":1:2: 'tension.max' is an output; allowed: time and inputs",
+                   ":1:3: 'damping' is a parameter, which --set sets; allowed: time and inputs"});
+  expect_problems("time,wind[1],wind[1]\n0,1,2\n", {":1:3: 'wind[1]' is there already, in column 2"});
+  expect_problems("time,wind[1]\n0,1\n0.1\n0.2,x\n0.1,3\nnan,2\n0.3,1e5\n0.4,\n",
+                  {":3:2: 1 cells; expected: 2, as in the header", ":4:2: 'x'; allowed: a number",
+                   ":5:1: time is 0.1 s; allowed: above the time before it, 0.2 s",
+                   ":6:1: time is nan s; allowed: any finite number",
+                   ":7:2: wind[1] is 1e+05 m/s; allowed: -1000 to 1000 m/s", ":8:2: ''; allowed: a number"});
+  expect_problems("time,wind[1]\n", {" has no row of values; allowed: one or more below the header"});
+  expect_refused("run flag.toml -o out --inputs none.csv", {"cannot read none.csv", "No such file"});
+  expect_refused("run scene.toml -o out --inputs u.csv", {"u.csv:1:2", "'wind[1]'", "no inputs"});
+}
+
+// Linear between rows, the ends hold; quotes, blanks, empty lines and line ends of any kind.
+TEST_F(Command, inputs_are_linear_between_rows) {
+  fs::copy_file(DRAPE_SAMPLES "/flag.toml", folder / "flag.toml");
+  std::ofstream(folder / "few.csv")
+      << "\xEF\xBB\xBFtime, \"wind[3]\"\r\n\r\n0.001953125,+1\r\n0.00390625, 3 \r\n";
+  std::ofstream(folder / "many.csv")
+      << "wind[3],time\n1,0\n1,0.001953125\n2,0.0029296875\n3,0.00390625\n3,1\n";
+  for (const char* inputs : {"few", "many"}) {
+    const std::string name = inputs;
+    const Done done =
+        drape("run flag.toml --until 0.01 --every 0.0048828125 -o " + name + " --inputs " + name + ".csv");
+    ASSERT_EQ(done.code, 0) << done.text;
+  }
+  ASSERT_EQ(drape("run flag.toml --until 0.01 --every 0.0048828125 -o none").code, 0);
+  EXPECT_EQ(text_of("few/outputs.csv"), text_of("many/outputs.csv"));
+  EXPECT_NE(text_of("few/outputs.csv"), text_of("none/outputs.csv"));
+}
+
 // 1e5 steps in an interval: the cost shows after a few of them.
 TEST_F(Command, check_does_not_wait_for_an_interval) {
   std::string scene = text_of("scene.toml");

@@ -16,7 +16,7 @@
 namespace drape {
 namespace {
 
-const std::string kScene = DRAPE_SAMPLES "/swatch.toml", kSample = DRAPE_SAMPLES "/swatch.xml";
+const std::string kScene = DRAPE_SAMPLES "/swatch.toml", kFlag = DRAPE_SAMPLES "/flag.toml";
 
 using Cloth = std::unique_ptr<drape_cloth, void (*)(drape_cloth*)>;
 Cloth open_swatch() { return {drape_open(kScene.c_str(), nullptr, nullptr), drape_close}; }
@@ -28,15 +28,50 @@ std::vector<std::string> lines_of(std::istream&& text) {
 }
 
 // Compared line by line, so that a difference reads as one line.
-TEST(Description, xml_is_the_committed_sample) {
-  const Cloth cloth = open_swatch();
+void expect_sample(const std::string& scene) {
+  const Cloth cloth(drape_open(scene.c_str(), nullptr, nullptr), drape_close);
   ASSERT_TRUE(cloth);
-  SCOPED_TRACE("if the change is meant: drape variables " + kScene + " --xml > " + kSample);
+  const std::string sample_file = scene.substr(0, scene.rfind('.')) + ".xml";
+  SCOPED_TRACE("if the change is meant: drape variables " + scene + " --xml > " + sample_file);
   const auto printed =
       lines_of(std::istringstream(description_xml_fmi2(description_of(cloth.get(), Nodes::kNone))));
-  const auto sample = lines_of(std::ifstream(kSample));
+  const auto sample = lines_of(std::ifstream(sample_file));
   ASSERT_EQ(printed.size(), sample.size());
   for (std::size_t n = 0; n < sample.size(); ++n) ASSERT_EQ(printed[n], sample[n]) << "in line " << n + 1;
+}
+
+TEST(Description, xml_is_the_committed_sample) { expect_sample(kScene); }
+TEST(Description, xml_of_a_driven_cloth_is_the_committed_sample) { expect_sample(kFlag); }
+
+// What `drive` names, and turns for clamps; the start is the present pose: the middle of the pole, the point.
+TEST(Description, inputs_start_where_the_cloth_is) {
+  const Cloth cloth(drape_open(kFlag.c_str(), nullptr, nullptr), drape_close);
+  ASSERT_TRUE(cloth);
+  const std::vector<Variable> table = variables_of(cloth.get(), Nodes::kNone);
+  std::vector<std::string> inputs;
+  std::vector<double> start;
+  for (const Variable& v : table) {
+    EXPECT_EQ(v.causality == Causality::kInput, v.rate != nullptr) << v.name();
+    if (!v.rate) continue;
+    EXPECT_EQ(*v.rate, 0);
+    inputs.push_back(v.name());
+    start.push_back(*v.value);
+  }
+  const std::vector<std::pair<std::string, std::vector<double>>> expected{
+      {"wind", {1, 0, 0.5}},
+      {"pin.pole.position", {0, 0, 1.02}},
+      {"pin.pole.orientation", {1, 0, 0, 0}},
+      {"pin.pole.velocity", {0, 0, 0}},
+      {"pin.pole.angular_velocity", {0, 0, 0}},
+      {"pin.hand.position", {0.06, 0, 1}}};
+  std::size_t k = 0;
+  for (const auto& [name, values] : expected)
+    for (std::size_t i = 0; i < values.size(); ++i, ++k) {
+      ASSERT_LT(k, inputs.size());
+      EXPECT_EQ(inputs[k], name + "[" + std::to_string(i + 1) + "]");
+      EXPECT_NEAR(start[k], values[i], 1e-15) << inputs[k];
+    }
+  EXPECT_EQ(k, inputs.size());
 }
 
 // A saved copy of a scene is the same cloth, so it has the same guid.

@@ -93,6 +93,11 @@ fmi2ValueReference Swatch::reference(const std::string& name) const {
   return fmi2ValueReference(row - names.begin() + 1);
 }
 
+const Swatch& flag() {
+  static const Swatch made = make_swatch(Nodes::kAll, DRAPE_SAMPLES "/flag.toml");
+  return made;
+}
+
 Swatch swatch_with(const std::string& from, const std::string& to) {
   std::ostringstream text;
   text << std::ifstream(DRAPE_SAMPLES "/swatch.toml").rdbuf();
@@ -111,13 +116,14 @@ const Swatch& swatch_brittle() {
   return brittle;
 }
 
-Slave::Slave(const Swatch& cloth, bool logging_on) : callbacks{logger, nullptr, nullptr, nullptr, this} {
-  component = fmi2().Instantiate("cloth", fmi2CoSimulation, cloth.guid.c_str(), cloth.resources.c_str(),
-                                 &callbacks, fmi2False, logging_on);
+Slave::Slave(const Swatch& of, bool logging_on)
+    : callbacks{logger, nullptr, nullptr, nullptr, this}, cloth(&of) {
+  component = fmi2().Instantiate("cloth", fmi2CoSimulation, of.guid.c_str(), of.resources.c_str(), &callbacks,
+                                 fmi2False, logging_on);
 }
 
 Slave::Slave(const std::string& guid, const std::string& resources)
-    : callbacks{logger, nullptr, nullptr, nullptr, this} {
+    : callbacks{logger, nullptr, nullptr, nullptr, this}, cloth(&swatch()) {
   component = fmi2().Instantiate("cloth", fmi2CoSimulation, guid.c_str(), resources.c_str(), &callbacks,
                                  fmi2False, fmi2False);
 }
@@ -132,21 +138,28 @@ void Slave::initialize() {
 }
 
 fmi2Status Slave::set(const std::string& name, double value) {
-  const fmi2ValueReference reference = swatch().reference(name);
+  const fmi2ValueReference reference = cloth->reference(name);
   return fmi2().SetReal(component, &reference, 1, &value);
 }
 
 double Slave::get(const std::string& name) {
-  const fmi2ValueReference reference = swatch().reference(name);
+  const fmi2ValueReference reference = cloth->reference(name);
   double value = 0;
   EXPECT_EQ(fmi2().GetReal(component, &reference, 1, &value), fmi2OK) << last_message();
   return value;
 }
 
+fmi2Status Slave::set_rate(const std::string& name, double value, fmi2Integer order) {
+  const fmi2ValueReference reference = cloth->reference(name);
+  return fmi2().SetRealInputDerivatives(component, &reference, 1, &order, &value);
+}
+
 std::vector<double> Slave::outputs() {
   std::vector<fmi2ValueReference> references;
-  const std::size_t first = swatch().reference("probe.hem.position[1]");
-  for (std::size_t reference = first; reference <= swatch().names.size(); ++reference)
+  const auto probe = std::find_if(cloth->names.begin(), cloth->names.end(),
+                                  [](const std::string& name) { return name.rfind("probe.", 0) == 0; });
+  const auto first = std::size_t(probe - cloth->names.begin()) + 1;  // the outputs, up to the end
+  for (std::size_t reference = first; reference <= cloth->names.size(); ++reference)
     references.push_back(fmi2ValueReference(reference));
   std::vector<double> values(references.size());
   EXPECT_EQ(fmi2().GetReal(component, references.data(), references.size(), values.data()), fmi2OK)

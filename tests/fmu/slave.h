@@ -74,6 +74,9 @@ struct Swatch {
 };
 const Swatch& swatch(Nodes nodes = Nodes::kNone);
 
+// The sample with inputs: a clamp and a point that are driven, and wind.
+const Swatch& flag();
+
 // The sample with another text in place of one of its own; the variables must stay.
 Swatch swatch_with(const std::string& from, const std::string& to);
 
@@ -84,6 +87,7 @@ struct Slave {
   std::vector<LogEntry> log;
   fmi2CallbackFunctions callbacks{};
   fmi2Component component = nullptr;
+  const Swatch* cloth;  // whose names are used
 
   explicit Slave(const Swatch& cloth = swatch(), bool logging_on = false);
   Slave(const std::string& guid, const std::string& resources);
@@ -95,6 +99,7 @@ struct Slave {
   fmi2Status step(double time, double length) { return fmi2().DoStep(component, time, length, fmi2True); }
   fmi2Status set(const std::string& name, double value);
   double get(const std::string& name);
+  fmi2Status set_rate(const std::string& name, double value, fmi2Integer order = 1);
   std::vector<double> outputs();  // all of them
   std::string last_message() const { return log.empty() ? "" : log.back().message; }
 };
