@@ -70,6 +70,11 @@ void cloth_assemble(drape_cloth& c, std::vector<Problem>& problems) {
   pieces_describe(c);
 }
 
+// The wind that is written before the first advance holds from the start.
+void wind_start(drape_cloth& c) {
+  if (c.state.steps == 0) std::copy(c.inputs.wind, c.inputs.wind + 3, c.state.wind.begin());
+}
+
 // Where a run left the finite numbers, and the likely reason.
 std::string trouble_text(const drape_cloth& c) {
   const State& s = c.state;
@@ -199,8 +204,7 @@ drape_status drape_advance(drape_cloth* c, double length) {
     return DRAPE_DISCARD;
   }
   c->good = c->state;
-  if (c->state.steps == 0)  // the wind at the start
-    for (std::size_t k = 0; k < 3; ++k) c->state.wind[k] = c->inputs.wind[k];
+  wind_start(*c);
   c->tuning_good = c->tuning;
   std::string event;
   const Advance how = leapfrog_advance(c->system, c->motion, c->state, length, event,
@@ -221,6 +225,7 @@ drape_status drape_advance(drape_cloth* c, double length) {
 int drape_stuck(const drape_cloth* c) { return c->stuck; }
 
 const drape_outputs* drape_outputs_at(drape_cloth* c, int want_nodes) {
+  wind_start(*c);
   outputs_fill(c->outputs, c->system, c->motion, c->state, want_nodes != 0);
   return &c->outputs.shown;
 }

@@ -74,18 +74,6 @@ std::string step_problem(const Instance& s, double time, double length) {
   return "";
 }
 
-// A value in its range may leave it with its derivative. One sentence an input.
-drape_status check_reached(Instance& s, double length) {
-  drape_status status = DRAPE_OK;
-  for (const Variable& v : s.table) {
-    if (!v.rate || *v.rate == 0) continue;
-    const std::string problem = range_problem(v, *v.value + length * *v.rate);
-    if (problem.empty()) continue;
-    status = instance_refuse(s, DRAPE_DISCARD, "at the end of the communication step " + problem);
-  }
-  return status;
-}
-
 }  // namespace
 
 Instance* instance_open(const std::string& scene_file, const std::string& guid, LogFilter filter, LogFn* log,
@@ -150,7 +138,6 @@ drape_status instance_exit_initialization(Instance& s) {
 drape_status instance_step(Instance& s, double time, double length) {
   if (const std::string problem = step_problem(s, time, length); !problem.empty())
     return instance_refuse(s, DRAPE_DISCARD, problem);
-  if (const drape_status status = check_reached(s, length); status != DRAPE_OK) return status;
   const drape_status status = log_flush(s, drape_advance(s.cloth, length));
   if (status == DRAPE_ERROR) s.phase = Phase::kError;
   if (status == DRAPE_OK) ++s.steps;
