@@ -107,7 +107,7 @@ void run_begin(Run& r, const Scene& scene, unsigned seed) {
     for (Array* a : {&r.state.vx, &r.state.vy, &r.state.vz}) (*a)[n] = held ? 0 : kThrow * unit(random);
   }
   for (const FixedNode& f : r.system.constraints.fixed) {
-    r.state.x[f.node] = f.target[0], r.state.y[f.node] = f.target[1], r.state.z[f.node] = f.target[2];
+    r.state.x[f.node] = f.target.start[0], r.state.y[f.node] = f.target.start[1], r.state.z[f.node] = f.target.start[2];
     r.state.vx[f.node] = r.state.vy[f.node] = r.state.vz[f.node] = 0;
   }
   for (Array* a : {&r.vx, &r.vy, &r.vz}) a->assign(r.system.nodes, 0.0);
