@@ -13,7 +13,10 @@ class GeometryFault : public testing::TestWithParam<Case> {};
 TEST_P(GeometryFault, Says) { EXPECT_EQ(scene_fault(GetParam()), GetParam().messages); }
 
 const Case kGeometry[] = {
-    {"crossed", kOutline, "[[0, 0], [0.4, 0.6], [0.4, 0], [0, 0.6]]", {"?"}},
+    {"crossed",
+     kOutline,
+     "[[0, 0], [0.4, 0.6], [0.4, 0], [0, 0.6]]",
+     {"scene.toml:22: piece.sheet.outline is no simple outline: edge 0 crosses edge 2 at [0.2, 0.3] m"}},
     {"corner_twice",
      kOutline,
      "[[0, 0], [0.4, 0], [0.4, 0.6], [0.2, 0.3], [0.2, 0], [0, 0.6]]",

@@ -94,11 +94,19 @@ void expect_laid_out(const Scene& scene, const std::string& text) {
     for (const ProbeSpec& probe : scene.probes)
       if (probe.piece == int(k)) points.push_back(probe.at);
     for (const Vec2& p : points) {
+      // sum_k w_k r(node k) = p: to the distance at which points snap to grid lines, and the rounding of
+      // coordinates, which weights beyond a merged cell's corners enlarge.
       const GridPoint g = grid_locate(grid, p);
+      Vec2 off{-p[0], -p[1]};
+      double coordinates = grid.cell, weights = 0;
       for (int n = 0; n < 4; ++n) {
         ASSERT_TRUE(grid.area[std::size_t(g.node[n])] > 0) << text;
-        ASSERT_TRUE(std::abs(g.weight[n]) < 1.5) << text;  // at most 1.2 x 1.2 beyond a merged cell's nodes
+        const Vec2 node = grid.place(g.node[n]);
+        weights += std::abs(g.weight[n]);
+        for (std::size_t a = 0; a < 2; ++a)
+          off[a] += g.weight[n] * node[a], coordinates = std::max(coordinates, std::abs(node[a]));
       }
+      ASSERT_LE(std::hypot(off[0], off[1]), weights * (2e-9 * grid.cell + 1e-14 * coordinates)) << text;
     }
   }
 }
