@@ -255,11 +255,11 @@ TEST_F(ClothTest, RefusesMoreThanAMillionStepsAnInterval) {
   EXPECT_EQ(drape_parameters_of(c.get())->damping, 2);
 }
 
-// Lengths whose squares underflow leave no masses, and no step limit.
-TEST_F(ClothTest, RefusesACellWithoutAStepLimit) {
+// Lengths whose squares underflow would leave no masses: their points coincide.
+TEST_F(ClothTest, RefusesAPieceWithoutExtent) {
   EXPECT_FALSE(open("", "[0, 1, 3], force = [0, 1, 9]", "1e-170", "1e-169"));
-  ASSERT_EQ(heard.errors.size(), 1u);
-  EXPECT_NE(heard.errors[0].find("scene.step has no limit above 0 s"), std::string::npos) << heard.errors[0];
+  ASSERT_EQ(heard.errors.size(), 4u);
+  EXPECT_NE(heard.errors[0].find("outline[1] = [1e-169, 0] m repeats point 0"), std::string::npos) << heard.errors[0];
 }
 
 // No law, no limit: the step is the communication interval.

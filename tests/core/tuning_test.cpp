@@ -225,7 +225,7 @@ TEST(Tuning, ranges_of_the_new_values) {
   EXPECT_EQ(drape_commit(c.get()), DRAPE_DISCARD);
   ASSERT_EQ(heard.errors.size(), 3u);
   EXPECT_EQ(heard.errors[0], "parameter_ramp = -1 s; allowed: from 0 to 1000000 s");
-  EXPECT_EQ(heard.errors[1], "fabric.f.damping = 11 s; allowed: from 0 to 10 s");
+  EXPECT_EQ(heard.errors[1], "fabric.f.damping = 11 s; allowed: from 0 to 1 s");
   EXPECT_EQ(heard.errors[2], "fabric.f.friction = nan; allowed: from 0 to 10");
   EXPECT_EQ(p.ramp, 0);
   EXPECT_EQ(p.fabric[0].damping, 0);
