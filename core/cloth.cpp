@@ -70,11 +70,6 @@ void cloth_assemble(drape_cloth& c, std::vector<Problem>& problems) {
   pieces_describe(c);
 }
 
-// The wind that is written before the first advance holds from the start.
-void wind_start(drape_cloth& c) {
-  if (c.state.steps == 0) std::copy(c.inputs.wind, c.inputs.wind + 3, c.state.wind.begin());
-}
-
 // Where a run left the finite numbers, and the likely reason.
 std::string trouble_text(const drape_cloth& c) {
   const State& s = c.state;
@@ -168,6 +163,11 @@ drape_parameters* drape_parameters_of(drape_cloth* c) { return &c->parameters.sh
 
 drape_inputs* drape_inputs_of(drape_cloth* c) { return &c->inputs; }
 drape_inputs* drape_input_rates_of(drape_cloth* c) { return &c->input_rates; }
+void drape_inputs_start(drape_cloth* c) {
+  if (c->state.steps > 0 || std::equal(c->state.wind.begin(), c->state.wind.end(), c->inputs.wind)) return;
+  std::copy(c->inputs.wind, c->inputs.wind + 3, c->state.wind.begin());
+  leapfrog_retuned(c->system, c->motion, c->state);
+}
 int drape_at_rest(const drape_cloth* c) { return c->state.fit.at_rest; }
 
 drape_status drape_start(drape_cloth* c, double time) {
@@ -204,7 +204,6 @@ drape_status drape_advance(drape_cloth* c, double length) {
     return DRAPE_DISCARD;
   }
   c->good = c->state;
-  wind_start(*c);
   c->tuning_good = c->tuning;
   std::string event;
   const Advance how = leapfrog_advance(c->system, c->motion, c->state, length, event,
@@ -225,7 +224,6 @@ drape_status drape_advance(drape_cloth* c, double length) {
 int drape_stuck(const drape_cloth* c) { return c->stuck; }
 
 const drape_outputs* drape_outputs_at(drape_cloth* c, int want_nodes) {
-  wind_start(*c);
   outputs_fill(c->outputs, c->system, c->motion, c->state, want_nodes != 0);
   return &c->outputs.shown;
 }

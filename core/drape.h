@@ -145,9 +145,11 @@ drape_parameters* drape_parameters_of(drape_cloth*);
 drape_status drape_commit(drape_cloth*);
 
 /* Inputs: write into the returned struct (it and its arrays keep their addresses for the cloth's life); the next drape_advance
- * goes there. Before the first advance, the wind that is written holds from the start. Rates are the values' time derivatives at the
- * beginning of the next advance: the value reached is value + length x rate; they are 0 again after it. */
+ * goes there, from where they are. Rates are the values' time derivatives at the beginning of the next advance: the value reached is
+ * value + length x rate; they are 0 again after it. drape_inputs_start, before the first advance: the wind written so far is the one
+ * of the start (else the scene's). */
 drape_inputs* drape_inputs_of(drape_cloth*);
+void drape_inputs_start(drape_cloth*);
 drape_inputs* drape_input_rates_of(drape_cloth*);
 
 /* True once a cloth in fit mode is at rest: it stays. */

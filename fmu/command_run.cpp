@@ -109,14 +109,17 @@ drape_status advance(const Driven& driven, double time, double length) {
 int run_rows(Recorder& r, const Driven& driven, double until, double every) {
   const double rows = std::ceil(until / every - 1e-9);  // a last interval below a billionth of DT is rounding
   if (!driven.inputs.time.empty()) input_table_apply(driven.inputs, 0, driven.table);
+  drape_inputs_start(driven.cloth);
   if (!record(r, 0)) return kFailedRun;
   for (double k = 1; k <= rows; ++k) {
     const double before = (k - 1) * every, time = k < rows ? k * every : until;
     const double length = k < rows ? every : until - before;
     if (advance(driven, before, length) != DRAPE_OK)
       return kFailedRun;  // its last good state is the last row
+    const bool at_rest = drape_at_rest(driven.cloth);
     if (!record(r, time)) return kFailedRun;
-    show_progress(time, until);
+    show_progress(at_rest ? until : time, until);
+    if (at_rest && driven.inputs.time.empty()) break;
   }
   return kDone;
 }

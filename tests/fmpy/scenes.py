@@ -118,8 +118,8 @@ def scalars(vectors):
 
 def write_inputs(file, path, times):
     """A CSV of inputs with a row at each time; `path` gives the vectors at a time."""
-    rows = [{"time": float(t), **scalars(path(t))} for t in times]
-    lines = [",".join(rows[0]), *(",".join(map(repr, row.values())) for row in rows)]
+    rows = [{"time": t, **scalars(path(t))} for t in times]
+    lines = [",".join(rows[0]), *(",".join(repr(float(x)) for x in row.values()) for row in rows)]
     file.write_text("\n".join(lines) + "\n")
     return file
 

@@ -85,7 +85,7 @@ def test_reference_follows_the_same_path(drape, write, tmp_path, scene):
     for steps in (64, 128):
         keyed = scene(communication=Q, step=Q / steps)
         ends.append(rows_of(drape, write, tmp_path, keyed, path, options=options, every=32 * Q)[1][-1])
-    names, rows = rows_of(drape, write, tmp_path, scene(), path, "reference", options + ["--rtol", "1e-12"], 32 * Q)
+    names, rows = rows_of(drape, write, tmp_path, keyed, path, "reference", options + ["--rtol", "1e-12"], 32 * Q)
     run_names, _ = rows_of(drape, write, tmp_path, keyed, path, options=options, every=32 * Q)
     for kind, least in (("position", 1e-10), ("velocity", 1e-7)):
         columns = [name for name in names if name.startswith(f"node.{kind}[")]

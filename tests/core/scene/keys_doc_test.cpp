@@ -1,0 +1,31 @@
+// The page of all keys names every key that the reader knows.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "scene/rows.h"
+
+namespace drape {
+namespace {
+
+TEST(KeysPage, NamesEveryKey) {
+  std::ifstream file(DRAPE_SOURCE_DIR "/core/scene/README.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  Scene scene;
+  FabricText fabric;
+  PieceSpec piece;
+  CurveSpec curve;
+  PinSpec pin;
+  ProbeSpec probe;
+  for (const std::vector<Key>& keys : {scene_keys(scene), fabric_keys(fabric), piece_keys(piece, {}), curve_keys(curve),
+                                       pin_keys(pin, {}), probe_keys(probe, {})})
+    for (const Key& key : keys) {
+      if (std::holds_alternative<Later>(key.lands)) continue;
+      const std::string name = key.name.substr(key.name.rfind('.') + 1);
+      EXPECT_NE(page.find(name), std::string::npos) << key.name;
+    }
+}
+
+}  // namespace
+}  // namespace drape
