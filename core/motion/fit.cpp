@@ -10,9 +10,8 @@ namespace drape {
 namespace {
 
 constexpr int kScaleEvery = 16;           // steps
-constexpr int kDampEvery = 4;             // steps
 constexpr int kJudgeEvery = 8;            // intervals
-constexpr double kResidualRest = 1e-6;    // of the larger of weight and pins' force
+constexpr double kResidualRest = 1e-5;    // of the larger of weight and pins' forces
 constexpr double kKineticRest = 1e-9;     // of that times the size of the largest piece
 constexpr double kLeastLoad = 1e-12;      // N, where nothing weighs or pulls
 
@@ -71,23 +70,50 @@ void fit_scale(const System& system, State& s, double h) {
   s.watch_wait = kScaleEvery;
 }
 
-void fit_damp(const System& system, State& s) {
-  if (s.steps % kDampEvery != 0) return;
-  const double now = kinetic(system, s);
-  if (now < s.fit.kinetic && s.fit.rising) {
-    stop(system, s);
-    s.fit.kinetic = 0;
-    s.fit.rising = false;
-    return;
+namespace {
+
+void velocities_lead(const System& system, State& s, double time) {
+  for (std::size_t n : system.particle) {
+    s.x[n] += time * s.vx[n];
+    s.y[n] += time * s.vy[n];
+    s.z[n] += time * s.vz[n];
   }
-  s.fit.rising = now > s.fit.kinetic;
-  s.fit.kinetic = now;
 }
 
-// The forces left over (N) and the largest force of a pin.
+// f.v
+double power(const System& system, const Motion& motion, const State& s) {
+  double sum = 0;
+  for (std::size_t n : system.particle) sum += motion.ax[n] * s.vx[n] + motion.ay[n] * s.vy[n] + motion.az[n] * s.vz[n];
+  return sum;
+}
+
+// omega of the mode in motion, 1/s; 0 where nothing moves or the motion meets no stiffness.
+double omega_moving(const System& system, Motion& motion, State& s, double h) {
+  const double moving = 2 * kinetic(system, s);
+  if (!(moving > 0)) return 0;
+  const Array keep[] = {s.x, s.y, s.z};
+  const auto forces = [&] {
+    kernel_forces(*motion.kernel, system, s, motion.workspace, motion.ax.data(), motion.ay.data(), motion.az.data());
+    return power(system, motion, s);
+  };
+  const double before = forces();
+  velocities_lead(system, s, h);
+  const double after = forces();
+  s.x = keep[0], s.y = keep[1], s.z = keep[2];
+  return std::sqrt(std::max(0.0, (before - after) / h / moving));
+}
+
+}  // namespace
+
+void fit_look(const System& system, Motion& motion, State& s, double h) {
+  fit_scale(system, s, h);
+  s.fit.damping = std::min(2 * omega_moving(system, motion, s, h), 1 / h);
+}
+
+// The forces left on particles and those of the pins (N), summed by size.
 namespace {
 struct Left {
-  double most = 0, pin = 0;
+  double sum = 0, pins = 0;
 };
 Left forces_left(const System& system, Motion& motion, const State& s) {
   kernel_forces(*motion.kernel, system, s, motion.workspace, motion.ax.data(), motion.ay.data(), motion.az.data());
@@ -99,9 +125,9 @@ Left forces_left(const System& system, Motion& motion, const State& s) {
   held_rates(system.constraints, s, Rate::kAcceleration, motion.held);
   constraints_project(system, motion.held, {motion.ax.data(), motion.ay.data(), motion.az.data()}, &load);
   Left left;
-  for (const PinLoad& l : load) left.pin = std::max(left.pin, norm(l.force));
+  for (const PinLoad& l : load) left.pins += norm(l.force);
   for (std::size_t n : system.particle)
-    left.most = std::max(left.most, system.mass[n] * norm({motion.ax[n], motion.ay[n], motion.az[n]}));
+    left.sum += system.mass[n] * norm({motion.ax[n], motion.ay[n], motion.az[n]});
   return left;
 }
 }  // namespace
@@ -113,8 +139,8 @@ void fit_judge(const System& system, Motion& motion, State& s) {
   double weight = 0, size = 0;
   for (std::size_t n : system.particle) weight += system.mass[n] * norm(system.gravity);
   for (const Lattice& l : system.lattices) size = std::max(size, l.cell * std::max(l.columns, l.rows));
-  const double load = std::max({weight, left.pin, kLeastLoad});
-  s.fit.residual = left.most / load;
+  const double load = std::max({weight, left.pins, kLeastLoad});
+  s.fit.residual = left.sum / load;
   s.fit.at_rest = s.fit.residual <= kResidualRest && kinetic(system, s) <= kKineticRest * load * size;
   if (s.fit.at_rest) stop(system, s);
 }

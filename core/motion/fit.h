@@ -5,18 +5,22 @@
 //
 //     m' = sum over its cells of (m_z/4) max(1, (h omega_z/(2 S))^2)
 //
-// so that h is S of the limit at most everywhere. Weight and forces stay; so do equilibria. Whenever the kinetic energy falls after a
-// rise, all velocity is taken away (kinetic damping).
+// so that h is S of the limit at most everywhere. Weight and forces stay; so do equilibria. The damping is critical for the mode in
+// motion, by Rayleigh's quotient of the velocity (adaptive dynamic relaxation, Underwood 1983):
+//
+//     c = 2 omega,     omega^2 = v.K v/(v.M' v),     K v = [f(r) - f(r + h v)]/h
+//
+// Fast modes first: while they move, c is large; what is left in the end is the slowest mode, and all others die as it does.
 #pragma once
 #include "motion/leapfrog.h"
 
 namespace drape {
 
-// Scales the inertia for steps of h (s), for as many steps as it then tells State to wait.
-void fit_scale(const System& system, State& state, double h);
+// Looks at inertia and damping for steps of h (s), for as many steps as State is then told to wait.
+void fit_look(const System& system, Motion& motion, State& state, double h);
 
-// After a step: kinetic damping.
-void fit_damp(const System& system, State& state);
+// The first of it alone.
+void fit_scale(const System& system, State& state, double h);
 
 // What is left of the forces, and whether that is rest; from then on an advance only moves the clock, until fit_wake.
 void fit_judge(const System& system, Motion& motion, State& state);

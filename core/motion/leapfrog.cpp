@@ -19,9 +19,12 @@ constexpr int kWatchLongest = 32;    // steps between two looks at the step limi
 constexpr int kWatchGiven = 8;       // the same where the scene gives the step
 constexpr std::int64_t kCalm = 100;  // intervals before the step may grow
 
+// c of the step: the scene's, in a fit its own.
+double damping_of(const System& system, const State& s) { return system.fit ? s.fit.damping : system.damping; }
+
 // v <- keep v + kick a; h_old = 0 is the half kick of the start.
 StepCoefficients coefficients(const System& system, const State& s, double h) {
-  const double c = system.damping, lead = velocity_lead(system, s);
+  const double c = damping_of(system, s), lead = velocity_lead(system, s);
   if (system.integrator == Integrator::kPaper) return {1 - c * h, h, h, system.gravity, lead};
   const double centred = 1 + c * h / 2;
   return {(1 - c * s.h_old / 2) / centred, (s.h_old + h) / 2 / centred, h, system.gravity, lead};
@@ -99,7 +102,7 @@ Advance watch(const System& system, Motion& motion, State& s, double length, std
   if (!all_finite(system, s)) return Advance::kNotFinite;
   const auto h = [&] { return length / double(n); };
   if (system.fit) {
-    fit_scale(system, s, h());
+    fit_look(system, motion, s, h());
     return Advance::kDone;
   }
   look(system, motion, s, h());
@@ -126,7 +129,6 @@ Advance interval_run(const System& system, Motion& motion, State& s, double leng
       --s.watch_wait;
     }
     leapfrog_step(system, motion, s, length / double(n), double(done + 1) / double(n));
-    if (system.fit) fit_damp(system, s);
   }
   if (system.fit && !s.fit.at_rest) fit_judge(system, motion, s);
   return Advance::kDone;
@@ -237,7 +239,7 @@ void leapfrog_step(const System& system, Motion& motion, State& s, double h, dou
   path_follow(motion.path, u, s);
   const double half = begins ? s.h_old / 2 : 0;
   const HeldStep step{
-      h, c.keep, c.kick, paper ? 1 : 1 + system.damping * h / 2, begins, half, 1 + system.damping * half};
+      h, c.keep, c.kick, paper ? 1 : 1 + damping_of(system, s) * h / 2, begins, half, 1 + damping_of(system, s) * half};
   constraints_apply(system, step, motion.held, s);
   if (system.energy) balance_end(system, motion.balance, s, s.h_old, h);
   s.advance_begins = false;
@@ -283,7 +285,7 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
 void leapfrog_synchronous(const System& system, Motion& motion, const State& s, double* vx, double* vy,
                           double* vz, std::vector<PinLoad>& load) {
   const bool paper = system.integrator == Integrator::kPaper;
-  const double half = paper ? 0 : s.h_old / 2, damping = system.damping, centred = 1 + damping * half;
+  const double half = paper ? 0 : s.h_old / 2, damping = damping_of(system, s), centred = 1 + damping * half;
   kernel_forces(*motion.kernel, system, s, motion.workspace, motion.ax.data(), motion.ay.data(),
                 motion.az.data());
 

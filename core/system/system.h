@@ -98,8 +98,7 @@ inline bool system_has_rates(const System& system) {
 
 // How a fit stands. core/README.md, section 4.
 struct Fit {
-  double kinetic = 0;     // J, at the last look
-  bool rising = false;    // it rose to that
+  double damping = 0;     // c, 1/s
   int judge_wait = 0;     // intervals until the forces left are looked at
   double residual = 1;    // the largest of them over the load
   bool at_rest = false;

@@ -149,7 +149,7 @@ Residual residual(const Motion& motion, const Outside& outside, const VectorXd& 
   double mass = 0, pull = 0;
   for (int n = 0; n < lattice.count; ++n) {
     mass += lattice.mass[std::size_t(n)];
-    left.force = std::max(left.force, lattice.mass[std::size_t(n)] * a.segment<3>(3 * n).norm());
+    left.force += lattice.mass[std::size_t(n)] * a.segment<3>(3 * n).norm();
   }
   for (Index k = 0; k < passed.force.size(); k += 3) pull += passed.force.segment<3>(k).norm();
   left.ratio = left.force / std::max(mass * motion.gravity.norm(), pull);

@@ -49,8 +49,8 @@ struct Energy {  // J
 Energy motion_energy(const Motion& motion, const Turns& turns, const Eigen::VectorXd& y);
 Turns turns_of(const Outside& outside);
 
-// The largest force left on a particle at rest at r [3 N], constraints taken out, and that over the larger of
-// the total weight and the pins' total force. Equations: core/README.md, "Fit".
+// The forces left on particles at rest at r [3 N], constraints taken out, summed by size, and that over the
+// larger of the total weight and the pins' forces. Equations: core/README.md, "Fit".
 struct Residual {
   double force, ratio;  // N, 1
 };

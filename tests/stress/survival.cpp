@@ -1,6 +1,6 @@
 // The survival curve of the step: which share of nonlinear cloths is still bounded after many steps, against h / limit.
 //
-//     drape_survival [--steps N] [--seeds N] [--only CLOTH]      a table; --help
+//     drape_survival [--steps N] [--seeds N] [--only CLOTH] [--from RATIO] [--to RATIO]
 //
 // Leapfrog is stable for a linear system while h omega < 2. In nonlinear cloth omega moves with the motion, and the step
 // pumps energy into it well below the limit (parametric resonance with the time step). So each cloth is thrown: crumpled, hung up and let go,
@@ -26,7 +26,7 @@
 namespace drape {
 namespace {
 
-constexpr double kRatios[] = {0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 1.0, 1.05};
+constexpr double kRatios[] = {0.4, 0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95, 1.0, 1.05};
 constexpr double kDampings[] = {0, 0.2};  // 1/s
 constexpr double kSide = 0.1, kCell = 0.01;  // m, of the square
 constexpr double kCrumple = 0.004;           // of a cell
@@ -163,7 +163,8 @@ void table_print(const std::vector<Job>& jobs, double damping) {
       int all = 0, good = 0;
       for (const Job& j : jobs)
         if (j.damping == damping && j.ratio == ratio && (!cloth || j.cloth == cloth)) ++all, good += j.survived;
-      std::printf(" %5.2f", all ? double(good) / all : 0.0);
+      if (all) std::printf(" %5.2f", double(good) / all);
+      else std::printf("     -");
     }
     std::printf("\n");
   };
@@ -176,13 +177,15 @@ void table_print(const std::vector<Job>& jobs, double damping) {
   line("all", nullptr);
 }
 
-int run(long steps, unsigned seeds, const char* only) {
+int run(long steps, unsigned seeds, const char* only, double least, double most) {
   std::vector<Job> jobs;
-  for (double ratio : kRatios)
+  for (double ratio : kRatios) {
+    if (ratio < least || ratio > most) continue;
     for (double damping : kDampings)
       for (const Cloth& c : kCloths)
         for (unsigned seed = 1; seed <= seeds; ++seed)
           if (std::strstr(c.name, only)) jobs.push_back({&c, damping, ratio, seed});
+  }
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     for (std::size_t k = next++; k < jobs.size(); k = next++)
@@ -207,16 +210,19 @@ int main(int argc, char** argv) {
   long steps = 100000;
   unsigned seeds = 4;
   const char* only = "";
+  double least = 0, most = INFINITY;
   for (int k = 1; k < argc; ++k) {
     if (std::strcmp(argv[k], "--steps") == 0 && k + 1 < argc) steps = std::strtol(argv[++k], nullptr, 10);
     else if (std::strcmp(argv[k], "--seeds") == 0 && k + 1 < argc)
       seeds = unsigned(std::strtoul(argv[++k], nullptr, 10));
     else if (std::strcmp(argv[k], "--only") == 0 && k + 1 < argc) only = argv[++k];
+    else if (std::strcmp(argv[k], "--from") == 0 && k + 1 < argc) least = std::strtod(argv[++k], nullptr);
+    else if (std::strcmp(argv[k], "--to") == 0 && k + 1 < argc) most = std::strtod(argv[++k], nullptr);
     else {
-      std::fprintf(stderr, "usage: drape_survival [--steps N] [--seeds N] [--only WORD OF A CLOTH]\n");
+      std::fprintf(stderr, "usage: drape_survival [--steps N] [--seeds N] [--only WORD OF A CLOTH] [--from RATIO] [--to RATIO]\n");
       return 1;
     }
   }
   if (steps < 1 || seeds < 1) return std::fprintf(stderr, "--steps and --seeds: allowed: 1 or more\n"), 1;
-  return drape::run(steps, seeds, only);
+  return drape::run(steps, seeds, only, least, most);
 }
