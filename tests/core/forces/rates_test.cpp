@@ -7,6 +7,8 @@
 #include "cloth_fixture.h"
 #include "cut_pieces.h"
 #include "forces/rates.h"
+#include "reference/forces.h"
+#include "reference/resistance.h"
 
 namespace drape {
 namespace {
@@ -115,6 +117,28 @@ TEST(Damping, DoesNothingToRigidMotion) {
 }
 
 // A flat plate across the wind: rho/2 C_n A v^2 against it; along the wind rho/2 C_t A v^2. The cut rows count with their
+// Core and judge, the elastic forces with those of damping and air: 1e-12 of the largest, for the rounding of some fifty terms a node.
+TEST(Rates, AreTheJudges) {
+  for (Shape shape : {Shape::kRectangle, Shape::kTriangle, Shape::kDiscWithHole, Shape::kDart, Shape::kSlits})
+    for (OutlineModel outline : {OutlineModel::kCutCell, OutlineModel::kPaper})
+      for (unsigned seed = 1; seed <= 5; ++seed) {
+        Scene scene = sheet(true, true, shape);
+        scene.outline = outline;
+        scene.wind = {3, -1, 2};
+        Assembled a = assemble(scene);
+        crumple(a, 0.0015, seed);
+        throw_about(a, 2, seed);
+        a.state.wx = a.state.vx, a.state.wy = a.state.vy, a.state.wz = a.state.vz;
+        const reference::Lattice lattice = reference::lattice_make(scene);
+        const VectorXd core = forces_by(kernel_pick(), a), r = positions(a), v = velocities(a);
+        VectorXd judge = reference::forces(lattice, r);
+        reference::add_link_damping(lattice, r, v, judge);
+        reference::add_air(lattice, {scene.air_density, 1.1, 0.2}, Vector3d(3, -1, 2), r, v, judge);
+        EXPECT_LE((core - judge).lpNorm<Eigen::Infinity>(), 1e-12 * judge.lpNorm<Eigen::Infinity>())
+            << shape_name(shape) << ", seed " << seed;
+      }
+}
+
 // area.
 TEST(Air, DragOfAFlatPlateIsItsCoefficient) {
   for (Shape shape : {Shape::kRectangle, Shape::kDiscWithHole, Shape::kDart, Shape::kSlits}) {
