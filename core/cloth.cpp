@@ -35,25 +35,6 @@ void inputs_restore(const drape_snapshot::Inputs& from, drape_inputs& to) {
   std::copy(from.pin.begin(), from.pin.end(), to.pin);
 }
 
-void pieces_describe(drape_cloth& c) {
-  int particle = 0;
-  for (const Lattice& l : c.system.lattices) {
-    const Grid grid = grid_make(c.scene, l.piece);
-    drape_cloth::Piece piece;
-    piece.first = particle;
-    std::vector<int> number(std::size_t(grid.nodes()), -1);
-    for (int n = 0; n < grid.nodes(); ++n) {
-      if (grid.area[std::size_t(n)] == 0) continue;
-      number[std::size_t(n)] = particle++;
-      const Vec2 place = grid.place(n);
-      piece.rest.insert(piece.rest.end(), place.begin(), place.end());
-    }
-    for (const GridCell& cell : grid.cells)
-      for (int k : {0, 1, 3, 2}) piece.corner.push_back(number[std::size_t(cell.node[k])]);
-    c.pieces.push_back(std::move(piece));
-  }
-}
-
 void cloth_assemble(drape_cloth& c, std::vector<Problem>& problems) {
   c.system = system_assemble(c.scene, c.state, problems);
   if (!problems.empty()) return;
@@ -145,19 +126,6 @@ const char* drape_scene_name(const drape_cloth* c) { return c->scene.name.c_str(
 const char* drape_scene_text(const drape_cloth* c) { return c->text.c_str(); }
 double drape_duration(const drape_cloth* c) { return c->scene.duration; }
 double drape_communication(const drape_cloth* c) { return c->system.communication; }
-int drape_piece_count(const drape_cloth* c) { return int(c->system.lattices.size()); }
-
-drape_piece drape_piece_at(const drape_cloth* c, int index) {
-  const Lattice& l = c->system.lattices[std::size_t(index)];
-  const drape_cloth::Piece& p = c->pieces[std::size_t(index)];
-  return {c->scene.pieces[std::size_t(l.piece)].name.c_str(),
-          l.cell,
-          p.first,
-          int(p.rest.size() / 2),
-          p.rest.data(),
-          int(p.corner.size() / 4),
-          p.corner.data()};
-}
 
 drape_parameters* drape_parameters_of(drape_cloth* c) { return &c->parameters.shown; }
 

@@ -34,6 +34,12 @@ struct drape_cloth {
     int first = 0;
     std::vector<double> rest;  // [particles x 2]
     std::vector<int> corner;   // [cells x 4]
+    int point_first = 0;
+    std::vector<int> point_node;       // [points x 4]
+    std::vector<double> point_weight;  // [points x 4]
+    std::vector<int> polygon_end, polygon_corner;
+    int cut = 0, merged = 0, twins = 0;
+    double area = 0;
   };
   std::vector<Piece> pieces;
   std::string limit_link;
@@ -49,6 +55,9 @@ std::string number(double value, int digits = 6);
 // What keeps the cloth from stepping on from its present state: no step limit, a given step above it, or more
 // than kSubsMost steps in an interval.
 void step_check(const drape_cloth& cloth, std::vector<Problem>& problems);
+
+// What drape_piece_at shows.
+void pieces_describe(drape_cloth& cloth);
 
 // Room for inputs, with what they are at the start.
 void inputs_make(drape_cloth& cloth);

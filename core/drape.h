@@ -113,7 +113,9 @@ typedef struct drape_outputs {
   double* node_velocity; /* [node_count x 3] m/s, synchronous */
 } drape_outputs;
 
-/* A piece as its particles and the cells between them. */
+/* A piece as its particles and the cells between them, and as polygons that follow its outline. The corners of the polygons
+ * are particles and, where the outline runs between these, points that move with four of them each. The points are counted
+ * on from the particles of all pieces: point k of this piece is corner point_first + k. */
 typedef struct drape_piece {
   const char* name;
   double cell;        /* b, m */
@@ -122,6 +124,18 @@ typedef struct drape_piece {
   const double* rest; /* [node_count x 2] m, in the piece's plane */
   int cell_count;
   const int* corner;  /* [cell_count x 4] particles, counter-clockwise */
+  int point_first;
+  int point_count;
+  const int* point_node;      /* [point_count x 4] particles */
+  const double* point_weight; /* [point_count x 4] position = sum of weight x particle's position; velocities too */
+  int polygon_count;
+  const int* polygon_end;     /* [polygon_count] behind its last corner in polygon_corner */
+  const int* polygon_corner;  /* counter-clockwise */
+  int cut_count;    /* of the cells: those that the outline cuts */
+  int merged_count; /* parts too small for a cell of their own, taken over by a neighbour */
+  int twin_count;   /* of the particles: those that share their place in the plane with another one */
+  double area;      /* m^2 */
+  int fabric;       /* its place in drape_parameters.fabric */
 } drape_piece;
 
 /* Reads, checks and assembles a scene. On faulty input: NULL, and one DRAPE_LOG_ERROR message per problem. The log function

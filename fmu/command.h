@@ -34,6 +34,10 @@ struct ClothCloser {
 using Cloth = std::unique_ptr<drape_cloth, ClothCloser>;
 Cloth cloth_open(const std::string& scene_file, bool verbose = false);
 
+// Empty, or why the file that an option names may not be written: it has no name, or the scene is read from
+// it.
+std::string output_problem(const std::string& option, const std::string& file, const std::string& scene_file);
+
 // "error: ..." on standard error; returns the code.
 int fail(ExitCode code, const std::string& sentence);
 

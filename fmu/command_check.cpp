@@ -1,19 +1,62 @@
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <optional>
 
 #include "command.h"
+#include "csv.h"
+#include "picture.h"
+#include "scene/read.h"
 
 namespace drape {
 namespace {
 
-void print_pieces(const drape_cloth* cloth) {
-  for (int p = 0; p < drape_piece_count(cloth); ++p) {
+struct Options {
+  std::string scene_file;
+  std::optional<std::string> picture;
+};
+
+// " (A, B)" of those that there are; else nothing.
+std::string counted(std::initializer_list<std::pair<int, const char*>> list) {
+  std::string text;
+  for (const auto& [count, what] : list)
+    if (count > 0) text += (text.empty() ? " (" : ", ") + std::to_string(count) + " " + what;
+  return text.empty() ? "" : text + ")";
+}
+
+void print_pieces(drape_cloth* cloth) {
+  const int count = drape_piece_count(cloth);
+  double area = 0, mass = 0;
+  int particles = 0;
+  for (int p = 0; p < count; ++p) {
     const drape_piece piece = drape_piece_at(cloth, p);
-    std::printf("piece %s: %d particles, %d cells of %.6g mm\n", piece.name, piece.node_count,
-                piece.cell_count, 1e3 * piece.cell);
+    const double density = drape_parameters_of(cloth)->fabric[piece.fabric].areal_density;
+    std::printf("piece %s: %d particles%s, %d cells of %.6g mm%s, %.6g m2, %.6g kg\n", piece.name,
+                piece.node_count,
+                counted({{piece.twin_count, piece.twin_count == 1 ? "twin" : "twins"}}).c_str(),
+                piece.cell_count, 1e3 * piece.cell,
+                counted({{piece.cut_count, "cut"}, {piece.merged_count, "merged"}}).c_str(), piece.area,
+                density * piece.area);
+    particles += piece.node_count;
+    area += piece.area;
+    mass += density * piece.area;
   }
+  if (count > 1)
+    std::printf("%d pieces: %d particles, %.6g m2, %.6g kg\n", count, particles, area, mass);
+}
+
+// False, with the reason in errno, where the file cannot be written.
+bool write_picture(const Options& options) {
+  std::vector<Problem> problems;  // none: the cloth has just been opened from the same file
+  const std::string svg = picture_svg(scene_read(options.scene_file, problems));
+  errno = 0;
+  std::ofstream file(*options.picture, std::ios::binary);
+  file << svg;
+  file.close();
+  return !file.fail();
 }
 
 // Measured from the initial state, which it leaves as it was: for a quarter of a second or one simulated
@@ -43,9 +86,14 @@ bool print_cost(drape_cloth* cloth) {
   return status == DRAPE_OK;
 }
 
-int check(const std::string& scene_file) {
-  const Cloth cloth = cloth_open(scene_file);
+int check(const Options& options) {
+  if (options.picture)
+    if (const std::string problem = output_problem("--picture", *options.picture, options.scene_file);
+        !problem.empty())
+      return fail(kBadInput, problem);
+  const Cloth cloth = cloth_open(options.scene_file);
   if (!cloth) return kBadInput;
+  if (options.picture && !write_picture(options)) return fail(kBadInput, cannot_write(*options.picture));
   std::printf("scene %s: %.6g s, communication interval %.6g s\n", drape_scene_name(cloth.get()),
               drape_duration(cloth.get()), drape_communication(cloth.get()));
   print_pieces(cloth.get());
@@ -61,9 +109,10 @@ int check(const std::string& scene_file) {
 void command_check(CLI::App& app, int& exit_code) {
   CLI::App* command =
       app.add_subcommand("check", "read and validate a scene; print its size, step limit and cost");
-  auto scene_file = std::make_shared<std::string>();
-  option_scene(*command, *scene_file);
-  command->callback([scene_file, &exit_code] { exit_code = check(*scene_file); });
+  auto options = std::make_shared<Options>();
+  option_scene(*command, options->scene_file);
+  command->add_option("--picture", options->picture, "draw the pieces on their grids")->type_name("FILE.svg");
+  command->callback([options, &exit_code] { exit_code = check(*options); });
 }
 
 }  // namespace drape

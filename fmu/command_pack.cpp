@@ -1,6 +1,3 @@
-#include <filesystem>
-#include <system_error>
-
 #include "command.h"
 #include "pack.h"
 #include "picture.h"
@@ -15,20 +12,11 @@ struct Options {
   Nodes nodes = Nodes::kNone;
 };
 
-// Empty, or why the FMU may not be written there.
-std::string file_problem(const Options& options) {
-  if (options.file.empty()) return "--output is empty; allowed: the name of a file";
-  for (const std::filesystem::path& read : scene_files(options.scene_file)) {
-    std::error_code error;
-    if (std::filesystem::equivalent(options.file, read, error))
-      return "--output is " + options.file + ", which the scene is read from; allowed: any other file";
-  }
-  return "";
-}
-
 int pack(const Options& options) {
   if (options.fmi != 2) return fail(kBadInput, "--fmi is " + std::to_string(options.fmi) + "; allowed: 2");
-  if (const std::string problem = file_problem(options); !problem.empty()) return fail(kBadInput, problem);
+  if (const std::string problem = output_problem("--output", options.file, options.scene_file);
+      !problem.empty())
+    return fail(kBadInput, problem);
   const Cloth cloth = cloth_open(options.scene_file);
   if (!cloth) return kBadInput;
   std::vector<Problem> problems;  // none: the cloth has just been opened from the same file

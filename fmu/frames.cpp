@@ -12,14 +12,35 @@
 namespace drape {
 namespace {
 
-// Corners of all cells, counter-clockwise. [4 x cells]
-std::vector<std::int32_t> cells_of(const drape_cloth* cloth) {
-  std::vector<std::int32_t> corners;
+// All pieces: the particles, then the points that move with four of them.
+struct Shape {
+  std::vector<double> position, velocity;  // [points x 3]
+  std::vector<std::int32_t> corner, end;   // of the polygons; a polygon's end, counted through
+};
+
+Shape shape_of(drape_cloth* cloth) {
+  const drape_outputs& o = *drape_outputs_at(cloth, 1);
+  const std::size_t length = std::size_t(o.node_count) * 3;
+  Shape shape;
+  shape.position.assign(o.node_position, o.node_position + length);
+  shape.velocity.assign(o.node_velocity, o.node_velocity + length);
   for (int p = 0; p < drape_piece_count(cloth); ++p) {
     const drape_piece piece = drape_piece_at(cloth, p);
-    corners.insert(corners.end(), piece.corner, piece.corner + 4 * std::size_t(piece.cell_count));
+    for (int k = 0; k < piece.point_count; ++k)
+      for (auto [values, of_nodes] :
+           {std::pair{&shape.position, o.node_position}, {&shape.velocity, o.node_velocity}})
+        for (int axis = 0; axis < 3; ++axis) {
+          double sum = 0;
+          for (int n = 4 * k; n < 4 * k + 4; ++n)
+            sum += piece.point_weight[n] * of_nodes[3 * piece.point_node[n] + axis];
+          values->push_back(sum);
+        }
+    const auto before = std::int32_t(shape.corner.size());
+    for (int k = 0; k < piece.polygon_count; ++k) shape.end.push_back(before + piece.polygon_end[k]);
+    const int corners = piece.polygon_count ? piece.polygon_end[piece.polygon_count - 1] : 0;
+    shape.corner.insert(shape.corner.end(), piece.polygon_corner, piece.polygon_corner + corners);
   }
-  return corners;
+  return shape;
 }
 
 // VTK's appended data: each array is its length in bytes and its bytes, found by its offset.
@@ -41,24 +62,21 @@ std::string array_tag(const char* type, const char* name, int components, std::s
          std::to_string(components) + "\" format=\"appended\" offset=\"" + std::to_string(offset) + "\"/>\n";
 }
 
-bool write_polydata(const std::filesystem::path& path, const drape_outputs& o,
-                    const std::vector<std::int32_t>& corners) {
-  std::vector<std::int32_t> ends;  // a polygon's last corner, counted through
-  for (std::size_t i = 4; i <= corners.size(); i += 4) ends.push_back(std::int32_t(i));
+bool write_polydata(const std::filesystem::path& path, const Shape& shape) {
   Appended data;
-  const std::size_t points = std::size_t(o.node_count) * 3;
   std::string head =
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
       "header_type=\"UInt64\">\n<PolyData>\n"
       "<Piece NumberOfPoints=\"" +
-      std::to_string(o.node_count) + "\" NumberOfPolys=\"" + std::to_string(ends.size()) + "\">\n<Points>\n";
-  head += array_tag("Float64", "position", 3, data.append(o.node_position, points));
+      std::to_string(shape.position.size() / 3) + "\" NumberOfPolys=\"" +
+      std::to_string(shape.end.size()) + "\">\n<Points>\n";
+  head += array_tag("Float64", "position", 3, data.append(shape.position.data(), shape.position.size()));
   head += "</Points>\n<PointData Vectors=\"velocity\">\n";
-  head += array_tag("Float64", "velocity", 3, data.append(o.node_velocity, points));
+  head += array_tag("Float64", "velocity", 3, data.append(shape.velocity.data(), shape.velocity.size()));
   head += "</PointData>\n<Polys>\n";
-  head += array_tag("Int32", "connectivity", 1, data.append(corners.data(), corners.size()));
-  head += array_tag("Int32", "offsets", 1, data.append(ends.data(), ends.size()));
+  head += array_tag("Int32", "connectivity", 1, data.append(shape.corner.data(), shape.corner.size()));
+  head += array_tag("Int32", "offsets", 1, data.append(shape.end.data(), shape.end.size()));
   head += "</Polys>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
   std::ofstream file(path, std::ios::binary);
   file << head << data.bytes << "\n</AppendedData>\n</VTKFile>\n";
@@ -90,7 +108,7 @@ bool frame_write(Frames& frames, drape_cloth* cloth, double time) {
   std::filesystem::create_directories(frames.folder / "frames", error);
   const std::filesystem::path path = frames.folder / frame_name(frames.times.size());
   errno = 0;
-  if (!write_polydata(path, *drape_outputs_at(cloth, 1), cells_of(cloth))) {
+  if (!write_polydata(path, shape_of(cloth))) {
     frames.trouble = cannot_write(path);
     return false;
   }

@@ -15,8 +15,9 @@ struct Frames {
   std::string trouble;        // why a file could not be written
 };
 
-// Writes frames/NNNN.vtp with the particles, the cells between four of them, and the velocity, and frames.pvd
-// anew. False, with the sentence in `trouble`, where something could not be written.
+// Writes frames/NNNN.vtp with the particles, then the points of the outline between them, the polygons of the
+// cloth and the velocity, and frames.pvd anew. False, with the sentence in `trouble`, where something could
+// not be written.
 bool frame_write(Frames& frames, drape_cloth* cloth, double time);
 
 }  // namespace drape

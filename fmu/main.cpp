@@ -3,10 +3,13 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <map>
+#include <system_error>
 
 #include "command.h"
 #include "scene/nearest.h"
+#include "scene/read.h"
 
 namespace drape {
 namespace {
@@ -84,6 +87,17 @@ CLI::Option* option_seconds(CLI::App& command, const char* name, double& seconds
 
 Cloth cloth_open(const std::string& scene_file, bool verbose) {
   return Cloth(drape_open(scene_file.c_str(), verbose ? log_verbose : log_quiet, nullptr));
+}
+
+std::string output_problem(const std::string& option, const std::string& file,
+                           const std::string& scene_file) {
+  if (file.empty()) return option + " is empty; allowed: the name of a file";
+  for (const std::filesystem::path& read : scene_files(scene_file)) {
+    std::error_code error;
+    if (std::filesystem::equivalent(file, read, error))
+      return option + " is " + file + ", which the scene is read from; allowed: any other file";
+  }
+  return "";
 }
 
 int fail(ExitCode code, const std::string& sentence) {

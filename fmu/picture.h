@@ -6,7 +6,8 @@
 
 namespace drape {
 
-// An SVG element: outlines, grids, pins (squares) and probes (circles), piece beside piece, warp upwards.
+// An SVG element: the pieces with their grids, what the outline makes of the cells, pins, probes, the
+// direction of the warp, a scale and a legend. Of a scene that can be opened.
 std::string picture_svg(const Scene& scene);
 
 }  // namespace drape

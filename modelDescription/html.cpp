@@ -34,7 +34,7 @@ std::string description_html(const Description& d, const std::string& picture) {
          "A woven cloth for co-simulation, made by Drape " + d.version + ". Default experiment: 0 to " +
              decimal_text(d.stop_time) + " s in steps of " + decimal_text(d.step_size) + " s.");
   body.append_buffer(picture.data(), picture.size());
-  append(body, "p", "The pieces on their grids, warp upwards. Squares: pins. Circles: probes.");
+  append(body, "p", "The pieces on their grids.");
   append(body, "h2", "Variables");
   pugi::xml_node table = body.append_child("table");
   pugi::xml_node header = table.append_child("tr");

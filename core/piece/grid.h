@@ -57,9 +57,15 @@ struct GridPoint {
 };
 GridPoint grid_locate(const Grid& grid, Vec2 point);
 
+// The same on the map of a cell; the point in cells from node (0,0).
+GridPoint grid_point(const Grid& grid, int cell, Vec2 coordinates);
+
 // Of the turned plane, in cells from node (0,0), exactly whole on a grid line; and back.
 Vec2 grid_coordinates(const Grid& grid, Vec2 point);
 Vec2 grid_plane(const Grid& grid, Vec2 coordinates);
+
+// True where the outline cuts the place: it holds parts.
+bool grid_is_cut(const Grid& grid, int i, int j);
 
 // The regular cell of a place, else the first with twins; -1: none.
 int grid_cell_at(const Grid& grid, int i, int j);

@@ -94,15 +94,11 @@ bool is_inside(const Region& r, int i, int j, const std::vector<Vec2>& cloth) {
 std::vector<char> cells_inside(const Region& r) {
   const Grid& grid = r.grid;
   std::vector<char> inside(grid.cells.size(), 1);
-  const auto is_before = [](const GridPart& p, const GridCell& c) {
-    return p.j != c.j ? p.j < c.j : p.i < c.i;
-  };
   for (std::size_t c = 0; c < grid.cells.size(); ++c) {
     const GridCell& cell = grid.cells[c];
     const double x = cell.i, y = cell.j;
-    const auto part = std::lower_bound(grid.parts.begin(), grid.parts.end(), cell, is_before);
-    const bool cut = part != grid.parts.end() && part->i == cell.i && part->j == cell.j;
-    if (!cut) inside[c] = is_inside(r, cell.i, cell.j, {{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}});
+    if (!grid_is_cut(grid, cell.i, cell.j))
+      inside[c] = is_inside(r, cell.i, cell.j, {{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}});
   }
   for (const GridPart& part : grid.parts) {
     if (grid.paper || !inside[std::size_t(part.cell)]) continue;

@@ -24,12 +24,16 @@ void nearest_take(Nearest& best, const Grid& grid, int cell, double distance, in
     best = next;
 }
 
+auto place_parts(const Grid& grid, int i, int j) {  // the first of them, if there are any
+  return std::lower_bound(grid.parts.begin(), grid.parts.end(), i, [&](const GridPart& p, int column) {
+    return p.j != j ? p.j < j : p.i < column;
+  });
+}
+
 void place_search(Nearest& best, const Grid& grid, int i, int j, Vec2 at, Vec2 point) {
   bool cut = false;
   if (!grid.paper) {
-    auto part = std::lower_bound(grid.parts.begin(), grid.parts.end(), i, [&](const GridPart& p, int column) {
-      return p.j != j ? p.j < j : p.i < column;
-    });
+    auto part = place_parts(grid, i, j);
     for (; part != grid.parts.end() && part->i == i && part->j == j; ++part, cut = true)
       nearest_take(best, grid, part->cell, polygons_distance(part->loops, point) / grid.cell, i, j);
   }
@@ -51,6 +55,11 @@ Vec2 grid_coordinates(const Grid& grid, Vec2 p) {
 Vec2 grid_plane(const Grid& grid, Vec2 at) {
   const double x = grid.x0 + at[0] * grid.cell, y = grid.y0 + at[1] * grid.cell;
   return {x * grid.cosine - y * grid.sine, x * grid.sine + y * grid.cosine};
+}
+
+bool grid_is_cut(const Grid& grid, int i, int j) {
+  const auto part = place_parts(grid, i, j);
+  return part != grid.parts.end() && part->i == i && part->j == j;
 }
 
 int grid_cell_at(const Grid& grid, int i, int j) {
@@ -81,8 +90,11 @@ int grid_cell_of(const Grid& grid, Vec2 point) {
 }
 
 GridPoint grid_locate(const Grid& grid, Vec2 point) {
-  const GridCell& c = grid.cells[std::size_t(grid_cell_of(grid, point))];
-  const Vec2 at = grid_coordinates(grid, point);
+  return grid_point(grid, grid_cell_of(grid, point), grid_coordinates(grid, point));
+}
+
+GridPoint grid_point(const Grid& grid, int cell, Vec2 at) {
+  const GridCell& c = grid.cells[std::size_t(cell)];
   const double s = at[0] - c.i, t = at[1] - c.j;
   return {{c.node[0], c.node[1], c.node[2], c.node[3]}, {(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t}};
 }

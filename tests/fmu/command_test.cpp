@@ -1,70 +1,9 @@
 // The `drape` command as a user types it: words it takes and refuses, and what it writes.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-
+#include "command_fixture.h"
 #include "decimal.h"
 
 namespace drape {
 namespace {
-
-namespace fs = std::filesystem;
-
-struct Done {
-  int code;
-  std::string text;  // standard output and error
-};
-
-class Command : public testing::Test {
- protected:
-  fs::path folder;
-
-  void SetUp() override {
-    std::string name = (fs::path(testing::TempDir()) / "drape_command_XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder = name;
-    fs::copy_file(DRAPE_SAMPLES "/swatch.toml", folder / "scene.toml");
-  }
-  void TearDown() override { fs::remove_all(folder); }
-
-  Done drape(const std::string& arguments) const {
-    const std::string line = "cd '" + folder.string() + "' && '" DRAPE_COMMAND "' " + arguments + " 2>&1";
-    std::FILE* pipe = popen(line.c_str(), "r");
-    Done done{-1, ""};
-    std::array<char, 1000> part;
-    while (std::fgets(part.data(), part.size(), pipe)) done.text += part.data();
-    const int status = pclose(pipe);
-    if (WIFEXITED(status)) done.code = WEXITSTATUS(status);
-    return done;
-  }
-  std::string text_of(const std::string& file) const {
-    std::ifstream stream(folder / file, std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-  }
-  std::vector<std::string> lines_of(const std::string& file) const {
-    std::istringstream text(text_of(file));
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(text, line);) lines.push_back(line);
-    return lines;
-  }
-  // Refused with one sentence in which the words stand.
-  void expect_refused(const std::string& arguments, const std::vector<std::string>& words) const {
-    const Done done = drape(arguments);
-    EXPECT_EQ(done.code, 1) << done.text;
-    EXPECT_EQ(std::count(done.text.begin(), done.text.end(), '\n'), 1) << done.text;
-    for (const std::string& word : words)
-      EXPECT_NE(done.text.find(word), std::string::npos) << word << " is missing in: " << done.text;
-  }
-};
 
 // One --set for several settings, one for each, and both; a plus; the same bits.
 TEST_F(Command, takes_settings_in_a_row) {

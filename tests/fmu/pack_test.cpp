@@ -10,8 +10,6 @@
 #include <memory>
 
 #include "description.h"
-#include "picture.h"
-#include "scene/read.h"
 
 namespace drape {
 namespace {
@@ -84,21 +82,6 @@ TEST(Pack, names_the_file_it_cannot_write) {
   std::string problem;
   EXPECT_FALSE(fmu_pack(cloth.get(), Nodes::kNone, "<svg/>", "/no/such/folder/cloth.fmu", problem));
   EXPECT_NE(problem.find("/no/such/folder/cloth.fmu"), std::string::npos) << problem;
-}
-
-// The swatch is pinned along an edge of 6 particles and has one probe.
-TEST(Pack, picture_shows_piece_pins_and_probes) {
-  std::vector<Problem> problems;
-  const std::string svg = picture_svg(scene_read(DRAPE_SAMPLES "/swatch.toml", problems));
-  ASSERT_TRUE(problems.empty());
-  const auto count = [&](const std::string& part) {
-    int found = 0;
-    for (std::size_t at = svg.find(part); at != std::string::npos; at = svg.find(part, at + 1)) ++found;
-    return found;
-  };
-  EXPECT_EQ(count(">sheet</text>"), 1);
-  EXPECT_EQ(count("<title>pin bar</title>"), 6);
-  EXPECT_EQ(count("<title>probe hem</title>"), 1);
 }
 
 }  // namespace
