@@ -10,7 +10,7 @@ struct Held {
   Eigen::VectorXd inverse_mass;      // [N] 1/kg; 0 where fixed
   Eigen::MatrixXd A;                 // [rows x N] the independent rows on several particles
   std::vector<int> row;              // [rows] their indices into Lattice::rows
-  Eigen::LLT<Eigen::MatrixXd> gram;  // A M^-1 A^T
+  Eigen::LLT<Eigen::MatrixXd> gram{Eigen::MatrixXd(0, 0)};  // A M^-1 A^T
 };
 Held held_make(const Lattice& lattice);
 

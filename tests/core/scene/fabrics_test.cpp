@@ -3,7 +3,6 @@
 
 #include <cstdio>
 #include <iterator>
-#include <regex>
 
 #include "fabric/law.h"
 #include "scene_file.h"
@@ -85,7 +84,10 @@ TEST_P(ShippedFabric, IsReadAndHasLaws) { fabric_of(kFolder / (GetParam() + ".to
 // A reader sees at once whether a figure was measured.
 TEST_P(ShippedFabric, SaysMeasuredOrIllustrativeFirst) {
   const std::string text = text_of(kFolder / (GetParam() + ".toml"));
-  EXPECT_TRUE(std::regex_search(text, std::regex("\ndescription = \"\"\"\n(Measured|Illustrative): ")));
+  const auto begins = [&](const char* word) {
+    return text.find("\ndescription = \"\"\"\n" + std::string(word) + ": ") != std::string::npos;
+  };
+  EXPECT_TRUE(begins("Measured") || begins("Illustrative"));
 }
 
 TEST_P(ShippedFabric, HasItsRowOnThePage) {
