@@ -55,14 +55,13 @@ void cloth_assemble(drape_cloth& c, std::vector<Problem>& problems) {
 std::string trouble_text(const drape_cloth& c) {
   const State& s = c.state;
   for (const Lattice& l : c.system.lattices)
-    for (int j = 0; j < l.rows; ++j)
-      for (int i = 0; i < l.columns; ++i) {
-        const std::size_t n = l.node(i, j);
-        if (c.system.mass[n] == 0) continue;
-        if (std::isfinite(s.x[n] + s.y[n] + s.z[n]) && std::isfinite(s.vx[n] + s.vy[n] + s.vz[n])) continue;
-        return "piece '" + c.scene.pieces[std::size_t(l.piece)].name + "', column " + std::to_string(i + 1) +
-               ", row " + std::to_string(j + 1);
-      }
+    for (std::size_t n : c.system.particle) {
+      if (n < l.first || n >= l.twin_first + std::size_t(l.twin_stride)) continue;
+      if (std::isfinite(s.x[n] + s.y[n] + s.z[n]) && std::isfinite(s.vx[n] + s.vy[n] + s.vz[n])) continue;
+      const auto [column, row] = l.place_of(n);
+      return "piece '" + c.scene.pieces[std::size_t(l.piece)].name + "', column " + std::to_string(column + 1) +
+             ", row " + std::to_string(row + 1);
+    }
   return "no particle";
 }
 

@@ -62,6 +62,9 @@ void pieces_describe(drape_cloth& cloth);
 // Room for inputs, with what they are at the start.
 void inputs_make(drape_cloth& cloth);
 
+// An orientation of length 0 goes back to what it is now, with a problem.
+void inputs_mend(drape_cloth& cloth, std::vector<Problem>& problems);
+
 // Checks the inputs and makes them the end of the next advance, of `length`. On a problem (true without) the values at
 // fault are again what they are now.
 bool inputs_take(drape_cloth& cloth, double length, std::vector<Problem>& problems);

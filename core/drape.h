@@ -103,6 +103,7 @@ typedef struct drape_outputs {
   int has_fit; /* scene.mode = "fit" */
   double fit_residual; /* 1 */
   int has_energy;
+  int has_balance; /* of the energies: not in a fit */
   drape_energy energy;
   int probe_count;
   drape_probe* probe; /* [probe_count] */
@@ -160,7 +161,7 @@ drape_status drape_commit(drape_cloth*);
 
 /* Inputs: write into the returned struct (it and its arrays keep their addresses for the cloth's life); the next drape_advance
  * goes there, from where they are. Rates are the values' time derivatives at the beginning of the next advance: the value reached is
- * value + length x rate; they are 0 again after it. drape_inputs_start, before the first advance: the wind written so far is the one
+ * value + length x rate; they are 0 again once it has been made. drape_inputs_start, before the first advance: the wind written so far is the one
  * of the start (else the scene's). */
 drape_inputs* drape_inputs_of(drape_cloth*);
 void drape_inputs_start(drape_cloth*);

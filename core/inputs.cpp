@@ -90,6 +90,17 @@ void inputs_make(drape_cloth& c) {
   c.input_rates.pin = c.pin_rates.data();
 }
 
+void inputs_mend(drape_cloth& c, std::vector<Problem>& problems) {
+  for (std::size_t k = 0; k < c.driven.size(); ++k) {
+    drape_pin_input &in = c.pin_inputs[k], &rate = c.pin_rates[k];
+    if (!in.clamp || !(in.drive & DRAPE_DRIVE_POSITION) || !all_zero(rate.orientation)) continue;
+    double reached[4] = {in.orientation[0], in.orientation[1], in.orientation[2], in.orientation[3]};
+    orientation_take({std::string("pin.") + in.name + ".orientation", &kPinOrientation, 4, in.orientation,
+                      rate.orientation, c.state.pin_frame[c.driven[k]].turn.data()},
+                     reached, problems);
+  }
+}
+
 bool inputs_take(drape_cloth& c, double length, std::vector<Problem>& problems) {
   Inputs to = inputs_at(c.state);
   const std::size_t before = problems.size();

@@ -117,6 +117,35 @@ void tuning_changed(drape_cloth& c, double error_before) {
   c.state.input += balance_error(c) - error_before;
 }
 
+// step.max is fixed once the cloth has moved.
+void step_max_mend(drape_cloth& c, std::vector<Problem>& problems) {
+  double& step_max = c.parameters.shown.step_max;
+  if (c.state.steps == 0 || step_max == c.system.step_max) return;
+  problems.push_back({"step.max", "= " + number(step_max) + " s; it is fixed once the cloth has moved, at " +
+                                      number(c.system.step_max) + " s"});
+  step_max = c.system.step_max;
+}
+
+// Takes what has been written; `before` are the values that were aimed at.
+void parameters_commit(drape_cloth& c, const ParameterValues& before, std::vector<Problem>& problems) {
+  parameters_mend(c.parameters, c.scene, before, problems);
+  step_max_mend(c, problems);
+  if (parameters_read(c.parameters) == before) return;
+  const ParameterValues in_force = c.tuning.in_force;
+  const State untouched = c.state;
+  leapfrog_complete(c.system, c.motion, c.state, false);
+  const double error_before = balance_error(c);
+  while (parameters_try(c, before, problems)) continue;
+  // Before the first step there is nothing to spare: the values are there at once.
+  const double ramp = c.state.steps > 0 ? c.parameters.shown.ramp : 0;
+  ramp_aim(c.tuning.ramp, in_force, parameters_read(c.parameters), ramp / c.system.communication,
+           parameters_groups(c.parameters));
+  std::vector<Problem> none;
+  values_take(c, ramp_values(c.tuning.ramp), none);
+  if (c.tuning.in_force == in_force) c.state = untouched;
+  else tuning_changed(c, error_before);
+}
+
 }  // namespace
 
 void tuning_begin(drape_cloth& c) {
@@ -128,6 +157,7 @@ void tuning_go(drape_cloth& c, double intervals) {
   Ramp& ramp = c.tuning.ramp;
   if (!ramp_under_way(ramp)) return;
   ramp_go(ramp, intervals);
+  leapfrog_complete(c.system, c.motion, c.state, true);
   const double error_before = balance_error(c);
   std::vector<Problem> problems;
   values_take(c, ramp_values(ramp), problems);
@@ -150,28 +180,10 @@ void tuning_restore(drape_cloth& c, const Tuning& tuning) {
 using namespace drape;
 
 drape_status drape_commit(drape_cloth* c) {
-  const ParameterValues before = c->tuning.ramp.to, in_force = c->tuning.in_force;
-  if (parameters_read(c->parameters) == before) return DRAPE_OK;
   std::vector<Problem> problems;
-  parameters_mend(c->parameters, c->scene, before, problems);
-  double& step_max = c->parameters.shown.step_max;
-  if (c->state.steps > 0 && step_max != c->system.step_max) {
-    problems.push_back({"step.max", "= " + number(step_max) +
-                                        " s; it is fixed once the cloth has moved, at " +
-                                        number(c->system.step_max) + " s"});
-    step_max = c->system.step_max;
-  }
-  if (!(parameters_read(c->parameters) == before)) {
-    const double error_before = balance_error(*c);
-    while (parameters_try(*c, before, problems)) continue;
-    // Before the first step there is nothing to spare: the values are there at once.
-    const double ramp = c->state.steps > 0 ? c->parameters.shown.ramp : 0;
-    ramp_aim(c->tuning.ramp, in_force, parameters_read(c->parameters), ramp / c->system.communication,
-             parameters_groups(c->parameters));
-    std::vector<Problem> none;
-    values_take(*c, ramp_values(c->tuning.ramp), none);
-    if (!(c->tuning.in_force == in_force)) tuning_changed(*c, error_before);
-  }
+  const ParameterValues before = c->tuning.ramp.to;
+  if (!(parameters_read(c->parameters) == before)) parameters_commit(*c, before, problems);
+  inputs_mend(*c, problems);
   say_problems(*c, problems);
   return problems.empty() ? DRAPE_OK : DRAPE_DISCARD;
 }

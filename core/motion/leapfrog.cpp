@@ -85,7 +85,7 @@ void say_step(std::string& event, const char* verb, double time, double h, const
 
 // Fewer steps for the coming interval of q, where the last hundred would have allowed it.
 void subs_relax(const System& system, State& s, std::string& event) {
-  if (s.calm < kCalm) return;
+  if (s.calm < kCalm || system.fit) return;
   const double q = system.communication;
   const std::int64_t wanted = subs_for(q, step_allowed(system, s.omega2_most));
   s.calm = 0;
@@ -130,7 +130,7 @@ Advance interval_run(const System& system, Motion& motion, State& s, double leng
     }
     leapfrog_step(system, motion, s, length / double(n), double(done + 1) / double(n));
   }
-  if (system.fit && !s.fit.at_rest) fit_judge(system, motion, s);
+  if (system.fit && !s.fit.at_rest && !path_moves(motion.path)) fit_judge(system, motion, s);
   return Advance::kDone;
 }
 
@@ -156,25 +156,6 @@ void clamp_torques_add(const System& system, Motion& motion, State& s, double sp
   for (std::size_t p = 0; p < motion.torque.size(); ++p) s.pin_impulse[p].torque += span * motion.torque[p];
 }
 
-// Completes the last half kick, so that the state is one of t_n as at the start, before a pin's velocity
-// jumps.
-void step_complete(const System& system, Motion& motion, State& s) {
-  std::vector<PinLoad> told;
-  const double lead = velocity_lead(system, s);
-  leapfrog_synchronous(system, motion, s, motion.vx.data(), motion.vy.data(), motion.vz.data(), told);
-  if (system.energy) {
-    const BalanceNow now = balance_now(system, motion.balance, s, lead, motion.vx, motion.vy, motion.vz);
-    s.dissipated = now.dissipated;
-    s.input = now.input + motion.held.work;
-  }
-  for (std::size_t n : system.particle) {
-    s.vx[n] = motion.vx[n];
-    s.vy[n] = motion.vy[n];
-    s.vz[n] = motion.vz[n];
-  }
-  s.h_old = s.h_older = 0;
-}
-
 // Lays the paths of an advance and begins them. Where the velocity of a pin jumps, so do those of the cloth;
 // the impulse is the first of the advance. (The paper's scheme takes it up in its first step.)
 void inputs_begin(const System& system, Motion& motion, State& s, double length) {
@@ -182,7 +163,7 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   motion.path = path_make(system, s, motion.inputs, length);
   if (system.fit && path_moves(motion.path)) fit_wake(s);
   const bool jumps = path_jumps(motion.path, s) && system.integrator == Integrator::kLeapfrog;
-  if (jumps && s.h_old > 0) step_complete(system, motion, s);
+  if (jumps) leapfrog_complete(system, motion, s, false);
   path_follow(motion.path, 0, s);
   held_refresh(system.constraints, s, motion.held);
   held_rates(system.constraints, s, Rate::kVelocity, motion.held);
@@ -191,6 +172,15 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   constraints_project(system, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()}, &s.pin_impulse);
   if (!s.wx.empty()) s.wx = s.vx, s.wy = s.vy, s.wz = s.vz;
   if (system.energy) s.input += kinetic_energy(system, s) - before;
+}
+
+// Lets the system change before an interval, and looks again at what is held.
+void interval_open(const System& system, Motion& motion, State& s, double intervals,
+                   const std::function<void(double)>& begins) {
+  if (!begins) return;
+  begins(intervals);
+  held_refresh(system.constraints, s, motion.held);
+  held_rates(system.constraints, s, Rate::kVelocity, motion.held);
 }
 
 }  // namespace
@@ -248,6 +238,28 @@ void leapfrog_step(const System& system, Motion& motion, State& s, double h, dou
   ++s.steps;
 }
 
+void leapfrog_complete(const System& system, Motion& motion, State& s, bool within) {
+  if (s.h_old == 0 || system.integrator == Integrator::kPaper) return;
+  std::vector<PinLoad> told;
+  const double lead = velocity_lead(system, s);
+  leapfrog_synchronous(system, motion, s, motion.vx.data(), motion.vy.data(), motion.vz.data(), told);
+  if (system.energy) {
+    const BalanceNow now = balance_now(system, motion.balance, s, lead, motion.vx, motion.vy, motion.vz);
+    s.dissipated = now.dissipated;
+    s.input = now.input + motion.held.work;
+  }
+  for (std::size_t p = 0; within && p < told.size(); ++p) {
+    s.pin_impulse[p].force += s.h_old / 2 * told[p].force;
+    s.pin_impulse[p].torque += s.h_old / 2 * told[p].torque;
+  }
+  for (std::size_t n : system.particle) {
+    s.vx[n] = motion.vx[n];
+    s.vy[n] = motion.vy[n];
+    s.vz[n] = motion.vz[n];
+  }
+  s.h_old = s.h_older = 0;
+}
+
 Advance leapfrog_advance(const System& system, Motion& motion, State& s, double length, std::string& event,
                          const std::function<void(double)>& interval_begins) {
   const double q = system.communication;
@@ -263,7 +275,7 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
   Advance result = Advance::kDone;
   if (on_grid) {
     for (std::int64_t k = 0; k < std::int64_t(whole) && result == Advance::kDone; ++k) {
-      if (interval_begins) interval_begins(1);
+      interval_open(system, motion, s, 1, interval_begins);
       subs_relax(system, s, event);
       path_interval(motion.path, s, k, q);
       result = interval_run(system, motion, s, q, s.subs, event);
@@ -271,7 +283,7 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
       ++s.calm;
     }
   } else {
-    if (interval_begins) interval_begins(length / q);
+    interval_open(system, motion, s, length / q, interval_begins);
     subs_relax(system, s, event);
     result = interval_run(system, motion, s, length, subs_for(length, q / double(s.subs)), event);
     s.calm += std::max<std::int64_t>(1, std::int64_t(length / q));

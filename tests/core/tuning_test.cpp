@@ -70,8 +70,8 @@ std::vector<double> nodes(const Cloth& c) {
 
 double height(const Cloth& c) { return drape_outputs_at(c.get(), 0)->probe[0].position[2]; }
 
-// Free fall with gravity on its way from g to 0 within 10 q: in the k-th interval g_k = g (1 - k/10), and
-//   v_{n+1/2} = v_{n-1/2} - h g_k,  z_{n+1} = z_n + h v_{n+1/2}.
+// Free fall with gravity on its way from g to 0 within 10 q: g_k = g (1 - k/10) in the k-th interval, a parabola, on
+// which leapfrog from a synchronous velocity lies: v <- v - g_k q, z <- z + v q - g_k q^2/2.
 // Sums of a few hundred terms of 1e-3 m, to 1e-13.
 TEST(Tuning, gravity_on_its_way_in_free_fall) {
   Heard heard;
@@ -80,13 +80,10 @@ TEST(Tuning, gravity_on_its_way_in_free_fall) {
   run(c, 4);
   drape_parameters_of(c.get())->ramp = 10 * kQ;
   drape_parameters_of(c.get())->gravity[2] = 0;
-  const double h = kQ / kSteps;
   double z = 1, v = 0;
   const auto fall = [&](double g) {
-    for (int n = 0; n < kSteps; ++n) {
-      v -= v == 0 ? h * g / 2 : h * g;
-      z += h * v;
-    }
+    z += v * kQ - g * kQ * kQ / 2;
+    v -= g * kQ;
   };
   for (int k = 0; k < 4; ++k) fall(kG);
   EXPECT_NEAR(height(c), z, 1e-13);
@@ -158,13 +155,15 @@ TEST(Tuning, a_saved_state_is_on_its_way_too) {
   drape_snapshot_free(saved);
 }
 
-// From the end of the way on, the cloth is one of the new values: a jump at that time from the same state.
+// From the end of the way on, the cloth is one of the new values: a jump at that time from the same state, but for the
+// rounding of the half steps that lead to and from a jump.
 TEST(Tuning, values_arrive_exactly) {
   Heard heard;
   const Cloth c = open_sheet(heard, true);
   ASSERT_TRUE(c);
   run(c, 2);
   tune_everything(c);
+  drape_parameters_of(c.get())->damping = 0;  // of which the two half steps brake by (c h/2)^2 more than the whole
   run(c, 8);
   drape_snapshot* saved = drape_save(c.get(), nullptr);
   run(c, 4);
@@ -176,7 +175,8 @@ TEST(Tuning, values_arrive_exactly) {
   drape_parameters_of(c.get())->gravity[0] = 2;
   ASSERT_EQ(drape_commit(c.get()), DRAPE_OK);
   run(c, 4);
-  EXPECT_EQ(nodes(c), end);
+  const std::vector<double> jumped = nodes(c);
+  for (std::size_t k = 0; k < end.size(); ++k) EXPECT_NEAR(jumped[k], end[k], 1e-13) << k;
   drape_snapshot_free(saved);
 }
 
@@ -236,34 +236,31 @@ double total(const drape_energy& e) { return e.kinetic + e.stretch + e.shear + e
 
 drape_energy energy(const Cloth& c) { return drape_outputs_at(c.get(), 0)->energy; }
 
-// The energy put in is the work of the change: all energies after it minus those before, less what braking
-// takes of the half step up to now; the error of the balance does not jump. Sums of 1e2 terms, each rounded.
+// The energy put in is the work of the change: all energies after it minus those before; the error of the
+// balance does not jump. Sums of 1e2 terms, each rounded.
 void expect_work(const Cloth& c) {
   const drape_energy before = energy(c);
   ASSERT_EQ(drape_commit(c.get()), DRAPE_OK);
   const drape_energy after = energy(c);
   const double size = total(before) + total(after);
   EXPECT_NE(after.input, before.input);
-  EXPECT_NEAR(after.input - before.input, total(after) - total(before) + after.dissipated - before.dissipated,
-              1e-14 * size);
+  EXPECT_NEAR(after.input - before.input, total(after) - total(before), 1e-14 * size);
+  EXPECT_NEAR(after.dissipated, before.dissipated, 1e-14 * size);
   EXPECT_NEAR(after.balance_error, before.balance_error, 1e-14 * size);
 }
 
-// Gravity doubled in free fall: the weight's potential energy doubles, and the velocity at t_n, which the
-// last half step makes, v_n = v_{n-1/2} - h g/2, is that of the new gravity. No force, so nothing else.
+// Gravity doubled in free fall doubles the weight's potential energy; the velocity stays what it is.
 TEST(Tuning, work_of_doubling_gravity_in_free_fall) {
   Heard heard;
   const Cloth c = open_sheet(heard, false);
   ASSERT_TRUE(c);
   run(c, 10);
-  const double mass = 0.15 * 0.05 * 0.05, centre = height(c) + 0.025, h = kQ / kSteps;
-  const double v = -(10 * kSteps - 0.5) * h * kG;  // v_{n-1/2}
-  const double input = energy(c).input;
+  const double mass = 0.15 * 0.05 * 0.05, work = mass * kG * (height(c) + 0.025);
+  const drape_energy before = energy(c);
   drape_parameters_of(c.get())->gravity[2] *= 2;
   expect_work(c);
-  const auto kinetic = [&](double u) { return mass * u * u / 2; };
-  const double work = mass * kG * centre + kinetic(v - h * kG) - kinetic(v - h * kG / 2);
-  EXPECT_NEAR(energy(c).input - input, work, 1e-12 * work);
+  EXPECT_NEAR(energy(c).input - before.input, work, 1e-12 * work);
+  EXPECT_NEAR(energy(c).kinetic, before.kinetic, 1e-14 * before.kinetic);
 }
 
 // A diagram doubled under strain doubles its energy; the density times 1.5 the weight's and that of motion.
