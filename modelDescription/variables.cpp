@@ -125,7 +125,7 @@ void add_parameters(Table& table, drape_parameters& p) {
         "drag coefficient along the cloth");
   }
   add(table, "parameter_ramp", &p.ramp, tunable(kRamp), "time over which a tuned value moves to its new one");
-  add(table, "step.max", &p.step_max, fixed(kStepMax), "longest time step of the automatic choice");
+  add(table, "step.max", &p.step_max, fixed(kStepMax), "longest time step");
 }
 
 void add_inputs(Table& table, drape_inputs& u, drape_inputs& rates) {
@@ -181,6 +181,7 @@ void add_outputs(Table& table, drape_outputs& o) {
   add(table, "energy.shear", &o.energy.shear, output("J"), "energy of the diagonals");
   add(table, "energy.bending", &o.energy.bending, output("J"), "energy of the hinges");
   add(table, "energy.gravity", &o.energy.gravity, output("J"), "potential energy of the weight");
+  if (!o.has_balance) return;
   add(table, "energy.dissipated", &o.energy.dissipated, output("J"),
       "energy that damping and air have taken");
   add(table, "energy.input", &o.energy.input, output("J"), "work of pins, wind and tuning on the cloth");

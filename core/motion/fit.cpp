@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kScaleEvery = 16;           // steps
 constexpr int kJudgeEvery = 8;            // intervals
-constexpr double kResidualRest = 1e-5;    // of the larger of weight and pins' forces
+constexpr double kResidualRest = 1e-5;    // of the load
 constexpr double kKineticRest = 1e-9;     // of that times the size of the largest piece
 constexpr double kLeastLoad = 1e-12;      // N, where nothing weighs or pulls
 
@@ -53,11 +53,13 @@ double norm(const Vec3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] *
 
 void fit_scale(const System& system, State& s, double h) {
   s.lightness.assign(system.nodes, 0.0);  // holds m'/rho at first
+  const double drag = step_limit_drag(system, s);
   double most = 0;
   for (const Lattice& l : system.lattices) {
     const double clamps = step_limit_clamps(system, l, s, kScaleEvery * h);
     each_cell(system, l, [&](const std::size_t* corner, double share) {
-      const double omega2 = step_limit_cell(l, s, corner, kScaleEvery * h) + clamps;
+      const double bare = step_limit_cell(l, s, corner, kScaleEvery * h) + clamps;
+      const double omega2 = step_limit_rated(system, l, bare, drag);
       const double ratio = h / (system.safety * step_limit_of(system, omega2));
       const double quarter = share * l.cell * l.cell / 4 * std::max(1.0, ratio * ratio);
       for (int k = 0; k < 4; ++k) s.lightness[corner[k]] += quarter;
@@ -139,14 +141,16 @@ void fit_judge(const System& system, Motion& motion, State& s) {
   double weight = 0, size = 0;
   for (std::size_t n : system.particle) weight += system.mass[n] * norm(system.gravity);
   for (const Lattice& l : system.lattices) size = std::max(size, l.cell * std::max(l.columns, l.rows));
-  const double load = std::max({weight, left.pins, kLeastLoad});
-  s.fit.residual = left.sum / load;
-  s.fit.at_rest = s.fit.residual <= kResidualRest && kinetic(system, s) <= kKineticRest * load * size;
+  s.fit.load = std::max({s.fit.load, weight, left.pins, left.sum, kLeastLoad});
+  s.fit.residual = left.sum / s.fit.load;
+  s.fit.at_rest = s.fit.residual <= kResidualRest && kinetic(system, s) <= kKineticRest * s.fit.load * size;
   if (s.fit.at_rest) stop(system, s);
 }
 
 void fit_wake(State& s) {
+  if (!s.fit.at_rest) return;
   s.fit.at_rest = false;
+  s.fit.load = 0;
   s.fit.judge_wait = 0;
   s.watch_wait = 0;
 }

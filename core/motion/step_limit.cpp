@@ -132,16 +132,22 @@ double step_limit_lattice(const System& system, const Kernel& kernel, const Latt
   return most + step_limit_clamps(system, l, state, ahead);
 }
 
-double step_limit_omega2(const System& system, const Kernel& kernel, const State& state, double ahead) {
+double step_limit_drag(const System& system, const State& state) {
+  if (!system_has_air(system)) return 0;
   const Air& air = system.air;
-  const double drag = system_has_air(system) ? air.density * std::max(air.normal, air.tangential) *
-                                                   speed_against_wind(system, state)
-                                             : 0;
+  return air.density * std::max(air.normal, air.tangential) * speed_against_wind(system, state);
+}
+
+double step_limit_rated(const System& system, const Lattice& l, double omega2, double drag) {
+  return omega2_with(system, omega2, l.law.damping * omega2 + drag / l.law.areal_density);
+}
+
+double step_limit_omega2(const System& system, const Kernel& kernel, const State& state, double ahead) {
+  const double drag = step_limit_drag(system, state);
   double most = 0;
   for (const Lattice& l : system.lattices) {
     const double omega2 = step_limit_lattice(system, kernel, l, state, ahead);
-    const double d = l.law.damping * omega2 + drag / l.law.areal_density;
-    most = most_of(omega2_with(system, omega2, d), most);
+    most = most_of(step_limit_rated(system, l, omega2, drag), most);
   }
   return most;
 }

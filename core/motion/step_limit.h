@@ -15,6 +15,11 @@ double step_limit_lattice(const System& system, const Kernel& kernel, const Latt
 double step_limit_cell(const Lattice& lattice, const State& state, const std::size_t* corner, double ahead);
 double step_limit_clamps(const System& system, const Lattice& lattice, const State& state, double ahead);
 
+// What omega^2 of a lattice counts as where forces depend on velocity: without them, it would lead to the same limit. `drag`: that of
+// the air, N s/m per m^2.
+double step_limit_drag(const System& system, const State& state);
+double step_limit_rated(const System& system, const Lattice& lattice, double omega2, double drag);
+
 // The largest of all lattices, raised to what leads to the same limit where forces depend on velocity.
 double step_limit_omega2(const System& system, const Kernel& kernel, const State& state, double ahead = 0);
 

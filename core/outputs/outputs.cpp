@@ -56,6 +56,7 @@ void energy_fill(Outputs& o, const System& system, Motion& motion, const State& 
   drape_energy& e = o.shown.energy;
   e = energy_potential(system, s);
   e.kinetic = energy_kinetic(system, o.vx, o.vy, o.vz);
+  if (!o.shown.has_balance) return;
   const BalanceNow now = balance_now(system, motion.balance, s, velocity_lead(system, s), o.vx, o.vy, o.vz);
   e.dissipated = now.dissipated;
   e.input = now.input + motion.held.work;
@@ -71,6 +72,7 @@ void outputs_make(Outputs& o, const Scene& scene, const System& system) {
   o.node_velocity.assign(3 * system.particle.size(), 0.0);
   for (Array* a : {&o.vx, &o.vy, &o.vz}) a->assign(system.nodes, 0.0);
   o.shown.has_energy = scene.energy;
+  o.shown.has_balance = system.energy;
   o.shown.has_fit = scene.mode == Mode::kFit;
   o.shown.probe_count = int(o.probes.size());
   o.shown.probe = o.probes.data();

@@ -117,7 +117,7 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
   system.damping = scene.damping;
   system.gravity = scene.gravity;
   if (scene.has_air) system.air = {scene.air_density, scene.air_normal, scene.air_tangential};
-  system.energy = scene.energy;
+  system.energy = scene.energy && scene.mode == Mode::kDynamic;
   system.fit = scene.mode == Mode::kFit;
   system.options = {scene.scaling, scene.bias_model, scene.clamp_correction};
 

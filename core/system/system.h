@@ -100,7 +100,8 @@ inline bool system_has_rates(const System& system) {
 struct Fit {
   double damping = 0;     // c, 1/s
   int judge_wait = 0;     // intervals until the forces left are looked at
-  double residual = 1;    // the largest of them over the load
+  double residual = 1;    // their sum over the load
+  double load = 0;        // N, the largest since the start or the last change: weight, pins' forces, forces left
   bool at_rest = false;
 };
 

@@ -82,10 +82,11 @@ std::vector<std::string> output_columns(const Scene& scene, const Lattice& latti
   names.insert(names.end(), {"tension.max", "strain.beyond_test.count", "step.size", "step.count"});
   if (scene.mode == Mode::kFit) names.push_back("fit.residual");
   if (scene.energy) {
-    for (const char* kind :
-         {"kinetic", "stretch", "shear", "bending", "gravity", "dissipated", "input", "balance_error"}) {
+    for (const char* kind : {"kinetic", "stretch", "shear", "bending", "gravity"})
       names.push_back(std::string("energy.") + kind);
-    }
+    if (scene.mode == Mode::kDynamic)  // a fit has no balance
+      for (const char* kind : {"dissipated", "input", "balance_error"})
+        names.push_back(std::string("energy.") + kind);
   }
   if (!nodes) return names;
   for (const char* what : {"node.position[", "node.velocity["}) {
@@ -115,7 +116,10 @@ std::vector<double> output_row(const Scene& scene, const Motion& motion, bool no
   row.insert(row.end(), {tension_max(lattice, r), beyond_test_count(lattice, r), sample.step_size,
                          double(sample.step_count)});
   if (scene.mode == Mode::kFit) row.push_back(residual(motion, sample.outside, r).ratio);
-  if (scene.energy) push_energies(row, motion, sample);
+  if (scene.energy) {
+    push_energies(row, motion, sample);
+    if (scene.mode == Mode::kFit) row.resize(row.size() - 3);
+  }
   if (!nodes) return row;
   row.insert(row.end(), r.begin(), r.end());
   row.insert(row.end(), v.begin(), v.end());
