@@ -139,11 +139,17 @@ int run(const Options& options) {
     header.push_back(v.name());
     r.columns.push_back(v.value);
   }
+  const double until = options.until > 0 ? options.until : duration,
+               every = options.every > 0 ? options.every : duration / 100;
+  constexpr double kLongest = 1e7, kMostRows = 1e7;  // s; rows
+  if (until > kLongest) return fail(kBadInput, "--until is " + decimal_text(until) + " s; allowed: at most 1e7 s");
+  if (until / every > kMostRows)
+    return fail(kBadInput, "--every is " + decimal_text(every) + " s; allowed: at least " +
+                               decimal_text(until / kMostRows) + " s, a ten-millionth of the time to the end");
   std::string problem;
   if (!csv_open(r.csv, options.folder, problem)) return fail(kBadInput, problem);
   csv_header(r.csv, header);
-  const int code = run_rows(r, driven, options.until > 0 ? options.until : duration,
-                            options.every > 0 ? options.every : duration / 100);
+  const int code = run_rows(r, driven, until, every);
   if (!csv_close(r.csv, problem)) return fail(kFailedRun, problem);
   return r.frames_written ? code : fail(kFailedRun, r.frames.trouble);
 }

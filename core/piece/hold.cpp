@@ -44,9 +44,19 @@ void points_hold(Hold& hold, const Grid& grid, std::vector<Vec2> at) {  // in ce
 // All links of a node.
 void node_slopes(const Grid& grid, int node, std::vector<HeldSlope>& slopes) {
   std::map<int, bool> links;  // the other node -> along the warp
-  for (const GridCell& c : grid.cells)
+  const auto cell_links = [&](const GridCell& c) {
     for (int k = 0; k < 4; ++k)
       if (c.node[k] == node) links.emplace(c.node[k ^ 1], false), links.emplace(c.node[k ^ 2], true);
+  };
+  const auto rows_end = grid.cells.begin() + grid.regular;
+  const auto [column, row] = grid.index(node);
+  for (int j : {row - 1, row}) {
+    auto c = std::lower_bound(grid.cells.begin(), rows_end, std::pair{j, column - 1}, [](const GridCell& a, auto at) {
+      return std::pair{a.j, a.i} < at;
+    });
+    for (; c != rows_end && c->j == j && c->i <= column; ++c) cell_links(*c);
+  }
+  std::for_each(rows_end, grid.cells.end(), cell_links);
   for (const auto& [to, warp] : links) slopes.push_back({node, to, warp, 1, 1, true});
 }
 

@@ -73,7 +73,6 @@ bool fabric_fold(toml::table& fabric, const std::string& path, const fs::path& f
   if (const toml::node* another = base->get("file")) {
     faults.places[key] = {file.string(), another->source().begin.line};
     fault_add(faults, key, "stands in a fabric file; a fabric file cannot name another one");
-    return false;
   }
   table_underlay(fabric, std::move(*base));
   return true;

@@ -124,7 +124,8 @@ void add_clamps(const Net& net, const Hold& hold, int pin, Lattice& lattice) {
     const double B = link_rigidity(net, slope.warp);
     if (!(B > 0)) continue;
     const auto& links = slope.warp ? net.warp : net.weft;
-    const double width = links.at({std::min(slope.from, slope.to), std::max(slope.from, slope.to)});
+    const auto found = links.find({slope.from, slope.to});
+    const double width = found != links.end() ? found->second : links.at({slope.to, slope.from});
     lattice.clamps.push_back({net.at(slope.from), net.at(slope.to), slope.clamp * 2 * B * width, pin});
   }
 }

@@ -16,6 +16,7 @@ namespace {
 
 using Eigen::VectorXd;
 
+constexpr double kLongest = 1e7, kMostRows = 1e7;  // s; rows
 constexpr double kRtolLeast = 1e-12, kRtolMost = 1e-3;
 constexpr double kSameTime = 1e-9;  // of the output interval
 
@@ -32,6 +33,8 @@ bool options_good(const Options& o, double until, double every, const Sink& sink
   demand(o.order >= 2 && o.order <= 8, "order", o.order, "2 to 8");
   demand(until > 0 && std::isfinite(until), "until", until, "above 0 s, finite");
   demand(every > 0 && std::isfinite(every), "every", every, "above 0 s, finite");
+  demand(!(until > kLongest), "until", until, "at most 1e7 s");
+  demand(!(until / every > kMostRows), "every", every, "at least a ten-millionth of the time to the end");
   return good;
 }
 

@@ -30,7 +30,10 @@ const ClampCase kClamps[] = {{"node", {{0.03, 0.02}}, {}, {}},
                              {"corner_of_two_edges", {}, {1, 2}, {}, Shape::kRectangle, {0.003, 0.0063}},
                              {"slanted_edge", {}, {0}, {}, Shape::kTriangle},
                              {"region", {}, {}, {{0.017, 0.012}, {0.052, 0.017}, {0.035, 0.041}}},
-                             {"edge_with_a_dart", {}, {2, 5}, {}, Shape::kDart, {0, 0.0031}}};
+                             {"edge_with_a_dart", {}, {2, 5}, {}, Shape::kDart, {0, 0.0031}},
+                             {"edges_of_slits", {}, {3, 7}, {}, Shape::kSlits},
+                             {"region_over_slits", {}, {}, {{0.022, 0.012}, {0.067, 0.013}, {0.064, 0.047}, {0.021, 0.046}},
+                              Shape::kSlits}};
 
 Scene clamped(const ClampCase& c, FabricSpec fabric = reference::curved_fabric()) {
   Scene scene = cut_piece(fabric, c.shape);
