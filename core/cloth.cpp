@@ -59,8 +59,8 @@ std::string trouble_text(const drape_cloth& c) {
       if (n < l.first || n >= l.twin_first + std::size_t(l.twin_stride)) continue;
       if (std::isfinite(s.x[n] + s.y[n] + s.z[n]) && std::isfinite(s.vx[n] + s.vy[n] + s.vz[n])) continue;
       const auto [column, row] = l.place_of(n);
-      return "piece '" + c.scene.pieces[std::size_t(l.piece)].name + "', column " + std::to_string(column + 1) +
-             ", row " + std::to_string(row + 1);
+      return "piece '" + c.scene.pieces[std::size_t(l.piece)].name + "', column " +
+             std::to_string(column + 1) + ", row " + std::to_string(row + 1);
     }
   return "no particle";
 }

@@ -28,7 +28,7 @@ struct drape_cloth {
   drape_inputs inputs{}, input_rates{};
   std::vector<drape_pin_input> pin_inputs, pin_rates;  // [driven pins]
   std::vector<std::size_t> driven;                     // theirs among Scene::pins
-  drape::Tuning tuning, tuning_good;  // as state, good
+  drape::Tuning tuning, tuning_good;                   // as state, good
   drape::Outputs outputs;
   struct Piece {
     int first = 0;
@@ -65,8 +65,8 @@ void inputs_make(drape_cloth& cloth);
 // An orientation of length 0 goes back to what it is now, with a problem.
 void inputs_mend(drape_cloth& cloth, std::vector<Problem>& problems);
 
-// Checks the inputs and makes them the end of the next advance, of `length`. On a problem (true without) the values at
-// fault are again what they are now.
+// Checks the inputs and makes them the end of the next advance, of `length`. On a problem (true without) the
+// values at fault are again what they are now.
 bool inputs_take(drape_cloth& cloth, double length, std::vector<Problem>& problems);
 
 // After an advance the rates are 0 again.

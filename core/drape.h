@@ -1,7 +1,8 @@
-/* Drape: woven cloth as a dynamical system. The C interface of the core: the only header that other parts include.
+/* Drape: woven cloth as a dynamical system. The C interface of the core: the only header that other parts
+ * include.
  *
- * A cloth is opened from a scene file, advanced in time, and read through plain structs that it owns. SI units. One thread
- * at a time may use a cloth; any number of cloths may live in one process.
+ * A cloth is opened from a scene file, advanced in time, and read through plain structs that it owns. SI
+ * units. One thread at a time may use a cloth; any number of cloths may live in one process.
  */
 #ifndef DRAPE_H
 #define DRAPE_H
@@ -22,14 +23,19 @@ typedef enum drape_status {
   DRAPE_ERROR    /* the run left the finite numbers; the state is the last good one */
 } drape_status;
 
-typedef enum drape_log_kind { DRAPE_LOG_ERROR, DRAPE_LOG_WARNING, DRAPE_LOG_EVENT, DRAPE_LOG_STABILITY } drape_log_kind;
+typedef enum drape_log_kind {
+  DRAPE_LOG_ERROR,
+  DRAPE_LOG_WARNING,
+  DRAPE_LOG_EVENT,
+  DRAPE_LOG_STABILITY
+} drape_log_kind;
 typedef void drape_log_fn(void* user, drape_log_kind kind, const char* message);
 
 /* What a user may tune while the cloth moves. Names and counts are fixed by the scene. */
 typedef struct drape_diagram {
-  int count;               /* points after the origin */
+  int count;                /* points after the origin */
   const double* elongation; /* [count] fraction */
-  double* force;           /* [count] N on the strip */
+  double* force;            /* [count] N on the strip */
 } drape_diagram;
 
 typedef struct drape_fabric {
@@ -44,32 +50,33 @@ typedef struct drape_fabric {
 } drape_fabric;
 
 typedef struct drape_parameters {
-  double damping;    /* 1/s */
-  double gravity[3]; /* m/s^2 */
-  int has_air;       /* the scene has air; 0: the next two do nothing */
+  double damping;                    /* 1/s */
+  double gravity[3];                 /* m/s^2 */
+  int has_air;                       /* the scene has air; 0: the next two do nothing */
   double air_normal, air_tangential; /* 1 */
-  double ramp;       /* s, parameter_ramp */
-  double step_max;   /* s; fixed after the first step */
+  double ramp;                       /* s, parameter_ramp */
+  double step_max;                   /* s; fixed after the first step */
   int fabric_count;
   drape_fabric* fabric; /* [fabric_count] */
 } drape_parameters;
 
-/* What the outside world does with the cloth: where each value is to be at the end of the next drape_advance. */
+/* What the outside world does with the cloth: where each value is to be at the end of the next drape_advance.
+ */
 enum { DRAPE_DRIVE_POSITION = 1, DRAPE_DRIVE_VELOCITY = 2 };
 
 typedef struct drape_pin_input {
   const char* name;
-  int drive;                   /* bits: which of the values below act */
-  int clamp;                   /* the rotation acts too */
-  double position[3];          /* m */
-  double orientation[4];       /* w, x, y, z: the rotation since the start; any length above 0 */
-  double velocity[3];          /* m/s */
-  double angular_velocity[3];  /* rad/s */
+  int drive;                  /* bits: which of the values below act */
+  int clamp;                  /* the rotation acts too */
+  double position[3];         /* m */
+  double orientation[4];      /* w, x, y, z: the rotation since the start; any length above 0 */
+  double velocity[3];         /* m/s */
+  double angular_velocity[3]; /* rad/s */
 } drape_pin_input;
 
 typedef struct drape_inputs {
-  int has_wind;    /* the scene has air */
-  double wind[3];  /* m/s */
+  int has_wind;   /* the scene has air */
+  double wind[3]; /* m/s */
   int pin_count;
   drape_pin_input* pin; /* [pin_count] the driven ones */
 } drape_inputs;
@@ -100,51 +107,54 @@ typedef struct drape_outputs {
   double tension_max;                                 /* N/m */
   double strain_beyond_test_count;                    /* links past the last point of their diagram */
   double step_size, step_count, step_stability;       /* s, 1, h omega_max / 2 */
-  int has_fit; /* scene.mode = "fit" */
-  double fit_residual; /* 1 */
+  int has_fit;                                        /* scene.mode = "fit" */
+  double fit_residual;                                /* 1 */
   int has_energy;
   int has_balance; /* of the energies: not in a fit */
   drape_energy energy;
   int probe_count;
   drape_probe* probe; /* [probe_count] */
   int pin_count;
-  drape_pin* pin; /* [pin_count] */
+  drape_pin* pin;        /* [pin_count] */
   int node_count;        /* particles of all pieces in order, row by row */
   double* node_position; /* [node_count x 3] m */
   double* node_velocity; /* [node_count x 3] m/s, synchronous */
 } drape_outputs;
 
-/* A piece as its particles and the cells between them, and as polygons that follow its outline. The corners of the polygons
- * are particles and, where the outline runs between these, points that move with four of them each. The points are counted
- * on from the particles of all pieces: point k of this piece is corner point_first + k. */
+/* A piece as its particles and the cells between them, and as polygons that follow its outline. The corners
+ * of the polygons are particles and, where the outline runs between these, points that move with four of them
+ * each. The points are counted on from the particles of all pieces: point k of this piece is corner
+ * point_first + k. */
 typedef struct drape_piece {
   const char* name;
-  double cell;        /* b, m */
-  int node_first;     /* its first particle in drape_outputs.node_position */
+  double cell;    /* b, m */
+  int node_first; /* its first particle in drape_outputs.node_position */
   int node_count;
   const double* rest; /* [node_count x 2] m, in the piece's plane */
   int cell_count;
-  const int* corner;  /* [cell_count x 4] particles, counter-clockwise */
+  const int* corner; /* [cell_count x 4] particles, counter-clockwise */
   int point_first;
   int point_count;
-  const int* point_node;      /* [point_count x 4] particles */
-  const double* point_weight; /* [point_count x 4] position = sum of weight x particle's position; velocities too */
+  const int* point_node; /* [point_count x 4] particles */
+  const double*
+      point_weight; /* [point_count x 4] position = sum of weight x particle's position; velocities too */
   int polygon_count;
-  const int* polygon_end;     /* [polygon_count] behind its last corner in polygon_corner */
-  const int* polygon_corner;  /* counter-clockwise */
-  int cut_count;    /* of the cells: those that the outline cuts */
-  int merged_count; /* parts too small for a cell of their own, taken over by a neighbour */
-  int twin_count;   /* of the particles: those that share their place in the plane with another one */
-  double area;      /* m^2 */
-  int fabric;       /* its place in drape_parameters.fabric */
+  const int* polygon_end;    /* [polygon_count] behind its last corner in polygon_corner */
+  const int* polygon_corner; /* counter-clockwise */
+  int cut_count;             /* of the cells: those that the outline cuts */
+  int merged_count;          /* parts too small for a cell of their own, taken over by a neighbour */
+  int twin_count; /* of the particles: those that share their place in the plane with another one */
+  double area;    /* m^2 */
+  int fabric;     /* its place in drape_parameters.fabric */
 } drape_piece;
 
-/* Reads, checks and assembles a scene. On faulty input: NULL, and one DRAPE_LOG_ERROR message per problem. The log function
- * is kept for the cloth's life; NULL for none. */
+/* Reads, checks and assembles a scene. On faulty input: NULL, and one DRAPE_LOG_ERROR message per problem.
+ * The log function is kept for the cloth's life; NULL for none. */
 drape_cloth* drape_open(const char* scene_file, drape_log_fn* log, void* user);
 void drape_close(drape_cloth*);
 
-/* Scene facts. The text is the scene with every file it names folded in; a scene file of that text gives the same cloth. */
+/* Scene facts. The text is the scene with every file it names folded in; a scene file of that text gives the
+ * same cloth. */
 const char* drape_scene_name(const drape_cloth*);
 const char* drape_scene_text(const drape_cloth*);
 double drape_duration(const drape_cloth*);      /* s, scene.duration */
@@ -152,17 +162,18 @@ double drape_communication(const drape_cloth*); /* s, scene.communication */
 int drape_piece_count(const drape_cloth*);
 drape_piece drape_piece_at(const drape_cloth*, int index);
 
-/* Parameters: write into the returned struct (it and its arrays keep their addresses for the cloth's life), then commit. A
- * commit checks all of them (single values and their combinations); on DRAPE_DISCARD each problem has been logged, what is at
- * fault (a value, a diagram, or a fabric that leaves no step to make) again holds the values in force, and the rest has been
- * taken. drape_advance commits by itself. */
+/* Parameters: write into the returned struct (it and its arrays keep their addresses for the cloth's life),
+ * then commit. A commit checks all of them (single values and their combinations); on DRAPE_DISCARD each
+ * problem has been logged, what is at fault (a value, a diagram, or a fabric that leaves no step to make)
+ * again holds the values in force, and the rest has been taken. drape_advance commits by itself. */
 drape_parameters* drape_parameters_of(drape_cloth*);
 drape_status drape_commit(drape_cloth*);
 
-/* Inputs: write into the returned struct (it and its arrays keep their addresses for the cloth's life); the next drape_advance
- * goes there, from where they are. Rates are the values' time derivatives at the beginning of the next advance: the value reached is
- * value + length x rate; they are 0 again once it has been made. drape_inputs_start, before the first advance: the wind written so far is the one
- * of the start (else the scene's). */
+/* Inputs: write into the returned struct (it and its arrays keep their addresses for the cloth's life); the
+ * next drape_advance goes there, from where they are. Rates are the values' time derivatives at the beginning
+ * of the next advance: the value reached is value + length x rate; they are 0 again once it has been made.
+ * drape_inputs_start, before the first advance: the wind written so far is the one of the start (else the
+ * scene's). */
 drape_inputs* drape_inputs_of(drape_cloth*);
 void drape_inputs_start(drape_cloth*);
 drape_inputs* drape_input_rates_of(drape_cloth*);
@@ -177,17 +188,21 @@ double drape_time(const drape_cloth*);
 /* Advances by `length` > 0 seconds, at most 1e9 communication intervals. */
 drape_status drape_advance(drape_cloth*, double length);
 
-/* True where the last advance was refused because the step limit had fallen below the scene's step: it would be again. */
+/* True where the last advance was refused because the step limit had fallen below the scene's step: it would
+ * be again. */
 int drape_stuck(const drape_cloth*);
 
-/* The outputs at the present time; valid until the next call that takes a non-const cloth (the struct and its arrays keep
- * their addresses for the cloth's life). `want_nodes` != 0 fills the node arrays too. Reading never changes the motion. */
+/* The outputs at the present time; valid until the next call that takes a non-const cloth (the struct and its
+ * arrays keep their addresses for the cloth's life). `want_nodes` != 0 fills the node arrays too. Reading
+ * never changes the motion. */
 const drape_outputs* drape_outputs_at(drape_cloth*, int want_nodes);
 
-/* The step limit at the present state, without the safety factor (s), and the name of the link that sets it. */
+/* The step limit at the present state, without the safety factor (s), and the name of the link that sets it.
+ */
 double drape_step_limit(drape_cloth*, const char** set_by);
 
-/* Copies of the whole state (motion, clock, parameters in force and written, inputs). drape_save reuses `into` unless it is NULL. */
+/* Copies of the whole state (motion, clock, parameters in force and written, inputs). drape_save reuses
+ * `into` unless it is NULL. */
 drape_snapshot* drape_save(drape_cloth*, drape_snapshot* into);
 void drape_restore(drape_cloth*, const drape_snapshot*);
 void drape_snapshot_free(drape_snapshot*);

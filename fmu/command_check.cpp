@@ -34,18 +34,16 @@ void print_pieces(drape_cloth* cloth) {
   for (int p = 0; p < count; ++p) {
     const drape_piece piece = drape_piece_at(cloth, p);
     const double density = drape_parameters_of(cloth)->fabric[piece.fabric].areal_density;
-    std::printf("piece %s: %d particles%s, %d cells of %.6g mm%s, %.6g m2, %.6g kg\n", piece.name,
-                piece.node_count,
-                counted({{piece.twin_count, piece.twin_count == 1 ? "twin" : "twins"}}).c_str(),
-                piece.cell_count, 1e3 * piece.cell,
-                counted({{piece.cut_count, "cut"}, {piece.merged_count, "merged"}}).c_str(), piece.area,
-                density * piece.area);
+    std::printf(
+        "piece %s: %d particles%s, %d cells of %.6g mm%s, %.6g m2, %.6g kg\n", piece.name, piece.node_count,
+        counted({{piece.twin_count, piece.twin_count == 1 ? "twin" : "twins"}}).c_str(), piece.cell_count,
+        1e3 * piece.cell, counted({{piece.cut_count, "cut"}, {piece.merged_count, "merged"}}).c_str(),
+        piece.area, density * piece.area);
     particles += piece.node_count;
     area += piece.area;
     mass += density * piece.area;
   }
-  if (count > 1)
-    std::printf("%d pieces: %d particles, %.6g m2, %.6g kg\n", count, particles, area, mass);
+  if (count > 1) std::printf("%d pieces: %d particles, %.6g m2, %.6g kg\n", count, particles, area, mass);
 }
 
 // False, with the reason in errno, where the file cannot be written.

@@ -69,8 +69,8 @@ bool write_polydata(const std::filesystem::path& path, const Shape& shape) {
       "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
       "header_type=\"UInt64\">\n<PolyData>\n"
       "<Piece NumberOfPoints=\"" +
-      std::to_string(shape.position.size() / 3) + "\" NumberOfPolys=\"" +
-      std::to_string(shape.end.size()) + "\">\n<Points>\n";
+      std::to_string(shape.position.size() / 3) + "\" NumberOfPolys=\"" + std::to_string(shape.end.size()) +
+      "\">\n<Points>\n";
   head += array_tag("Float64", "position", 3, data.append(shape.position.data(), shape.position.size()));
   head += "</Points>\n<PointData Vectors=\"velocity\">\n";
   head += array_tag("Float64", "velocity", 3, data.append(shape.velocity.data(), shape.velocity.size()));

@@ -77,13 +77,12 @@ Size views_place(std::vector<View>& views) {
 }
 
 void hatch_define(pugi::xml_node svg) {
-  const pugi::xml_node pattern = svg_append(
-      svg_append(svg, "defs", {}), "pattern",
-      {{"id", "drape-hatch"},
-       {"width", "6"},
-       {"height", "6"},
-       {"patternUnits", "userSpaceOnUse"},
-       {"patternTransform", "rotate(45)"}});
+  const pugi::xml_node pattern = svg_append(svg_append(svg, "defs", {}), "pattern",
+                                            {{"id", "drape-hatch"},
+                                             {"width", "6"},
+                                             {"height", "6"},
+                                             {"patternUnits", "userSpaceOnUse"},
+                                             {"patternTransform", "rotate(45)"}});
   for (const auto& [width, opacity] : {std::pair{"6", "0.18"}, {"1.5", "0.7"}})
     svg_append(pattern, "rect",
                {{"width", width}, {"height", "6"}, {"fill", kPinInk}, {"fill-opacity", opacity}});
@@ -119,8 +118,8 @@ std::string picture_svg(const Scene& scene) {
   const Size whole = views_place(views);
 
   pugi::xml_document document;
-  pugi::xml_node svg = svg_append(
-      document, "svg", {{"xmlns", "http://www.w3.org/2000/svg"}, {"font-family", "sans-serif"}});
+  pugi::xml_node svg =
+      svg_append(document, "svg", {{"xmlns", "http://www.w3.org/2000/svg"}, {"font-family", "sans-serif"}});
   hatch_define(svg);
   for (const View& view : views) {
     const pugi::xml_node group = svg_append(svg, "g", {{"class", "piece"}});
@@ -131,8 +130,7 @@ std::string picture_svg(const Scene& scene) {
     probes_draw(group, view);
   }
   const double width = std::max(whole.width, 560.0);
-  const double legend =
-      legend_draw(svg, scene, grids, scale, {kMargin, whole.height}, width - kMargin);
+  const double legend = legend_draw(svg, scene, grids, scale, {kMargin, whole.height}, width - kMargin);
   const std::string height = svg_number(whole.height + legend + 8);
   svg.append_attribute("viewBox").set_value(("0 0 " + svg_number(width) + " " + height).c_str());
   svg.append_attribute("width").set_value(svg_number(width).c_str());

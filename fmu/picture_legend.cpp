@@ -63,9 +63,8 @@ std::vector<Item> pin_items(pugi::xml_node parent, const Scene& scene) {
       items.push_back({64, std::string(clamp ? "clamp" : "pin") + ": points, edges, region",
                        [parent, clamp](Vec2 at) { hold_draw(parent, at, clamp); }});
   if (any([](const PinSpec& pin) { return pin.at.empty(); }))
-    items.push_back({4, "held by an edge or region", [parent](Vec2 at) {
-                       held_mark(parent, {{at[0] + 2, at[1]}}, 4);
-                     }});
+    items.push_back(
+        {4, "held by an edge or region", [parent](Vec2 at) { held_mark(parent, {{at[0] + 2, at[1]}}, 4); }});
   if (any([](const PinSpec& pin) { return pin.drive != Drive::kNone; }))
     items.push_back({20, "driven pin", [parent](Vec2 at) { drive_mark(parent, {at[0] + 10, at[1]}, 10); }});
   if (!scene.probes.empty())
@@ -80,12 +79,14 @@ Item scale_item(pugi::xml_node parent, double scale) {
   const double per_unit = length >= 1 ? 1 : length > 0.009 ? 100 : 1000;
   char text[32];
   std::snprintf(text, sizeof text, "%.6g %s", length * per_unit,
-                per_unit == 1 ? "m" : per_unit == 100 ? "cm" : "mm");
+                per_unit == 1     ? "m"
+                : per_unit == 100 ? "cm"
+                                  : "mm");
   const double width = length * scale;
   return {width, text, [parent, width](Vec2 at) {
             const double left = at[0], right = at[0] + width, y = at[1];
-            const std::vector<Vec2> bar = {{left, y - 4},  {left, y + 4},  {left, y},
-                                           {right, y}, {right, y - 4}, {right, y + 4}};
+            const std::vector<Vec2> bar = {{left, y - 4}, {left, y + 4},  {left, y},
+                                           {right, y},    {right, y - 4}, {right, y + 4}};
             svg_append(parent, "path",
                        {{"class", "scale"},
                         {"d", svg_path(bar, false)},

@@ -21,7 +21,8 @@ DRAPE_INLINE Vec<L> cross(Vec<L> a, Vec<L> b) {
 
 // What a corner of a cell feels; `speed` the mean velocity of its corners.
 template <class L>
-DRAPE_INLINE Vec<L> air_quarter(const Air& air, const Vec3& wind, Vec<L> d1, Vec<L> d2, Vec<L> speed, L share) {
+DRAPE_INLINE Vec<L> air_quarter(const Air& air, const Vec3& wind, Vec<L> d1, Vec<L> d2, Vec<L> speed,
+                                L share) {
   const Vec<L> c = cross(d1, d2), u = speed - Vec<L>{L(wind[0]), L(wind[1]), L(wind[2])};
   const L size = sqrt(dot(c, c));
   const L inverse = select(gt(size, L(0.0)), L(1.0) / size, L(0.0));

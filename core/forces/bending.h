@@ -7,7 +7,8 @@
 //   x0  u   x1             force on x2 = kappa psi (u - y v)/|c|,  on x0 = -kappa psi (v - y u)/|a|,  on x1
 //   minus both
 //
-// The force is normal to each edge and shorter by its present length: no net force, no net torque. The share of a missing hinge is 0.
+// The force is normal to each edge and shorter by its present length: no net force, no net torque. The share
+// of a missing hinge is 0.
 //
 // psi without trigonometry: with h = cos(theta/2) = sqrt((1 + y)/2), psi(y) = Q(h)/h, Q(h) = acos(h)/sqrt(1 -
 // h^2). Q is analytic but at h = -1; on h in [1/2, 1], theta up to 120 degrees, its Chebyshev series in 4h -

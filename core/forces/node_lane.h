@@ -1,4 +1,5 @@
-// The laws on single nodes: lanes of one double, for the short lists beside the rows and for the energy balance.
+// The laws on single nodes: lanes of one double, for the short lists beside the rows and for the energy
+// balance.
 #pragma once
 #include "forces/air.h"
 #include "forces/lane_scalar.h"

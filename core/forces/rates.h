@@ -1,4 +1,5 @@
-// The forces that depend on velocity, alone and one by one: for the energy balance. core/README.md, sections 3 and 4.
+// The forces that depend on velocity, alone and one by one: for the energy balance. core/README.md, sections
+// 3 and 4.
 #pragma once
 #include "system/system.h"
 

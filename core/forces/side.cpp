@@ -54,8 +54,9 @@ void clamps_add(const System& system, const State& s, NodeForces f) {
     const double rigidity = law_bending(system.lattices[std::size_t(c.lattice)].law, c.warp);
     if (!(rigidity > 0)) continue;
     const NodeEdge edge = node_edge(s, c.node[0], c.node[1]);
-    const NodeVec force =
-        bending_hinge(clamp_turned(c, s), NodeLane(0.0), edge.unit, edge.inverse, NodeLane(rigidity * c.share)).last;
+    const NodeVec force = bending_hinge(clamp_turned(c, s), NodeLane(0.0), edge.unit, edge.inverse,
+                                        NodeLane(rigidity * c.share))
+                              .last;
     force_take(f, std::size_t(c.slot[0]), force);
     force_add(f, std::size_t(c.slot[1]), force);
   }

@@ -1,4 +1,5 @@
-// Forces of the links, hinges and cells that lie beside the rows, one by one. core/README.md, sections 1, 3 and 4.
+// Forces of the links, hinges and cells that lie beside the rows, one by one. core/README.md, sections 1, 3
+// and 4.
 #pragma once
 #include "system/system.h"
 
@@ -12,8 +13,8 @@ struct SideForces {
 // Sets all slots. `rates`: with the forces that depend on velocity, at v + lead (v - w).
 void side_forces(const System& system, const State& state, bool rates, double lead, SideForces force);
 
-// The torque of every clamp on the outside world beyond that of its points' forces, kappa_c psi (R D x v), added to
-// torque [pins].
+// The torque of every clamp on the outside world beyond that of its points' forces, kappa_c psi (R D x v),
+// added to torque [pins].
 void side_clamp_torques(const System& system, const State& state, std::vector<Vec3>& torque);
 
 // The direction R D of a clamped link now.

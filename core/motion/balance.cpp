@@ -1,12 +1,13 @@
-// A kick at t_n turns v- = v_{n-1/2} into v+ = v_{n+1/2} by the impulse J of all forces over (h_o + h)/2, and the kinetic energy grows by
-// exactly J.(v- + v+)/2. So each force's part of J times the midpoint velocity is its work:
+// A kick at t_n turns v- = v_{n-1/2} into v+ = v_{n+1/2} by the impulse J of all forces over (h_o + h)/2, and
+// the kinetic energy grows by exactly J.(v- + v+)/2. So each force's part of J times the midpoint velocity is
+// its work:
 //
 //   -m c v      m c (h_o v- + h v+)/2 . (v- + v+)/2 is taken away        (paper scheme: m c h v-)
 //   rates       F the damping along springs and the air, A the air alone, u = v - wind:
 //               -(h_o + h)/2 [F.(v- + v+)/2 - A.wind] is taken away, (h_o + h)/2 A.wind brought in
 //
-// A turning clamp does work on the hinges between R D and its links: E(R', r) - E(R, r) for a turn from R to R', the mean of both
-// ends of the step.
+// A turning clamp does work on the hinges between R D and its links: E(R', r) - E(R, r) for a turn from R to
+// R', the mean of both ends of the step.
 //
 // Between kicks the potential energy's growth is F.dr, which the kicks meet to O(h^2).
 #include "motion/balance.h"
@@ -23,8 +24,7 @@ double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[
 
 void rates_set(const System& system, Balance& b, const State& s, double lead) {
   b.air = {0, 0, 0};
-  if (system_has_rates(system))
-    b.air = rate_forces(system, s, lead, b.fx.data(), b.fy.data(), b.fz.data());
+  if (system_has_rates(system)) b.air = rate_forces(system, s, lead, b.fx.data(), b.fy.data(), b.fz.data());
 }
 
 // sum F.v over the particles
@@ -90,8 +90,7 @@ void balance_end(const System& system, const Balance& b, State& s, double h_old,
         damped += system.mass[n] * (before * p + after * q) * (p + q) / 2;
       }
   const double wind = span * dot(b.air, b.wind);
-  const double rates =
-      span / 2 * (power(system, b, b.vx, b.vy, b.vz) + power(system, b, s.vx, s.vy, s.vz));
+  const double rates = span / 2 * (power(system, b, b.vx, b.vy, b.vz) + power(system, b, s.vx, s.vy, s.vz));
   s.dissipated += system.damping * damped - (rates - wind);
   s.input += wind + clamps_work(system, b, s);
 }

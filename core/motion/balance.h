@@ -1,5 +1,5 @@
-// The energy balance (core/README.md, section 4): what forces that depend on velocity take from the cloth and what the wind brings
-// in, kick by kick. Only with System::energy.
+// The energy balance (core/README.md, section 4): what forces that depend on velocity take from the cloth and
+// what the wind brings in, kick by kick. Only with System::energy.
 #pragma once
 #include "system/system.h"
 
@@ -7,10 +7,10 @@ namespace drape {
 
 // Room of one step; made once per System.
 struct Balance {
-  Array vx, vy, vz;     // [nodes] m/s, before the kick
-  Array fx, fy, fz;     // [nodes] N, of damping along springs and air
-  Vec3 air{0, 0, 0};    // N, of air alone
-  Vec3 wind{0, 0, 0};   // m/s, before the step
+  Array vx, vy, vz;              // [nodes] m/s, before the kick
+  Array fx, fy, fz;              // [nodes] N, of damping along springs and air
+  Vec3 air{0, 0, 0};             // N, of air alone
+  Vec3 wind{0, 0, 0};            // m/s, before the step
   std::vector<Vec3> held, link;  // [clamps] R D and the link before the step
 };
 Balance balance_make(const System& system);
@@ -19,11 +19,12 @@ Balance balance_make(const System& system);
 void balance_begin(const System& system, Balance& balance, const State& state, double lead);
 void balance_end(const System& system, const Balance& balance, State& state, double h_old, double h);
 
-// J since the start until t_n, with the half step that the sums of the state lack; v: the synchronous velocities.
+// J since the start until t_n, with the half step that the sums of the state lack; v: the synchronous
+// velocities.
 struct BalanceNow {
   double dissipated, input;
 };
-BalanceNow balance_now(const System& system, Balance& balance, const State& state, double lead, const Array& vx,
-                       const Array& vy, const Array& vz);
+BalanceNow balance_now(const System& system, Balance& balance, const State& state, double lead,
+                       const Array& vx, const Array& vy, const Array& vz);
 
 }  // namespace drape

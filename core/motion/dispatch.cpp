@@ -33,15 +33,16 @@ double velocity_lead(const System& system, const State& s) {
   return s.h_old / (s.h_old + s.h_older);
 }
 
-void kernel_step(const Kernel& kernel, const System& system, const StepCoefficients& c, Workspace& w, State& s) {
+void kernel_step(const Kernel& kernel, const System& system, const StepCoefficients& c, Workspace& w,
+                 State& s) {
   const bool rates = system_has_rates(system);
   if (!system.side.node.empty())
     side_forces(system, s, rates, c.lead, {w.side_x.data(), w.side_y.data(), w.side_z.data()});
   for (const Lattice& l : system.lattices) (rates ? kernel.rates : kernel.plain).step(system, l, c, w, s);
 }
 
-void kernel_forces(const Kernel& kernel, const System& system, const State& s, Workspace& w, double* fx, double* fy,
-                   double* fz) {
+void kernel_forces(const Kernel& kernel, const System& system, const State& s, Workspace& w, double* fx,
+                   double* fy, double* fz) {
   const bool rates = system_has_rates(system);
   const double lead = velocity_lead(system, s);
   if (!system.side.node.empty())

@@ -108,9 +108,7 @@ Path path_make(const System& system, const State& s, const Inputs& inputs, doubl
 }
 
 bool path_moves(const Path& path) {
-  const auto still = [](const Vec3(&c)[3]) {
-    return norm(c[0]) == 0 && norm(c[1]) == 0 && norm(c[2]) == 0;
-  };
+  const auto still = [](const Vec3(&c)[3]) { return norm(c[0]) == 0 && norm(c[1]) == 0 && norm(c[2]) == 0; };
   for (const PinPath& p : path.pins)
     if (!still(p.shift) || !still(p.turn)) return true;
   return path.wind_from != path.wind_to;

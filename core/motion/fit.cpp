@@ -9,14 +9,14 @@
 namespace drape {
 namespace {
 
-constexpr int kScaleEvery = 16;           // steps
-constexpr int kJudgeEvery = 8;            // intervals
-constexpr double kResidualRest = 1e-5;    // of the load
-constexpr double kKineticRest = 1e-9;     // of that times the size of the largest piece
-constexpr double kLeastLoad = 1e-12;      // N, where nothing weighs or pulls
+constexpr int kScaleEvery = 16;         // steps
+constexpr int kJudgeEvery = 8;          // intervals
+constexpr double kResidualRest = 1e-5;  // of the load
+constexpr double kKineticRest = 1e-9;   // of that times the size of the largest piece
+constexpr double kLeastLoad = 1e-12;    // N, where nothing weighs or pulls
 
-// Rows on several nodes are projected with the true masses, which is right where the nodes of connected rows have one
-// lightness: the least of theirs. Fixed nodes do not move; theirs is 1, for the force on the pin.
+// Rows on several nodes are projected with the true masses, which is right where the nodes of connected rows
+// have one lightness: the least of theirs. Fixed nodes do not move; theirs is 1, for the force on the pin.
 void rows_even(const System& system, State& s) {
   const std::vector<HeldRow>& rows = system.constraints.rows;
   bool changed = !rows.empty();
@@ -85,7 +85,8 @@ void velocities_lead(const System& system, State& s, double time) {
 // f.v
 double power(const System& system, const Motion& motion, const State& s) {
   double sum = 0;
-  for (std::size_t n : system.particle) sum += motion.ax[n] * s.vx[n] + motion.ay[n] * s.vy[n] + motion.az[n] * s.vz[n];
+  for (std::size_t n : system.particle)
+    sum += motion.ax[n] * s.vx[n] + motion.ay[n] * s.vy[n] + motion.az[n] * s.vz[n];
   return sum;
 }
 
@@ -95,7 +96,8 @@ double omega_moving(const System& system, Motion& motion, State& s, double h) {
   if (!(moving > 0)) return 0;
   const Array keep[] = {s.x, s.y, s.z};
   const auto forces = [&] {
-    kernel_forces(*motion.kernel, system, s, motion.workspace, motion.ax.data(), motion.ay.data(), motion.az.data());
+    kernel_forces(*motion.kernel, system, s, motion.workspace, motion.ax.data(), motion.ay.data(),
+                  motion.az.data());
     return power(system, motion, s);
   };
   const double before = forces();
@@ -118,7 +120,8 @@ struct Left {
   double sum = 0, pins = 0;
 };
 Left forces_left(const System& system, Motion& motion, const State& s) {
-  kernel_forces(*motion.kernel, system, s, motion.workspace, motion.ax.data(), motion.ay.data(), motion.az.data());
+  kernel_forces(*motion.kernel, system, s, motion.workspace, motion.ax.data(), motion.ay.data(),
+                motion.az.data());
   Array* a[] = {&motion.ax, &motion.ay, &motion.az};
   for (std::size_t n : system.particle)
     for (std::size_t k = 0; k < 3; ++k) (*a[k])[n] = (*a[k])[n] * system.inverse_mass[n] + system.gravity[k];

@@ -1,16 +1,19 @@
 // Fit: only the rest counts. core/README.md, section 4.
 //
-// Dynamic relaxation with the leapfrog's own step. A particle's inertia m' = m/lightness is enlarged where the cloth is too stiff for
-// the step h of the interval: with omega_z^2 the bound of cell z (Irons) and S the safety factor,
+// Dynamic relaxation with the leapfrog's own step. A particle's inertia m' = m/lightness is enlarged where
+// the cloth is too stiff for the step h of the interval: with omega_z^2 the bound of cell z (Irons) and S the
+// safety factor,
 //
 //     m' = sum over its cells of (m_z/4) max(1, (h omega_z/(2 S))^2)
 //
-// so that h is S of the limit at most everywhere. Weight and forces stay; so do equilibria. The damping is critical for the mode in
-// motion, by Rayleigh's quotient of the velocity (adaptive dynamic relaxation, Underwood 1983):
+// so that h is S of the limit at most everywhere. Weight and forces stay; so do equilibria. The damping is
+// critical for the mode in motion, by Rayleigh's quotient of the velocity (adaptive dynamic relaxation,
+// Underwood 1983):
 //
 //     c = 2 omega,     omega^2 = v.K v/(v.M' v),     K v = [f(r) - f(r + h v)]/h
 //
-// Fast modes first: while they move, c is large; what is left in the end is the slowest mode, and all others die as it does.
+// Fast modes first: while they move, c is large; what is left in the end is the slowest mode, and all others
+// die as it does.
 #pragma once
 #include "motion/leapfrog.h"
 
@@ -22,7 +25,8 @@ void fit_look(const System& system, Motion& motion, State& state, double h);
 // The first of it alone.
 void fit_scale(const System& system, State& state, double h);
 
-// What is left of the forces, and whether that is rest; from then on an advance only moves the clock, until fit_wake.
+// What is left of the forces, and whether that is rest; from then on an advance only moves the clock, until
+// fit_wake.
 void fit_judge(const System& system, Motion& motion, State& state);
 void fit_wake(State& state);
 

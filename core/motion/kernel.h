@@ -14,7 +14,8 @@ struct StepCoefficients {
 inline constexpr int kScratchRows =
     3 * 7 + 4 * 3 + 3 * 3 + 3 * 3;  // links; diagonals and hinges; forces; velocities and air
 
-// Scratch rows of one pass, large enough for the longest row of a system, and the forces beside the rows; made once.
+// Scratch rows of one pass, large enough for the longest row of a system, and the forces beside the rows;
+// made once.
 struct Workspace {
   Array rows;
   int stride = 0;
@@ -22,8 +23,8 @@ struct Workspace {
 };
 Workspace workspace_make(const System& system);
 
-// One pass over a lattice. What lies beside its rows is taken from the workspace. `rates`: with the forces that depend on
-// velocity, for which step keeps the old velocity in w.
+// One pass over a lattice. What lies beside its rows is taken from the workspace. `rates`: with the forces
+// that depend on velocity, for which step keeps the old velocity in w.
 struct Pass {
   // Advances positions and velocities of a lattice by one step.
   void (*step)(const System&, const Lattice&, const StepCoefficients&, Workspace&, State&);
@@ -45,8 +46,8 @@ void kernel_step(const Kernel& kernel, const System& system, const StepCoefficie
                  State& state);
 
 // F (N) at t_n of all particles into fx, fy, fz [nodes].
-void kernel_forces(const Kernel& kernel, const System& system, const State& state, Workspace& workspace, double* fx,
-                   double* fy, double* fz);
+void kernel_forces(const Kernel& kernel, const System& system, const State& state, Workspace& workspace,
+                   double* fx, double* fy, double* fz);
 
 // How far the velocity is led on to t_n: u_n = v + lead (v - w), v = v_{n-1/2}, w = v_{n-3/2}.
 double velocity_lead(const System& system, const State& state);

@@ -5,6 +5,7 @@
 
 namespace drape {
 
-const Kernel kKernelAvx512{"avx512", pass_of<Avx512Lane, false>(), pass_of<Avx512Lane, true>(), cells_omega2<Avx512Lane>};
+const Kernel kKernelAvx512{"avx512", pass_of<Avx512Lane, false>(), pass_of<Avx512Lane, true>(),
+                           cells_omega2<Avx512Lane>};
 
 }  // namespace drape

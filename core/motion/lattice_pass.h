@@ -9,8 +9,8 @@
 //     row j    o-o-o-o-o      hinges centred on row j use slabs j - 1 and j
 //     row j-1  * * * * *      complete: handed to the sink
 //
-// Forces that depend on velocity work on the same slabs, with the velocities of rows j and j + 1 led on to t_n. What lies beside
-// the rows has been computed before the pass; the sink gets twins as one more row.
+// Forces that depend on velocity work on the same slabs, with the velocities of rows j and j + 1 led on to
+// t_n. What lies beside the rows has been computed before the pass; the sink gets twins as one more row.
 //
 // Row buffers live in first-level cache; forces of three rows and links of two slabs roll.
 #pragma once
@@ -61,16 +61,18 @@ DRAPE_INLINE void row_clear(int n, Row r) {
   for (int i = 0; i < n; i += L::kWidth) vec_store(r, i, Vec<L>{L(0.0), L(0.0), L(0.0)});
 }
 
-// What a slab reads: rows j and j + 1 of positions and, with rates, of velocities; and what belongs to the nodes of row j.
+// What a slab reads: rows j and j + 1 of positions and, with rates, of velocities; and what belongs to the
+// nodes of row j.
 struct SlabRows {
   ConstRow here, above, speed, speed_above;
   const double *share, *hinge_warp, *hinge_weft;
 };
 
-// Runs body(tension, pull) with the reader of a curve and what links between two rows of moving nodes pull with.
+// Runs body(tension, pull) with the reader of a curve and what links between two rows of moving nodes pull
+// with.
 template <bool kRates, class Body>
-DRAPE_INLINE void with_pull(const Curve& curve, const Law& law, double rest, ConstRow speed, ConstRow speed_to,
-                            Body body) {
+DRAPE_INLINE void with_pull(const Curve& curve, const Law& law, double rest, ConstRow speed,
+                            ConstRow speed_to, Body body) {
   with_tension(curve, [&](auto tension) {
     if constexpr (kRates) {
       if (law.damping > 0) return body(tension, Damped{speed, speed_to, law.damping, 1 / rest});
@@ -80,7 +82,8 @@ DRAPE_INLINE void with_pull(const Curve& curve, const Law& law, double rest, Con
 }
 
 template <class L, bool kRates>
-DRAPE_INLINE void slab_shear(const Lattice& l, const SlabRows& in, const PassRows& p, Row force, Row force_above) {
+DRAPE_INLINE void slab_shear(const Lattice& l, const SlabRows& in, const PassRows& p, Row force,
+                             Row force_above) {
   const double diagonal = __builtin_sqrt(2.0) * l.cell;
   const WidthRow width{l.cell * l.cell / (2 * diagonal), in.share, in.share};
   const auto lay = [&](ConstRow from, ConstRow to, ConstRow speed, ConstRow speed_to, Row out) {
@@ -119,7 +122,8 @@ void slab(const Lattice& l, const SlabRows& in, int j, const PassRows& p) {
   if (law.bending_weft > 0)
     bending_weft_add<L>(n, p.weft, in.hinge_weft, law.bending_weft, p.first, p.last, force);
   if (law.bending_warp > 0 && j > 0)
-    bending_warp_add<L>(n, warp_below, warp, in.hinge_warp, law.bending_warp, force_below, force, force_above);
+    bending_warp_add<L>(n, warp_below, warp, in.hinge_warp, law.bending_warp, force_below, force,
+                        force_above);
 }
 
 // u = v + lead (v - w)
@@ -157,7 +161,8 @@ void lattice_pass(const System& system, const Lattice& l, const State& s, double
   const bool air = kRates && system_has_air(system);
   const auto speed_load = [&](int j) {
     const std::size_t o = l.first + std::size_t(j) * l.stride;
-    row_lead<L>(l.stride, lead, const_row(s.vx, s.vy, s.vz, o), const_row(s.wx, s.wy, s.wz, o), p.speed[j % 2]);
+    row_lead<L>(l.stride, lead, const_row(s.vx, s.vy, s.vz, o), const_row(s.wx, s.wy, s.wz, o),
+                p.speed[j % 2]);
   };
   const auto hand_over = [&](int j) {
     row_add_side(system, l, workspace, j, p.force[j % 3]);
@@ -178,7 +183,8 @@ void lattice_pass(const System& system, const Lattice& l, const State& s, double
                       system.hinge_weft.data() + o};
     slab<L, kRates>(l, in, j, p);
     if (kRates && air) {
-      air_cells<L>(l.stride, system.air, s.wind, in.here, in.above, in.speed, in.speed_above, in.share, p.quarter);
+      air_cells<L>(l.stride, system.air, s.wind, in.here, in.above, in.speed, in.speed_above, in.share,
+                   p.quarter);
       air_add<L>(l.stride, p.quarter, p.force[j % 3], p.force[(j + 1) % 3]);
     }
     if (j > 0) hand_over(j - 1);
@@ -190,10 +196,11 @@ void lattice_pass(const System& system, const Lattice& l, const State& s, double
   }
 }
 
-// v <- keep v + kick (F/m + g),  r <- r + drift v. A node without mass stays. In a fit, inertia is m/lightness.
+// v <- keep v + kick (F/m + g),  r <- r + drift v. A node without mass stays. In a fit, inertia is
+// m/lightness.
 template <class L, bool kLight>
-DRAPE_INLINE void row_move(int n, const StepCoefficients& c, const double* inverse_mass, const double* lightness,
-                           ConstRow force, Row r, Row v) {
+DRAPE_INLINE void row_move(int n, const StepCoefficients& c, const double* inverse_mass,
+                           const double* lightness, ConstRow force, Row r, Row v) {
   const L keep = c.keep, kick = c.kick, drift = c.drift;
   const Vec<L> gravity{L(c.gravity[0]), L(c.gravity[1]), L(c.gravity[2])};
   for (int i = 0; i < n; i += L::kWidth) {
@@ -230,8 +237,7 @@ template <class L, bool kRates>
 void lattice_forces(const System& system, const Lattice& l, const State& s, double lead, Workspace& workspace,
                     double* fx, double* fy, double* fz) {
   lattice_pass<L, kRates>(system, l, s, lead, workspace, [&](std::size_t o, int n, ConstRow force) {
-    for (int i = 0; i < n; i += L::kWidth)
-      vec_store(Row{fx + o, fy + o, fz + o}, i, vec_load<L>(force, i));
+    for (int i = 0; i < n; i += L::kWidth) vec_store(Row{fx + o, fy + o, fz + o}, i, vec_load<L>(force, i));
   });
 }
 

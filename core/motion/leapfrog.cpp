@@ -20,7 +20,9 @@ constexpr int kWatchGiven = 8;       // the same where the scene gives the step
 constexpr std::int64_t kCalm = 100;  // intervals before the step may grow
 
 // c of the step: the scene's, in a fit its own.
-double damping_of(const System& system, const State& s) { return system.fit ? s.fit.damping : system.damping; }
+double damping_of(const System& system, const State& s) {
+  return system.fit ? s.fit.damping : system.damping;
+}
 
 // v <- keep v + kick a; h_old = 0 is the half kick of the start.
 StepCoefficients coefficients(const System& system, const State& s, double h) {
@@ -96,9 +98,10 @@ void subs_relax(const System& system, State& s, std::string& event) {
   say_step(event, "grows", state_time(s, q), q / double(wanted), s);
 }
 
-// Looks at the step limit after `done` of the n steps that fill `length`; where it has fallen, n doubles, in a fit the inertia grows.
-Advance watch(const System& system, Motion& motion, State& s, double length, std::int64_t& n, std::int64_t& done,
-              std::string& event) {
+// Looks at the step limit after `done` of the n steps that fill `length`; where it has fallen, n doubles, in
+// a fit the inertia grows.
+Advance watch(const System& system, Motion& motion, State& s, double length, std::int64_t& n,
+              std::int64_t& done, std::string& event) {
   if (!all_finite(system, s)) return Advance::kNotFinite;
   const auto h = [&] { return length / double(n); };
   if (system.fit) {
@@ -125,7 +128,8 @@ Advance interval_run(const System& system, Motion& motion, State& s, double leng
                      std::string& event) {
   for (std::int64_t done = 0; done < n && !s.fit.at_rest; ++done) {
     if (s.watch_wait-- <= 0) {
-      if (const Advance how = watch(system, motion, s, length, n, done, event); how != Advance::kDone) return how;
+      if (const Advance how = watch(system, motion, s, length, n, done, event); how != Advance::kDone)
+        return how;
       --s.watch_wait;
     }
     leapfrog_step(system, motion, s, length / double(n), double(done + 1) / double(n));
@@ -228,8 +232,13 @@ void leapfrog_step(const System& system, Motion& motion, State& s, double h, dou
   kernel_step(*motion.kernel, system, c, motion.workspace, s);
   path_follow(motion.path, u, s);
   const double half = begins ? s.h_old / 2 : 0;
-  const HeldStep step{
-      h, c.keep, c.kick, paper ? 1 : 1 + damping_of(system, s) * h / 2, begins, half, 1 + damping_of(system, s) * half};
+  const HeldStep step{h,
+                      c.keep,
+                      c.kick,
+                      paper ? 1 : 1 + damping_of(system, s) * h / 2,
+                      begins,
+                      half,
+                      1 + damping_of(system, s) * half};
   constraints_apply(system, step, motion.held, s);
   if (system.energy) balance_end(system, motion.balance, s, s.h_old, h);
   s.advance_begins = false;

@@ -39,8 +39,9 @@ void leapfrog_begin(const System& system, Motion& motion, State& state);
 // After a change of the system: looks again before the next step; before the first step, chooses anew.
 void leapfrog_retuned(const System& system, Motion& motion, State& state);
 
-// Completes the last half kick, so that the state is one of t_n as at the start: before the system changes or the velocity of a pin
-// jumps. `within` an advance, its impulses go to the pins; at an advance's beginning the one before has told them.
+// Completes the last half kick, so that the state is one of t_n as at the start: before the system changes or
+// the velocity of a pin jumps. `within` an advance, its impulses go to the pins; at an advance's beginning
+// the one before has told them.
 void leapfrog_complete(const System& system, Motion& motion, State& state, bool within);
 
 // One step of size h, which leads to the share u of the present interval of the inputs' paths.

@@ -1,5 +1,6 @@
-// With the largest omega^2 of a lattice and d = beta omega^2 + (rho_air/rho) max(C_n, C_t) max|u| of the forces that depend on
-// velocity, leapfrog's limit is that of a lattice without them and with omega' = sqrt(omega^2 + d^2) + d:
+// With the largest omega^2 of a lattice and d = beta omega^2 + (rho_air/rho) max(C_n, C_t) max|u| of the
+// forces that depend on velocity, leapfrog's limit is that of a lattice without them and with omega' =
+// sqrt(omega^2 + d^2) + d:
 //
 //   h < 2 [sqrt(omega^2 + d^2) - d]/omega^2 = 2/omega'
 //
@@ -166,8 +167,8 @@ std::string step_limit_link(const System& system, const Scene& scene, const Stat
   for (const SideClamp& c : system.side.clamps) {
     const Lattice& l = system.lattices[std::size_t(c.lattice)];
     const double strain = distance(state, c.node[0], c.node[1], ahead) / l.cell - 1;
-    part_offer(worst, scene, l, clamp_term(c, l.law, state, ahead), c.warp ? "warp" : "weft", "clamp", c.node[1],
-               strain);
+    part_offer(worst, scene, l, clamp_term(c, l.law, state, ahead), c.warp ? "warp" : "weft", "clamp",
+               c.node[1], strain);
   }
   return worst.words;
 }

@@ -6,17 +6,17 @@
 
 namespace drape {
 
-// The largest omega^2 (1/s^2) of a lattice, at the present positions or where the present velocities lead in `ahead` s; without
-// the forces that depend on velocity.
-double step_limit_lattice(const System& system, const Kernel& kernel, const Lattice& lattice, const State& state,
-                          double ahead = 0);
+// The largest omega^2 (1/s^2) of a lattice, at the present positions or where the present velocities lead in
+// `ahead` s; without the forces that depend on velocity.
+double step_limit_lattice(const System& system, const Kernel& kernel, const Lattice& lattice,
+                          const State& state, double ahead = 0);
 
 // omega^2 (1/s^2) of one cell with the given corners a, b, c, d, and what the clamps of a lattice add to it.
 double step_limit_cell(const Lattice& lattice, const State& state, const std::size_t* corner, double ahead);
 double step_limit_clamps(const System& system, const Lattice& lattice, const State& state, double ahead);
 
-// What omega^2 of a lattice counts as where forces depend on velocity: without them, it would lead to the same limit. `drag`: that of
-// the air, N s/m per m^2.
+// What omega^2 of a lattice counts as where forces depend on velocity: without them, it would lead to the
+// same limit. `drag`: that of the air, N s/m per m^2.
 double step_limit_drag(const System& system, const State& state);
 double step_limit_rated(const System& system, const Lattice& lattice, double omega2, double drag);
 

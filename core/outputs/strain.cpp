@@ -36,7 +36,10 @@ StrainSummary strain_summary(const System& system, const State& state) {
       const double strain = link_strain(state, link);
       const Curve& curve = law_curve(l.law, link.along);
       const bool diagonal = link.along == Thread::kBias;
-      running_add(diagonal ? bias : link.along == Thread::kWarp ? warp : weft, strain, link.width * link.rest);
+      running_add(diagonal                      ? bias
+                  : link.along == Thread::kWarp ? warp
+                                                : weft,
+                  strain, link.width * link.rest);
       if (curve.segments == 0 || link.doubled) return;
       if (strain > curve.last) ++beyond;
       if (!diagonal) tension = std::max(tension, curve_value(curve, strain));

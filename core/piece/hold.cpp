@@ -51,9 +51,8 @@ void node_slopes(const Grid& grid, int node, std::vector<HeldSlope>& slopes) {
   const auto rows_end = grid.cells.begin() + grid.regular;
   const auto [column, row] = grid.index(node);
   for (int j : {row - 1, row}) {
-    auto c = std::lower_bound(grid.cells.begin(), rows_end, std::pair{j, column - 1}, [](const GridCell& a, auto at) {
-      return std::pair{a.j, a.i} < at;
-    });
+    auto c = std::lower_bound(grid.cells.begin(), rows_end, std::pair{j, column - 1},
+                              [](const GridCell& a, auto at) { return std::pair{a.j, a.i} < at; });
     for (; c != rows_end && c->j == j && c->i <= column; ++c) cell_links(*c);
   }
   std::for_each(rows_end, grid.cells.end(), cell_links);

@@ -18,7 +18,7 @@ struct Hold {
   std::vector<Vec2> points;       // in the plane of the outline, each once; nodes of a region too
   std::vector<GridPoint> at;      // [points] where they sit
   std::vector<HeldSlope> slopes;  // only of clamps
-  Vec2 centre{0, 0};                    // where the pin's frame starts, in the plane of the outline
+  Vec2 centre{0, 0};              // where the pin's frame starts, in the plane of the outline
 };
 Hold hold_make(const Grid& grid, const Scene& scene, const PinSpec& pin);
 

@@ -25,9 +25,8 @@ void nearest_take(Nearest& best, const Grid& grid, int cell, double distance, in
 }
 
 auto place_parts(const Grid& grid, int i, int j) {  // the first of them, if there are any
-  return std::lower_bound(grid.parts.begin(), grid.parts.end(), i, [&](const GridPart& p, int column) {
-    return p.j != j ? p.j < j : p.i < column;
-  });
+  return std::lower_bound(grid.parts.begin(), grid.parts.end(), i,
+                          [&](const GridPart& p, int column) { return p.j != j ? p.j < j : p.i < column; });
 }
 
 void place_search(Nearest& best, const Grid& grid, int i, int j, Vec2 at, Vec2 point) {

@@ -1,6 +1,6 @@
 // A piece as polygons that follow its outline: whole cells between their nodes, cut ones as their parts, the
-// points of which are bilinear on the nodes of the cell that carries them. Where a merged part meets other cells its
-// points are theirs, so that the surface has no cracks.
+// points of which are bilinear on the nodes of the cell that carries them. Where a merged part meets other
+// cells its points are theirs, so that the surface has no cracks.
 #pragma once
 #include "piece/grid.h"
 

@@ -69,8 +69,8 @@ struct Land {
 
   // A list of one or more; `nested` where its entries are lists themselves.
   template <class Take>
-  auto list(const toml::node& n, const std::string& at, const std::string& want, bool nested, Take take) const
-      -> std::optional<std::vector<typename decltype(take(n, at))::value_type>> {
+  auto list(const toml::node& n, const std::string& at, const std::string& want, bool nested,
+            Take take) const -> std::optional<std::vector<typename decltype(take(n, at))::value_type>> {
     const toml::array* entries = n.as_array();
     const auto flat = [](const toml::node& e) { return !e.is_array(); };
     if (!entries) return misfit(at, n, want), std::nullopt;

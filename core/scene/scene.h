@@ -45,7 +45,7 @@ struct FabricSpec {
 // core/README.md, section 1.
 struct PlaceSpec {
   Vec3 origin{0, 0, 0}, axis_x{1, 0, 0}, axis_y{0, 1, 0};
-  double radius = 0;  // m, of the cylinder; 0: flat
+  double radius = 0;                        // m, of the cylinder; 0: flat
   Vec3 axis_point{0, 0, 0}, axis{0, 0, 1};  // of the cylinder; axis of length 1 after reading
 };
 
@@ -59,24 +59,24 @@ struct CurveSpec {
 
 struct PieceSpec {
   std::string name;
-  int fabric = -1;                         // index into Scene::fabrics
-  double cell = 0;                         // m
-  std::vector<Vec2> outline;               // [n] m; edge i runs from point i to point i + 1
-  std::vector<CurveSpec> curves;           // edges of the outline that are not straight
-  std::vector<std::vector<Vec2>> holes;    // m
-  double grain = 0;                        // rad, counter-clockwise, from y to the warp
-  std::optional<Vec2> grid_origin;         // m; none: core/README.md, section 1
-  Vec3 velocity{0, 0, 0};                  // m/s
+  int fabric = -1;                       // index into Scene::fabrics
+  double cell = 0;                       // m
+  std::vector<Vec2> outline;             // [n] m; edge i runs from point i to point i + 1
+  std::vector<CurveSpec> curves;         // edges of the outline that are not straight
+  std::vector<std::vector<Vec2>> holes;  // m
+  double grain = 0;                      // rad, counter-clockwise, from y to the warp
+  std::optional<Vec2> grid_origin;       // m; none: core/README.md, section 1
+  Vec3 velocity{0, 0, 0};                // m/s
   PlaceSpec place;
 };
 
 struct PinSpec {
   std::string name;
-  int piece = -1;            // index into Scene::pieces
-  std::vector<Vec2> at;      // points of the piece ...
-  std::vector<int> edges;    // ... or outline edges, counted from 0 ...
+  int piece = -1;              // index into Scene::pieces
+  std::vector<Vec2> at;        // points of the piece ...
+  std::vector<int> edges;      // ... or outline edges, counted from 0 ...
   std::vector<Vec2> region{};  // ... or a polygon
-  bool clamp = false;        // holds the slope too
+  bool clamp = false;          // holds the slope too
   Drive drive = Drive::kNone;
 };
 
@@ -100,9 +100,9 @@ struct Scene {
   bool clamp_correction = true;
   OutlineModel outline = OutlineModel::kCutCell;
   Mode mode = Mode::kDynamic;
-  Vec3 wind{0, 0, 0};                 // m/s
-  bool has_air = false;               // coefficients are given
-  double air_density = 1.2;           // kg/m^3
+  Vec3 wind{0, 0, 0};        // m/s
+  bool has_air = false;      // coefficients are given
+  double air_density = 1.2;  // kg/m^3
   double air_normal = 0, air_tangential = 0;
   double imperfection_amplitude = 0;  // m
   std::int64_t imperfection_seed = 0;

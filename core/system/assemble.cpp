@@ -143,7 +143,8 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
   if (!problems.empty()) return system;
   system.constraints = constraints_make(pin_rows(scene, grids, system, start), system.inverse_mass,
                                         pins_make(scene, grids), problems);
-  for (std::size_t p = 0; p < scene.pins.size(); ++p) start.pin_frame[p].position = system.constraints.pins[p].centre;
+  for (std::size_t p = 0; p < scene.pins.size(); ++p)
+    start.pin_frame[p].position = system.constraints.pins[p].centre;
   for (const ProbeSpec& probe : scene.probes) {
     const auto p = std::size_t(probe.piece);
     system.probes.push_back(probe_make(system.lattices[p], grid_locate(grids[p], probe.at)));

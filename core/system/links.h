@@ -1,5 +1,5 @@
-// The links, hinges and cells of a lattice one by one, those beside its rows included: for outputs, the energy balance and words.
-// Widths: core/README.md, section 1.
+// The links, hinges and cells of a lattice one by one, those beside its rows included: for outputs, the
+// energy balance and words. Widths: core/README.md, section 1.
 #pragma once
 #include <cmath>
 

@@ -94,8 +94,9 @@ void parameters_make(Parameters& p, const Scene& scene, double step_max) {
   p.force.resize(3 * n);
   for (std::size_t k = 0; k < n; ++k) {
     const FabricSpec& f = scene.fabrics[k];
-    p.fabrics[k] = {f.name.c_str(), f.areal_density, {},        {},            {},
-                    f.bending_warp, f.bending_weft,  f.poisson, f.compression, f.damping, f.friction[0]};
+    p.fabrics[k] = {
+        f.name.c_str(), f.areal_density, {},        {},           {}, f.bending_warp, f.bending_weft,
+        f.poisson,      f.compression,   f.damping, f.friction[0]};
     for (int d = 0; d < 3; ++d) {
       const DiagramSpec& from = *diagrams_of(f, d);
       if (from.force.empty()) continue;

@@ -1,8 +1,9 @@
-// What a piece has beside the rows of its lattice: short lists of links, hinges and cells that the outline has split, and of the
-// hinges at clamps. A scene without them pays nothing.
+// What a piece has beside the rows of its lattice: short lists of links, hinges and cells that the outline
+// has split, and of the hinges at clamps. A scene without them pays nothing.
 //
-// Their forces are added up in *slots*, one for each node that they touch: first the twins of a lattice, padded to whole
-// registers, then the nodes of its rows in order, so that the lattice pass can pick them up row by row.
+// Their forces are added up in *slots*, one for each node that they touch: first the twins of a lattice,
+// padded to whole registers, then the nodes of its rows in order, so that the lattice pass can pick them up
+// row by row.
 #pragma once
 #include <cstddef>
 #include <vector>

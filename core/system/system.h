@@ -16,17 +16,19 @@ namespace drape {
 
 // One piece as rows of nodes in the common arrays. Node (i,j) is at first + j stride + i; a guard row on
 // either side and at least one unused node at the end of each row have share 0 and mass 0, and never move. So
-// have kRowUnit nodes at either end of the arrays. Twins follow the guard row above, padded to whole registers.
+// have kRowUnit nodes at either end of the arrays. Twins follow the guard row above, padded to whole
+// registers.
 struct Lattice {
-  int columns = 0, rows = 0;  // nodes along weft, warp
-  int stride = 0;             // multiple of kRowUnit
-  std::size_t first = 0;      // multiple of kRowUnit
-  int twins = 0;              // nodes of their own at places that the outline splits
-  std::size_t twin_first = 0; // multiple of kRowUnit
-  int twin_stride = 0;        // multiple of kRowUnit
-  int twin_slot = 0;          // of the first twin in Side; multiple of kRowUnit
-  std::vector<int> row_slot;  // [rows + 1] slots of the nodes of row j in Side: row_slot[j] .. row_slot[j+1]; or empty
-  double cell = 0;            // b, m
+  int columns = 0, rows = 0;   // nodes along weft, warp
+  int stride = 0;              // multiple of kRowUnit
+  std::size_t first = 0;       // multiple of kRowUnit
+  int twins = 0;               // nodes of their own at places that the outline splits
+  std::size_t twin_first = 0;  // multiple of kRowUnit
+  int twin_stride = 0;         // multiple of kRowUnit
+  int twin_slot = 0;           // of the first twin in Side; multiple of kRowUnit
+  std::vector<int>
+      row_slot;     // [rows + 1] slots of the nodes of row j in Side: row_slot[j] .. row_slot[j+1]; or empty
+  double cell = 0;  // b, m
   std::vector<std::array<int, 2>> twin_place;  // [twins] column and row
   int piece = 0, fabric = 0;
   Law law;
@@ -57,8 +59,9 @@ struct Probe {
   double weight[4];
 };
 
-// The automatic step over the step limit of the tangent. Nonlinear undamped cloth grows below the limit: measured wool on two
-// pins gained energy within 20 s at 0.80, 0.69 and (slowly) 0.58 of it, and stayed bounded at 0.44.
+// The automatic step over the step limit of the tangent. Nonlinear undamped cloth grows below the limit:
+// measured wool on two pins gained energy within 20 s at 0.80, 0.69 and (slowly) 0.58 of it, and stayed
+// bounded at 0.44.
 inline constexpr double kStepSafety = 0.45;
 
 struct System {
@@ -70,8 +73,8 @@ struct System {
   double damping = 0;           // c, 1/s
   Vec3 gravity{0, 0, 0};        // m/s^2
   Air air;
-  bool energy = false;          // the balance is kept
-  bool fit = false;             // mode "fit"
+  bool energy = false;  // the balance is kept
+  bool fit = false;     // mode "fit"
   LawOptions options;
   std::size_t nodes = 0;  // length of every array below and in State, unused nodes included
   Array share;            // [nodes] phi of the cell up and right of the node; 0 where that has a twin
@@ -87,7 +90,9 @@ struct System {
   std::vector<Probe> probes;  // as Scene::probes
 };
 
-inline bool system_has_air(const System& system) { return system.air.normal > 0 || system.air.tangential > 0; }
+inline bool system_has_air(const System& system) {
+  return system.air.normal > 0 || system.air.tangential > 0;
+}
 
 // True where forces depend on velocity otherwise than by -m c v.
 inline bool system_has_rates(const System& system) {
@@ -98,10 +103,10 @@ inline bool system_has_rates(const System& system) {
 
 // How a fit stands. core/README.md, section 4.
 struct Fit {
-  double damping = 0;     // c, 1/s
-  int judge_wait = 0;     // intervals until the forces left are looked at
-  double residual = 1;    // their sum over the load
-  double load = 0;        // N, the largest since the start or the last change: weight, pins' forces, forces left
+  double damping = 0;   // c, 1/s
+  int judge_wait = 0;   // intervals until the forces left are looked at
+  double residual = 1;  // their sum over the load
+  double load = 0;  // N, the largest since the start or the last change: weight, pins' forces, forces left
   bool at_rest = false;
 };
 
@@ -110,14 +115,14 @@ struct State {
   Array vx, vy, vz;  // [nodes] m/s, at t_{n-1/2} (paper scheme: at t_n)
 
   // Only in systems with forces that depend on velocity (system_has_rates):
-  Array wx, wy, wz;   // [nodes] m/s, at t_{n-3/2}
-  double h_older = 0; // s, the step before h_old; 0 at the first
+  Array wx, wy, wz;    // [nodes] m/s, at t_{n-3/2}
+  double h_older = 0;  // s, the step before h_old; 0 at the first
 
   Array lightness;  // [nodes] mass over inertia, at most 1; only in a fit
   Fit fit;
 
-  Vec3 wind{0, 0, 0};          // m/s, at t_n
-  std::vector<Mat3> pin_turn;  // [pins] R at t_n
+  Vec3 wind{0, 0, 0};            // m/s, at t_n
+  std::vector<Mat3> pin_turn;    // [pins] R at t_n
   std::vector<Frame> pin_frame;  // [pins] at t_n
 
   double dissipated = 0, input = 0;  // J, with system.energy: but for the last half step

@@ -1,5 +1,6 @@
-// A hinge at a node n1 between a link of width w_0 that ends there and one of width w_1 that begins there, half a link each in
-// series; W_0, W_1 the widths of all links of the thread that end and begin there, q of the links that leave a clamp:
+// A hinge at a node n1 between a link of width w_0 that ends there and one of width w_1 that begins there,
+// half a link each in series; W_0, W_1 the widths of all links of the thread that end and begin there, q of
+// the links that leave a clamp:
 //
 //   n0 ---w_0--- n1 ---w_1--- n2        kappa/B = 2 w_0 w_1/[b (q_0 W_1 + q_1 W_0)]
 //
@@ -15,10 +16,10 @@ namespace {
 // A link of a thread by its lower and upper node in Grid's numbering, [0] and [1] below.
 struct Span {
   int node[2];
-  double width, dense;                    // m; of all cells, of the regular ones
-  double q[2] = {1, 1};                   // in the hinges at its ends
-  bool pivot[2] = {false, false};         // no hinge there: a clamp takes its place
-  double clamps = 0;                      // sum of y
+  double width, dense;             // m; of all cells, of the regular ones
+  double q[2] = {1, 1};            // in the hinges at its ends
+  bool pivot[2] = {false, false};  // no hinge there: a clamp takes its place
+  double clamps = 0;               // sum of y
 };
 
 std::vector<Span> spans_of(const Grid& grid, bool warp) {
@@ -49,9 +50,9 @@ std::vector<Span> spans_of(const Grid& grid, bool warp) {
 // The link between two nodes in either order; null where there is none.
 Span* span_between(std::vector<Span>& spans, int p, int q) {
   for (const auto& [low, high] : {std::pair{p, q}, std::pair{q, p}}) {
-    const auto s = std::lower_bound(spans.begin(), spans.end(), std::pair{low, high}, [](const Span& a, auto b) {
-      return std::pair{a.node[0], a.node[1]} < b;
-    });
+    const auto s =
+        std::lower_bound(spans.begin(), spans.end(), std::pair{low, high},
+                         [](const Span& a, auto b) { return std::pair{a.node[0], a.node[1]} < b; });
     if (s != spans.end() && s->node[0] == low && s->node[1] == high) return &*s;
   }
   return nullptr;
@@ -63,8 +64,8 @@ Vec3 direction(const State& s, std::size_t from, std::size_t to) {
   return {d[0] / length, d[1] / length, d[2] / length};
 }
 
-// Clamps on the links of one direction. Their excess over the hinges of a link in the cloth, two of weight 1, is known when all
-// are there.
+// Clamps on the links of one direction. Their excess over the hinges of a link in the cloth, two of weight 1,
+// is known when all are there.
 void clamps_lay(System& system, int lattice, std::vector<Span>& spans, bool warp,
                 const std::vector<ClampSlopes>& clamps, const State& start) {
   const Lattice& l = system.lattices[std::size_t(lattice)];
@@ -79,8 +80,14 @@ void clamps_lay(System& system, int lattice, std::vector<Span>& spans, bool warp
       if (slope.pivot) s->pivot[held] = true;
       s->clamps += slope.clamp;
       const std::size_t from = l.node_of(slope.from), to = l.node_of(slope.to);
-      system.side.clamps.push_back({{from, to}, {}, lattice, clamp.pin, warp, slope.clamp * 2 * s->width / l.cell,
-                                    direction(start, from, to), 0});
+      system.side.clamps.push_back({{from, to},
+                                    {},
+                                    lattice,
+                                    clamp.pin,
+                                    warp,
+                                    slope.clamp * 2 * s->width / l.cell,
+                                    direction(start, from, to),
+                                    0});
       link.push_back(s);
     }
   for (std::size_t k = 0; k < link.size(); ++k) {
@@ -110,8 +117,7 @@ void hinges_lay(System& system, int lattice, const std::vector<Span>& spans, boo
     for (auto k = begins; k != b_end; ++k) after += k->width, pivot = pivot || k->pivot[0];
     for (; e != e_end; ++e)
       for (auto b = begins; b != b_end && !pivot; ++b) {
-        const double share =
-            2 * (*e)->width * b->width / (l.cell * ((*e)->q[1] * after + b->q[0] * before));
+        const double share = 2 * (*e)->width * b->width / (l.cell * ((*e)->q[1] * after + b->q[0] * before));
         const std::size_t n = l.node_of(at);
         if ((*e)->dense > 0 && b->dense > 0) rows[n] = share;
         else
@@ -200,7 +206,8 @@ void side_number(System& system) {
     while (side.node.size() % kRowUnit != 0) side.node.push_back(l.first);
   }
   each_node([&](std::size_t node, int& slot) {
-    slot = int(slot_of[std::size_t(std::lower_bound(touched.begin(), touched.end(), node) - touched.begin())]);
+    slot =
+        int(slot_of[std::size_t(std::lower_bound(touched.begin(), touched.end(), node) - touched.begin())]);
   });
 }
 

@@ -1,4 +1,5 @@
-// The links and hinges of a piece along its threads, and what of them lies beside the rows. core/README.md, sections 1, 3, 4.
+// The links and hinges of a piece along its threads, and what of them lies beside the rows. core/README.md,
+// sections 1, 3, 4.
 #pragma once
 #include "piece/hold.h"
 #include "system/system.h"

@@ -1,4 +1,5 @@
-// Cases with known answers that take a whole cloth: the strip pulled uniformly, the bias strip, the catenary, the picture frame.
+// Cases with known answers that take a whole cloth: the strip pulled uniformly, the bias strip, the catenary,
+// the picture frame.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -69,8 +70,9 @@ TEST(UniformStrip, GivesTheInputCurveAndTheDiagonalsShareAtEveryCell) {
   tell("case a, warp and weft", worst);
 }
 
-// A trellis of inextensible threads along x and y, stretched by l1 along the rising diagonal and by l2 = sqrt(2 - l1^2) along the
-// other: F45/w_p = dW/dl1, W the energy per area. By fourth-order differences over 1e-4 of smooth curves.
+// A trellis of inextensible threads along x and y, stretched by l1 along the rising diagonal and by l2 =
+// sqrt(2 - l1^2) along the other: F45/w_p = dW/dl1, W the energy per area. By fourth-order differences over
+// 1e-4 of smooth curves.
 TEST(BiasStrip, GivesTheInputCurveAtEveryPoint) {
   const FabricSpec wool = measured_wool();
   Scene scene = reference::rectangle(wool, 0.05, 0.05, 0.0125);
@@ -88,7 +90,8 @@ TEST(BiasStrip, GivesTheInputCurveAtEveryPoint) {
   double worst = 0;
   for (std::size_t k = 1; k < wool.bias.force.size(); ++k) {
     const double l1 = 1 + wool.bias.elongation[k], d = 1e-5;
-    const double slope = (8 * (energy(l1 + d) - energy(l1 - d)) - (energy(l1 + 2 * d) - energy(l1 - 2 * d))) / (12 * d);
+    const double slope =
+        (8 * (energy(l1 + d) - energy(l1 - d)) - (energy(l1 + 2 * d) - energy(l1 - 2 * d))) / (12 * d);
     const double error = std::abs(slope / (wool.bias.force[k] / wool.strip_width) - 1);
     EXPECT_LE(error, 1e-6) << "point " << k;
     worst = std::max(worst, error);
@@ -96,9 +99,10 @@ TEST(BiasStrip, GivesTheInputCurveAtEveryPoint) {
   tell("case a, 45 degrees", worst);
 }
 
-// A square of side L in a hinged frame of inextensible sides, half angle phi at the pulled corners: gamma = pi/2 - 2 phi, the corners are
-// D = 2 L cos phi apart, and the force on them is dE/dD = L W'(gamma)/sin phi with W the energy per area. The left side by the
-// kernel's nodal forces along dr/dD, the right by the law's curve: W = G(e1) + G(e2), 1 + e1 = sqrt(2) cos phi, 1 + e2 = sqrt(2) sin phi.
+// A square of side L in a hinged frame of inextensible sides, half angle phi at the pulled corners: gamma =
+// pi/2 - 2 phi, the corners are D = 2 L cos phi apart, and the force on them is dE/dD = L W'(gamma)/sin phi
+// with W the energy per area. The left side by the kernel's nodal forces along dr/dD, the right by the law's
+// curve: W = G(e1) + G(e2), 1 + e1 = sqrt(2) cos phi, 1 + e2 = sqrt(2) sin phi.
 TEST(PictureFrame, ForceIsTheShearEnergysSlope) {
   const double L = 0.06;
   Scene scene = reference::rectangle(reference::curved_fabric(), L, L, 0.01);
@@ -107,9 +111,7 @@ TEST(PictureFrame, ForceIsTheShearEnergysSlope) {
     Assembled a = assemble(scene);
     std::vector<Vec2> rest;
     for (std::size_t n : a.system.particle) rest.push_back({a.state.x[n], a.state.y[n]});
-    deform(a, [&](double x, double y) {
-      return Vec2{(x + y) * std::cos(phi), (y - x) * std::sin(phi)};
-    });
+    deform(a, [&](double x, double y) { return Vec2{(x + y) * std::cos(phi), (y - x) * std::sin(phi)}; });
     const Eigen::VectorXd f = forces_by(kernel_pick(), a);
     double force = 0;  // -f . dr/dD, dr/dD = (dr/dphi)/(-2 L sin phi)
     for (std::size_t k = 0; k < rest.size(); ++k) {
@@ -128,8 +130,8 @@ TEST(PictureFrame, ForceIsTheShearEnergysSlope) {
   tell("case f", worst);
 }
 
-// Bias and bending off, the ends of every warp thread held: with H the horizontal pull, tan theta_{i+1} - tan theta_i = m g/H at node i.
-// Damped to rest: what is left after c t = 80 is e^-40 of the start.
+// Bias and bending off, the ends of every warp thread held: with H the horizontal pull, tan theta_{i+1} - tan
+// theta_i = m g/H at node i. Damped to rest: what is left after c t = 80 is e^-40 of the start.
 TEST(Catenary, IsTheDiscreteChain) {
   FabricSpec fabric = reference::threads(20);
   fabric.weft = reference::straight(20);

@@ -259,7 +259,8 @@ TEST_F(ClothTest, RefusesMoreThanAMillionStepsAnInterval) {
 TEST_F(ClothTest, RefusesAPieceWithoutExtent) {
   EXPECT_FALSE(open("", "[0, 1, 3], force = [0, 1, 9]", "1e-170", "1e-169"));
   ASSERT_EQ(heard.errors.size(), 4u);
-  EXPECT_NE(heard.errors[0].find("outline[1] = [1e-169, 0] m repeats point 0"), std::string::npos) << heard.errors[0];
+  EXPECT_NE(heard.errors[0].find("outline[1] = [1e-169, 0] m repeats point 0"), std::string::npos)
+      << heard.errors[0];
 }
 
 // No law, no limit: the step is the communication interval.

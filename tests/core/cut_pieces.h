@@ -39,11 +39,12 @@ inline Scene cut_piece(const FabricSpec& fabric, Shape shape) {
       piece.holes = {circle({0.043, 0.037}, 0.013, 16)};
       break;
     case Shape::kDart:  // narrow, across grid lines
-      piece.outline = {{0, 0}, {0.08, 0}, {0.08, 0.06}, {0.0475, 0.06}, {0.0431, 0.0213}, {0.0433, 0.06}, {0, 0.06}};
+      piece.outline = {{0, 0},           {0.08, 0},      {0.08, 0.06}, {0.0475, 0.06},
+                       {0.0431, 0.0213}, {0.0433, 0.06}, {0, 0.06}};
       break;
     case Shape::kSlits:  // one along the warp, one along the weft
-      piece.outline = {{0, 0},          {0.08, 0},         {0.08, 0.0246},  {0.0423, 0.0247}, {0.08, 0.0248},
-                       {0.08, 0.06},    {0.0352, 0.06},    {0.0351, 0.0263}, {0.035, 0.06},   {0, 0.06}};
+      piece.outline = {{0, 0},       {0.08, 0},      {0.08, 0.0246},   {0.0423, 0.0247}, {0.08, 0.0248},
+                       {0.08, 0.06}, {0.0352, 0.06}, {0.0351, 0.0263}, {0.035, 0.06},    {0, 0.06}};
       break;
   }
   return scene;

@@ -70,8 +70,8 @@ std::vector<double> nodes(const Cloth& c) {
 
 double height(const Cloth& c) { return drape_outputs_at(c.get(), 0)->probe[0].position[2]; }
 
-// Free fall with gravity on its way from g to 0 within 10 q: g_k = g (1 - k/10) in the k-th interval, a parabola, on
-// which leapfrog from a synchronous velocity lies: v <- v - g_k q, z <- z + v q - g_k q^2/2.
+// Free fall with gravity on its way from g to 0 within 10 q: g_k = g (1 - k/10) in the k-th interval, a
+// parabola, on which leapfrog from a synchronous velocity lies: v <- v - g_k q, z <- z + v q - g_k q^2/2.
 // Sums of a few hundred terms of 1e-3 m, to 1e-13.
 TEST(Tuning, gravity_on_its_way_in_free_fall) {
   Heard heard;
@@ -155,15 +155,16 @@ TEST(Tuning, a_saved_state_is_on_its_way_too) {
   drape_snapshot_free(saved);
 }
 
-// From the end of the way on, the cloth is one of the new values: a jump at that time from the same state, but for the
-// rounding of the half steps that lead to and from a jump.
+// From the end of the way on, the cloth is one of the new values: a jump at that time from the same state,
+// but for the rounding of the half steps that lead to and from a jump.
 TEST(Tuning, values_arrive_exactly) {
   Heard heard;
   const Cloth c = open_sheet(heard, true);
   ASSERT_TRUE(c);
   run(c, 2);
   tune_everything(c);
-  drape_parameters_of(c.get())->damping = 0;  // of which the two half steps brake by (c h/2)^2 more than the whole
+  drape_parameters_of(c.get())->damping =
+      0;  // of which the two half steps brake by (c h/2)^2 more than the whole
   run(c, 8);
   drape_snapshot* saved = drape_save(c.get(), nullptr);
   run(c, 4);

@@ -97,7 +97,8 @@ TEST(Inputs, a_derivative_that_leads_out_of_range_is_refused_at_the_step) {
   ASSERT_EQ(slave.set_rate("wind[1]", 2048), fmi2OK);
   const std::vector<double> before = slave.outputs();
   EXPECT_EQ(slave.step(kQ, kQ), fmi2Discard);
-  expect_sentence(slave, fmi2Discard, {"wind[1]", "derivative", "= 1001 m/s", "allowed: from -1000 to 1000 m/s"});
+  expect_sentence(slave, fmi2Discard,
+                  {"wind[1]", "derivative", "= 1001 m/s", "allowed: from -1000 to 1000 m/s"});
   EXPECT_EQ(slave.outputs(), before);
   EXPECT_EQ(slave.get("wind[1]"), 1);  // where it is
   EXPECT_EQ(slave.step(kQ, kQ), fmi2OK) << slave.last_message();

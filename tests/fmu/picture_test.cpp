@@ -68,7 +68,7 @@ Scene bodice() {
   piece.name = "front";
   piece.cell = 0.01;
   piece.grain = 20 * std::numbers::pi / 180;
-  piece.outline = {{0, 0},          {0.2, 0},      {0.2, 0.16},  {0.124, 0.16},
+  piece.outline = {{0, 0},          {0.2, 0},      {0.2, 0.16}, {0.124, 0.16},
                    {0.1213, 0.083}, {0.121, 0.16}, {0.07, 0.1}, {0, 0.15}};
   piece.curves.push_back({1, {{0.17, 0.08}}});
   piece.holes = {{{0.04, 0.04}, {0.06, 0.03}, {0.08, 0.05}, {0.05, 0.07}}};
@@ -103,9 +103,9 @@ TEST(Picture, shows_what_the_grid_makes_of_a_piece) {
   // The parts and the whole cells are the cloth. Rounding to 0.01 moves sides of some 20 units each by 0.005
   // at most: 0.1 of the 400 square units of a part.
   double left, right, parts = 0;  // of the scale, whose path goes left, left, left, right, ...
-  ASSERT_EQ(std::sscanf(elements["scale"][0].attribute("d").value(),
-                        "M%lf %*fL%*f %*fL%*f %*fL%lf", &left, &right),
-            2);
+  ASSERT_EQ(
+      std::sscanf(elements["scale"][0].attribute("d").value(), "M%lf %*fL%*f %*fL%*f %*fL%lf", &left, &right),
+      2);
   const double cell = std::pow(0.01 / 0.05 * (right - left), 2);
   for (const pugi::xml_node part : elements["part"]) parts += area_of(part.attribute("d").value());
   const double cloth = area_of(elements["outline"][0].attribute("d").value());

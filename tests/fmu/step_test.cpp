@@ -90,7 +90,7 @@ TEST(Step, grouping_of_intervals_leaves_the_same_bits) {
     const std::size_t force =
         swatch().reference("pin.bar.force[1]") - swatch().reference("probe.hem.position[1]");
     for (std::size_t k = force; k < force + 6; ++k)  // and torque
-      ends.back()[k] = 0;  // by definition a mean over the last step
+      ends.back()[k] = 0;                            // by definition a mean over the last step
   }
   EXPECT_EQ(ends[0], ends[1]);
   EXPECT_EQ(ends[0], ends[2]);

@@ -6,10 +6,10 @@
 namespace drape::reference {
 
 struct Held {
-  std::vector<int> holder;           // [N] index of the row that fixes the particle; -1: free
-  Eigen::VectorXd inverse_mass;      // [N] 1/kg; 0 where fixed
-  Eigen::MatrixXd A;                 // [rows x N] the independent rows on several particles
-  std::vector<int> row;              // [rows] their indices into Lattice::rows
+  std::vector<int> holder;       // [N] index of the row that fixes the particle; -1: free
+  Eigen::VectorXd inverse_mass;  // [N] 1/kg; 0 where fixed
+  Eigen::MatrixXd A;             // [rows x N] the independent rows on several particles
+  std::vector<int> row;          // [rows] their indices into Lattice::rows
   Eigen::LLT<Eigen::MatrixXd> gram{Eigen::MatrixXd(0, 0)};  // A M^-1 A^T
 };
 Held held_make(const Lattice& lattice);

@@ -52,7 +52,7 @@ std::vector<Vector3d> arms_of(const Lattice& lattice, const Outside& outside,
   return arms;
 }
 
-std::vector<Vector3d> each(const std::vector<Target>& targets, Vector3d Target::* what) {
+std::vector<Vector3d> each(const std::vector<Target>& targets, Vector3d Target::*what) {
   std::vector<Vector3d> values;
   for (const Target& target : targets) values.push_back(target.*what);
   return values;

@@ -1,14 +1,15 @@
-// The survival curve of the step: which share of nonlinear cloths is still bounded after many steps, against h / limit.
+// The survival curve of the step: which share of nonlinear cloths is still bounded after many steps, against
+// h / limit.
 //
 //     drape_survival [--steps N] [--seeds N] [--only CLOTH] [--from RATIO] [--to RATIO]
 //
-// Leapfrog is stable for a linear system while h omega < 2. In nonlinear cloth omega moves with the motion, and the step
-// pumps energy into it well below the limit (parametric resonance with the time step). So each cloth is thrown: crumpled, hung up and let go,
-// with every step at `ratio` times the least step limit met (looked at every 4 steps, 4 steps ahead) in the present or the last
-// window of 5,000 steps.
-// Energy of an undamped cloth is constant, that of a damped one falls. A run has survived when, sampled every 100 steps, kinetic +
-// potential energy never rose above its start by more than a tenth of what is there to move: the weight's largest work, M g L,
-// and the kinetic and elastic energy of the start.
+// Leapfrog is stable for a linear system while h omega < 2. In nonlinear cloth omega moves with the motion,
+// and the step pumps energy into it well below the limit (parametric resonance with the time step). So each
+// cloth is thrown: crumpled, hung up and let go, with every step at `ratio` times the least step limit met
+// (looked at every 4 steps, 4 steps ahead) in the present or the last window of 5,000 steps. Energy of an
+// undamped cloth is constant, that of a damped one falls. A run has survived when, sampled every 100 steps,
+// kinetic + potential energy never rose above its start by more than a tenth of what is there to move: the
+// weight's largest work, M g L, and the kinetic and elastic energy of the start.
 #include <atomic>
 #include <cmath>
 #include <cstdio>
@@ -27,7 +28,7 @@ namespace drape {
 namespace {
 
 constexpr double kRatios[] = {0.4, 0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95, 1.0, 1.05};
-constexpr double kDampings[] = {0, 0.2};  // 1/s
+constexpr double kDampings[] = {0, 0.2};     // 1/s
 constexpr double kSide = 0.1, kCell = 0.01;  // m, of the square
 constexpr double kCrumple = 0.004;           // of a cell
 constexpr double kThrow = 0.3;               // m/s
@@ -64,21 +65,26 @@ constexpr const char* kTwo = "at = [[0, 0.1], [0.1, 0.1]]\n";
 constexpr const char* kEdge = "edges = [2]\n";
 
 constexpr Cloth kCloths[] = {
-    {"wool, one pin", kWool, kCorner},         {"wool, two pins", kWool, kTwo},
-    {"wool, an edge", kWool, kEdge},           {"straight, one pin", kStraight, kCorner},
-    {"straight, two pins", kStraight, kTwo},   {"straight, an edge", kStraight, kEdge},
-    {"stiffening, one pin", kStiffening, kCorner}, {"stiffening, two pins", kStiffening, kTwo},
+    {"wool, one pin", kWool, kCorner},
+    {"wool, two pins", kWool, kTwo},
+    {"wool, an edge", kWool, kEdge},
+    {"straight, one pin", kStraight, kCorner},
+    {"straight, two pins", kStraight, kTwo},
+    {"straight, an edge", kStraight, kEdge},
+    {"stiffening, one pin", kStiffening, kCorner},
+    {"stiffening, two pins", kStiffening, kTwo},
     {"stiffening, an edge", kStiffening, kEdge},
 };
 
 Scene scene_of(const Cloth& cloth, double damping) {
   const SceneFolder folder;
-  const std::string text = "[scene]\nname = \"survival\"\ndamping = " + std::to_string(damping) +
-                           "\n[options]\nclamp_correction = false\n[fabric.cloth]\n" + cloth.fabric +
-                           "[[piece]]\nname = \"square\"\nfabric = \"cloth\"\ncell = " + std::to_string(kCell) +
-                           "\noutline = [[0, 0], [0.1, 0], [0.1, 0.1], [0, 0.1]]\n" +
-                           "place = { origin = [0, 0, 0], axis_x = [1, 0, 0], axis_y = [0, 1, 0] }\n" +
-                           "[[pin]]\nname = \"peg\"\npiece = \"square\"\n" + cloth.pins;
+  const std::string text =
+      "[scene]\nname = \"survival\"\ndamping = " + std::to_string(damping) +
+      "\n[options]\nclamp_correction = false\n[fabric.cloth]\n" + cloth.fabric +
+      "[[piece]]\nname = \"square\"\nfabric = \"cloth\"\ncell = " + std::to_string(kCell) +
+      "\noutline = [[0, 0], [0.1, 0], [0.1, 0.1], [0, 0.1]]\n" +
+      "place = { origin = [0, 0, 0], axis_x = [1, 0, 0], axis_y = [0, 1, 0] }\n" +
+      "[[pin]]\nname = \"peg\"\npiece = \"square\"\n" + cloth.pins;
   std::vector<Problem> problems;
   const Scene scene = scene_read(folder.write("scene.toml", text), problems);
   for (const Problem& p : problems) std::fprintf(stderr, "%s\n", problem_text(p).c_str());
@@ -103,11 +109,13 @@ void run_begin(Run& r, const Scene& scene, unsigned seed) {
   std::uniform_real_distribution<double> unit(-1, 1);
   for (std::size_t n : r.system.particle) {
     const bool held = r.state.vx[n] == 0 && r.system.inverse_mass[n] == 0;
-    for (Array* a : {&r.state.x, &r.state.y, &r.state.z}) (*a)[n] += held ? 0 : kCrumple * kCell * unit(random);
+    for (Array* a : {&r.state.x, &r.state.y, &r.state.z})
+      (*a)[n] += held ? 0 : kCrumple * kCell * unit(random);
     for (Array* a : {&r.state.vx, &r.state.vy, &r.state.vz}) (*a)[n] = held ? 0 : kThrow * unit(random);
   }
   for (const FixedNode& f : r.system.constraints.fixed) {
-    r.state.x[f.node] = f.target.start[0], r.state.y[f.node] = f.target.start[1], r.state.z[f.node] = f.target.start[2];
+    r.state.x[f.node] = f.target.start[0], r.state.y[f.node] = f.target.start[1],
+    r.state.z[f.node] = f.target.start[2];
     r.state.vx[f.node] = r.state.vy[f.node] = r.state.vz[f.node] = 0;
   }
   for (Array* a : {&r.vx, &r.vy, &r.vz}) a->assign(r.system.nodes, 0.0);
@@ -134,7 +142,8 @@ bool survives(const Cloth& cloth, double damping, double ratio, unsigned seed, l
   for (long n = 0; n < steps; ++n) {
     if (n % kLook == 0) {
       const double ahead = std::isfinite(h) ? kLook * h : 0;
-      const double limit = step_limit_of(r.system, step_limit_omega2(r.system, *r.motion.kernel, r.state, ahead));
+      const double limit =
+          step_limit_of(r.system, step_limit_omega2(r.system, *r.motion.kernel, r.state, ahead));
       h = std::min(h, ratio * limit);
       least = std::min(least, limit);
       if (!(h > 1e-9)) return false;
@@ -162,7 +171,8 @@ void table_print(const std::vector<Job>& jobs, double damping) {
     for (double ratio : kRatios) {
       int all = 0, good = 0;
       for (const Job& j : jobs)
-        if (j.damping == damping && j.ratio == ratio && (!cloth || j.cloth == cloth)) ++all, good += j.survived;
+        if (j.damping == damping && j.ratio == ratio && (!cloth || j.cloth == cloth))
+          ++all, good += j.survived;
       if (all) std::printf(" %5.2f", double(good) / all);
       else std::printf("     -");
     }
@@ -219,7 +229,9 @@ int main(int argc, char** argv) {
     else if (std::strcmp(argv[k], "--from") == 0 && k + 1 < argc) least = std::strtod(argv[++k], nullptr);
     else if (std::strcmp(argv[k], "--to") == 0 && k + 1 < argc) most = std::strtod(argv[++k], nullptr);
     else {
-      std::fprintf(stderr, "usage: drape_survival [--steps N] [--seeds N] [--only WORD OF A CLOTH] [--from RATIO] [--to RATIO]\n");
+      std::fprintf(stderr,
+                   "usage: drape_survival [--steps N] [--seeds N] [--only WORD OF A CLOTH] [--from RATIO] "
+                   "[--to RATIO]\n");
       return 1;
     }
   }

@@ -1,4 +1,5 @@
-// Clamps: hinges between the direction that a pin holds and the links that leave it. Equations: core/README.md, sections 3 and 4.
+// Clamps: hinges between the direction that a pin holds and the links that leave it. Equations:
+// core/README.md, sections 3 and 4.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -32,7 +33,10 @@ const ClampCase kClamps[] = {{"node", {{0.03, 0.02}}, {}, {}},
                              {"region", {}, {}, {{0.017, 0.012}, {0.052, 0.017}, {0.035, 0.041}}},
                              {"edge_with_a_dart", {}, {2, 5}, {}, Shape::kDart, {0, 0.0031}},
                              {"edges_of_slits", {}, {3, 7}, {}, Shape::kSlits},
-                             {"region_over_slits", {}, {}, {{0.022, 0.012}, {0.067, 0.013}, {0.064, 0.047}, {0.021, 0.046}},
+                             {"region_over_slits",
+                              {},
+                              {},
+                              {{0.022, 0.012}, {0.067, 0.013}, {0.064, 0.047}, {0.021, 0.046}},
                               Shape::kSlits}};
 
 Scene clamped(const ClampCase& c, FabricSpec fabric = reference::curved_fabric()) {
@@ -50,7 +54,9 @@ Scene clamped(const ClampCase& c, FabricSpec fabric = reference::curved_fabric()
 }
 
 // The pin turned about an axis of no direction in particular.
-Eigen::Matrix3d turn_of(double angle) { return Eigen::AngleAxisd(angle, Vector3d(2, -1, 3).normalized()).matrix(); }
+Eigen::Matrix3d turn_of(double angle) {
+  return Eigen::AngleAxisd(angle, Vector3d(2, -1, 3).normalized()).matrix();
+}
 void turn_pin(Assembled& a, const Eigen::Matrix3d& turn) {
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k) a.state.pin_turn[0][std::size_t(i)][std::size_t(k)] = turn(i, k);
@@ -63,7 +69,8 @@ Vector3d clamp_torque(const Assembled& a) {
 }
 
 class EveryClamp : public testing::TestWithParam<ClampCase> {};
-INSTANTIATE_TEST_SUITE_P(Clamps, EveryClamp, testing::ValuesIn(kClamps), [](const auto& c) { return c.param.name; });
+INSTANTIATE_TEST_SUITE_P(Clamps, EveryClamp, testing::ValuesIn(kClamps),
+                         [](const auto& c) { return c.param.name; });
 
 TEST_P(EveryClamp, IsTheJudges) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
@@ -73,7 +80,8 @@ TEST_P(EveryClamp, IsTheJudges) {
     const Eigen::Matrix3d turn = turn_of(0.1 * seed);
     turn_pin(a, turn);
     const reference::Lattice lattice = reference::lattice_make(a.scene);
-    const VectorXd core = forces_by(kernel_pick(), a), judge = reference::forces(lattice, positions(a), {turn});
+    const VectorXd core = forces_by(kernel_pick(), a),
+                   judge = reference::forces(lattice, positions(a), {turn});
     EXPECT_LE((core - judge).lpNorm<Eigen::Infinity>(), 1e-12 * judge.lpNorm<Eigen::Infinity>());
     VectorXd alone = VectorXd::Zero(core.size());
     const Vector3d couple = reference::add_clamps(lattice, {turn}, positions(a), alone);
@@ -81,7 +89,8 @@ TEST_P(EveryClamp, IsTheJudges) {
   }
 }
 
-// F = -dE/dr; the torque on the pin is -dE/da for a turn by a about each axis. Central differences at 1e-7 m and rad.
+// F = -dE/dr; the torque on the pin is -dE/da for a turn by a about each axis. Central differences at 1e-7 m
+// and rad.
 TEST_P(EveryClamp, IsMinusTheGradientOfItsEnergy) {
   FabricSpec fabric = reference::curved_fabric();
   fabric.warp = fabric.weft = fabric.bias = {};

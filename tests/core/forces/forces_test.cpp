@@ -23,24 +23,25 @@ struct LawCase {
   Shape shape = Shape::kRectangle;
 };
 
-const LawCase kLaws[] = {{"warp", true, false, false, false},
-                         {"weft", false, true, false, false},
-                         {"bias_odd", false, false, true, false},
-                         {"bias_tension", false, false, true, false, BiasModel::kTension},
-                         {"bias_paper", false, false, true, false, BiasModel::kPaper},
-                         {"bending", false, false, false, true},
-                         {"bending_sharp_folds", false, false, false, true, BiasModel::kOdd, 0.8},
-                         {"paper_area", true, true, true, true, BiasModel::kOdd, 0.15, Scaling::kPaperArea},
-                         {"all", true, true, true, true},
-                         {"all_sharp_folds", true, true, true, true, BiasModel::kOdd, 0.8},
-                         {"stretch_dart", true, true, false, false, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kDart},
-                         {"shear_slits", false, false, true, false, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kSlits},
-                         {"bending_dart", false, false, false, true, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kDart},
-                         {"bending_slits", false, false, false, true, BiasModel::kOdd, 0.8, Scaling::kWidth, Shape::kSlits},
-                         {"all_triangle", true, true, true, true, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kTriangle},
-                         {"all_disc", true, true, true, true, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kDiscWithHole},
-                         {"all_dart", true, true, true, true, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kDart},
-                         {"all_slits", true, true, true, true, BiasModel::kOdd, 0.8, Scaling::kWidth, Shape::kSlits}};
+const LawCase kLaws[] = {
+    {"warp", true, false, false, false},
+    {"weft", false, true, false, false},
+    {"bias_odd", false, false, true, false},
+    {"bias_tension", false, false, true, false, BiasModel::kTension},
+    {"bias_paper", false, false, true, false, BiasModel::kPaper},
+    {"bending", false, false, false, true},
+    {"bending_sharp_folds", false, false, false, true, BiasModel::kOdd, 0.8},
+    {"paper_area", true, true, true, true, BiasModel::kOdd, 0.15, Scaling::kPaperArea},
+    {"all", true, true, true, true},
+    {"all_sharp_folds", true, true, true, true, BiasModel::kOdd, 0.8},
+    {"stretch_dart", true, true, false, false, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kDart},
+    {"shear_slits", false, false, true, false, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kSlits},
+    {"bending_dart", false, false, false, true, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kDart},
+    {"bending_slits", false, false, false, true, BiasModel::kOdd, 0.8, Scaling::kWidth, Shape::kSlits},
+    {"all_triangle", true, true, true, true, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kTriangle},
+    {"all_disc", true, true, true, true, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kDiscWithHole},
+    {"all_dart", true, true, true, true, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kDart},
+    {"all_slits", true, true, true, true, BiasModel::kOdd, 0.8, Scaling::kWidth, Shape::kSlits}};
 
 // The rectangle: 7 x 5 whole cells and a cut row on each axis, edges and corners of every kind.
 Scene scene_of(const LawCase& law) {
@@ -151,8 +152,9 @@ TEST_P(EveryForce, IsTheSameBitForBitInEveryLane) {
   EXPECT_LE((portable - expected).lpNorm<Eigen::Infinity>(), 1e-12 * expected.lpNorm<Eigen::Infinity>());
 }
 
-// The patch test: a linear map of the flat piece strains all links of a kind alike. Inside, at nodes whose four cells are whole,
-// nothing is left over; and the virial is that of the stress on the piece's whole area A,
+// The patch test: a linear map of the flat piece strains all links of a kind alike. Inside, at nodes whose
+// four cells are whole, nothing is left over; and the virial is that of the stress on the piece's whole area
+// A,
 //     -sum f.r = A sum over the four kinds of p(e) (1 + e),     whatever the outline cuts.
 TEST(Patch, LinearDisplacementGivesTheExactStressOnEveryCutPiece) {
   for (Shape shape : kCutShapes) {

@@ -116,8 +116,9 @@ TEST(Damping, DoesNothingToRigidMotion) {
   EXPECT_LE(rates_of(a).norm(), 1e-12 * thrown);
 }
 
-// A flat plate across the wind: rho/2 C_n A v^2 against it; along the wind rho/2 C_t A v^2. The cut rows count with their
-// Core and judge, the elastic forces with those of damping and air: 1e-12 of the largest, for the rounding of some fifty terms a node.
+// A flat plate across the wind: rho/2 C_n A v^2 against it; along the wind rho/2 C_t A v^2. The cut rows
+// count with their Core and judge, the elastic forces with those of damping and air: 1e-12 of the largest,
+// for the rounding of some fifty terms a node.
 TEST(Rates, AreTheJudges) {
   for (Shape shape : {Shape::kRectangle, Shape::kTriangle, Shape::kDiscWithHole, Shape::kDart, Shape::kSlits})
     for (OutlineModel outline : {OutlineModel::kCutCell, OutlineModel::kPaper})
@@ -145,7 +146,8 @@ TEST(Air, DragOfAFlatPlateIsItsCoefficient) {
     Assembled a = assemble(sheet(false, true, shape));
     double area = 0;
     for (double of_node : a.system.area) area += of_node;
-    for (const Vector3d& v : {Vector3d(0, 0, 1.7), Vector3d(0, 0, -0.6), Vector3d(2.5, 0, 0), Vector3d(0, -1.3, 0)}) {
+    for (const Vector3d& v :
+         {Vector3d(0, 0, 1.7), Vector3d(0, 0, -0.6), Vector3d(2.5, 0, 0), Vector3d(0, -1.3, 0)}) {
       set_velocities(a, [&](const Vector3d&) { return v; });
       const Vector3d drag = totals(rates_of(a), positions(a)).force;
       const Vector3d expected = -1.2 / 2 * (v[2] != 0 ? 1.1 : 0.2) * area * v.norm() * v;
@@ -188,7 +190,8 @@ TEST(Rates, TurnWithTheCloth) {
   turned(s.wind[0], s.wind[1], s.wind[2]);
   const VectorXd after = rates_of(a);
   for (Eigen::Index k = 0; k < before.size(); k += 3)
-    EXPECT_LE((after.segment<3>(k) - turn * before.segment<3>(k)).norm(), 1e-12 * before.lpNorm<Eigen::Infinity>());
+    EXPECT_LE((after.segment<3>(k) - turn * before.segment<3>(k)).norm(),
+              1e-12 * before.lpNorm<Eigen::Infinity>());
 }
 
 // u_n = v + h_o/(h_o + h_oo) (v - w): with w off by the same, forces are those of the velocity led on.
@@ -223,7 +226,8 @@ TEST(Rates, AreTheSameBitForBitInEveryLaneAndOneByOne) {
   Array fx(a.system.nodes), fy(a.system.nodes), fz(a.system.nodes);
   const Vec3 air = rate_forces(a.system, a.state, 0.5, fx.data(), fy.data(), fz.data());
   const VectorXd alone = gathered(a.system, fx, fy, fz), expected = rates_of(a);
-  EXPECT_LE((alone - expected).lpNorm<Eigen::Infinity>(), 1e-12 * forces_by(kernel_pick(), a).lpNorm<Eigen::Infinity>());
+  EXPECT_LE((alone - expected).lpNorm<Eigen::Infinity>(),
+            1e-12 * forces_by(kernel_pick(), a).lpNorm<Eigen::Infinity>());
   for (Lattice& l : a.system.lattices) l.law.damping = 0;
   const Vector3d total = totals(rates_of(a), positions(a)).force;
   EXPECT_LE((total - Vector3d(air[0], air[1], air[2])).norm(), 1e-12 * total.norm());
@@ -258,7 +262,8 @@ TEST(Rates, StepTheSameBitsInEveryLane) {
     }
 }
 
-// A level sheet falling through air: v = v_t tanh(g t/v_t), v_t^2 = 2 rho g/(rho_air C_n); order 2 with steps that change.
+// A level sheet falling through air: v = v_t tanh(g t/v_t), v_t^2 = 2 rho g/(rho_air C_n); order 2 with steps
+// that change.
 TEST(Rates, KeepTheOrderOfLeapfrog) {
   Scene scene = reference::rectangle(reference::threads(8), 0.03, 0.03, 0.01);
   scene.has_air = true;

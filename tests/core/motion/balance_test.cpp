@@ -1,4 +1,5 @@
-// The energy balance: kinetic and potential energies grow by what comes in less what is taken, to O(h^2). core/README.md, section 4.
+// The energy balance: kinetic and potential energies grow by what comes in less what is taken, to O(h^2).
+// core/README.md, section 4.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -55,7 +56,8 @@ TEST(Balance, ClosesExactlyWhereForcesAreConstant) {
   scene.energy = true;
   const drape_energy e = energy_after(scene, 1e-4, 1000);
   const double m = 0.15 * 0.05 * 0.03;
-  // The kick of the start spans h/2 and the state is read a half step after the last: m h^2 g a/8 at either end.
+  // The kick of the start spans h/2 and the state is read a half step after the last: m h^2 g a/8 at either
+  // end.
   EXPECT_NEAR(e.balance_error, 0, m * 9.81 * 9.81 * 1e-8 / 4);
   // v = (g/c) (1 - exp(-c t)), and m c times the integral of its square to t = 0.1 s.
   const double c = 3, g = 9.81, t = 0.1, x = std::exp(-c * t);

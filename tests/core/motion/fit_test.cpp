@@ -32,8 +32,8 @@ Vec3 probe_at(const Assembled& a) {
   return r;
 }
 
-// The heavy elastica th'' = -beta (1 - s) cos th, th(0) = 0, th'(1) = 0, by shooting for th'(0) with RK4 and bisection:
-// how far its tip lies out and down, over the length.
+// The heavy elastica th'' = -beta (1 - s) cos th, th(0) = 0, th'(1) = 0, by shooting for th'(0) with RK4 and
+// bisection: how far its tip lies out and down, over the length.
 struct Tip {
   double out, down;
 };
@@ -68,8 +68,8 @@ Tip elastica(double beta) {
   return elastica_shot(beta, low).tip;
 }
 
-// A strip of warp that leaves a clamp level, `cells` long and two wide; the clamp lies at the share s of a cell. Threads of
-// k (N/m) strain by beta B/(l^2 k) at most: 5e-5 for beta = 10 and 200 N/m.
+// A strip of warp that leaves a clamp level, `cells` long and two wide; the clamp lies at the share s of a
+// cell. Threads of k (N/m) strain by beta B/(l^2 k) at most: 5e-5 for beta = 10 and 200 N/m.
 constexpr double kLength = 0.065, kRigidity = 4.567e-6, kDensity = 0.1;  // m, N m, kg/m^2
 enum class Held { kEdge, kRegion };
 Scene cantilever(double beta, int cells, double share, Held held, double k) {
@@ -109,9 +109,10 @@ TEST(Cantilever, IsTheHeavyElasticaOfOrderTwo) {
   for (double beta : {1.0, 10.0}) {
     const Tip exact = elastica(beta);
     const double coarse = off(cantilever_tip(beta, 25, 1, Held::kEdge, 1000), exact),
-                 fine = off(cantilever_tip(beta, 50, 1, Held::kEdge, 1000), exact), order = std::log2(coarse / fine);
-    std::printf("beta %-5g f/l %.5f: %.1e of l off at l/25, %.1e at l/50, order %.2f\n", beta, exact.down, coarse, fine,
-                order);
+                 fine = off(cantilever_tip(beta, 50, 1, Held::kEdge, 1000), exact),
+                 order = std::log2(coarse / fine);
+    std::printf("beta %-5g f/l %.5f: %.1e of l off at l/25, %.1e at l/50, order %.2f\n", beta, exact.down,
+                coarse, fine, order);
     EXPECT_LE(fine, 1e-3);
     EXPECT_NEAR(order, 2, 0.1);
   }
@@ -124,28 +125,31 @@ TEST(Cantilever, IsHeldAtAnyShareOfACell) {
   for (double share : {0.2, 0.35, 0.6, 0.8, 1.0}) {
     const double edge = off(cantilever_tip(beta, 50, share, Held::kEdge), exact),
                  region = off(cantilever_tip(beta, 50, share, Held::kRegion), exact);
-    std::printf("clamp at %.1f of a cell: edge %.2f %%, region %.2f %% of l off\n", share, 100 * edge, 100 * region);
+    std::printf("clamp at %.1f of a cell: edge %.2f %%, region %.2f %% of l off\n", share, 100 * edge,
+                100 * region);
     EXPECT_LE(edge, 5e-3);
     EXPECT_LE(region, 5e-3);
   }
 }
 
-// The overhang of the paper's Figure 5b, EI = 1370 uN cm2 on 30 mm, l = 65 mm: tip out (mm) against the elastica of a given weight.
+// The overhang of the paper's Figure 5b, EI = 1370 uN cm2 on 30 mm, l = 65 mm: tip out (mm) against the
+// elastica of a given weight.
 TEST(Cantilever, GivesTheOverhangOfTheBendingTest) {
   for (const auto& [grams, out, down] : {std::array{100.0, 14.32, 59.561}, std::array{150.0, 11.14, 60.660},
                                          std::array{200.0, 9.40, 61.284}}) {
     const double beta = 1e-3 * grams * 9.81 * std::pow(kLength, 3) / kRigidity;
     const Tip exact = elastica(beta), tip = cantilever_tip(beta, 52, 1, Held::kEdge);  // b = 1.25 mm
-    std::printf("%3.0f g/m2: elastica %.2f out, %.3f down; strip %.2f, %.3f mm\n", grams, 1e3 * kLength * exact.out,
-                1e3 * kLength * exact.down, 1e3 * kLength * tip.out, 1e3 * kLength * tip.down);
+    std::printf("%3.0f g/m2: elastica %.2f out, %.3f down; strip %.2f, %.3f mm\n", grams,
+                1e3 * kLength * exact.out, 1e3 * kLength * exact.down, 1e3 * kLength * tip.out,
+                1e3 * kLength * tip.down);
     EXPECT_NEAR(1e3 * kLength * exact.out, out, 0.01);
     EXPECT_NEAR(1e3 * kLength * exact.down, down, 0.001);
     EXPECT_NEAR(tip.out / exact.out, 1, 0.005);
   }
 }
 
-// The rest of a fit is the judge's: nothing is left of the forces; and a damped dynamic run ends there. A cut piece with a hole, on a pin
-// inside a cell and one at a node.
+// The rest of a fit is the judge's: nothing is left of the forces; and a damped dynamic run ends there. A cut
+// piece with a hole, on a pin inside a cell and one at a node.
 TEST(Fit, EndsAtTheRestOfTheDampedMotion) {
   FabricSpec fabric = reference::curved_fabric();
   Scene scene = cut_piece(fabric, Shape::kDiscWithHole);
@@ -165,8 +169,9 @@ TEST(Fit, EndsAtTheRestOfTheDampedMotion) {
   std::string event;
   ASSERT_EQ(leapfrog_advance(damped.system, damped.motion, damped.state, 4, event), Advance::kDone);
   const double apart = (positions(fit) - positions(damped)).lpNorm<Eigen::Infinity>();
-  std::printf("fit: residual %.1e of the load after %lld steps; %.1e m from the damped motion's rest (%lld steps)\n", left.ratio,
-              (long long)fit.state.steps, apart, (long long)damped.state.steps);
+  std::printf(
+      "fit: residual %.1e of the load after %lld steps; %.1e m from the damped motion's rest (%lld steps)\n",
+      left.ratio, (long long)fit.state.steps, apart, (long long)damped.state.steps);
   // 1e-5 of the weight on the softest mode, the pendulum of length 0.05 m
   EXPECT_LE(apart, 1e-5 * 0.05);
 }
@@ -193,8 +198,9 @@ TEST(Fit, StaysAtRestUntilSomethingChanges) {
   EXPECT_NE(positions(a), rest);
 }
 
-// Springs that are damped lower the step limit too; what a fit makes of it stays bounded, beyond the hundred intervals after which a dynamic
-// run would choose its step anew. Without weight, with nothing but a clamp that was turned, it comes to rest all the same.
+// Springs that are damped lower the step limit too; what a fit makes of it stays bounded, beyond the hundred
+// intervals after which a dynamic run would choose its step anew. Without weight, with nothing but a clamp
+// that was turned, it comes to rest all the same.
 TEST(Fit, ComesToRestWithDampedSpringsAndWithoutWeight) {
   FabricSpec fabric = reference::curved_fabric();
   for (double damping : {0.0, 1e-4}) {

@@ -76,8 +76,8 @@ TEST(Leapfrog, FallsThroughAirByItsOwnRecurrence) {
   }
 }
 
-// Case i on pieces with a hole and with a slit cell: straight warp threads alone, moved along themselves, are a linear system
-// M u'' = -K u, for which leapfrog keeps  v_{n+1/2} M v_{n+1/2}/2 + u_n K u_{n+1}/2.
+// Case i on pieces with a hole and with a slit cell: straight warp threads alone, moved along themselves, are
+// a linear system M u'' = -K u, for which leapfrog keeps  v_{n+1/2} M v_{n+1/2}/2 + u_n K u_{n+1}/2.
 TEST(Leapfrog, ConservesTheDiscreteEnergyOfCutPieces) {
   for (Shape shape : {Shape::kDiscWithHole, Shape::kDart}) {
     Scene scene = cut_piece(linear_fabric(100, 0, 0), shape);
@@ -101,8 +101,8 @@ TEST(Leapfrog, ConservesTheDiscreteEnergyOfCutPieces) {
     const double start = step_energy();
     double worst = 0;
     for (int step = 0; step < 100000; ++step) worst = std::max(worst, std::abs(step_energy() / start - 1));
-    // Positions of up to 0.08 m round by 1e-17 m a step, 1e-14 of the amplitude; 1e5 of them at random are 300 times that, over
-    // some 80 particles.
+    // Positions of up to 0.08 m round by 1e-17 m a step, 1e-14 of the amplitude; 1e5 of them at random are
+    // 300 times that, over some 80 particles.
     EXPECT_LE(worst, 1e-12) << shape_name(shape);
     std::printf("%s: invariant after 1e5 steps, worst relative change %.2e\n", shape_name(shape), worst);
   }
@@ -112,7 +112,8 @@ TEST(Leapfrog, ConservesTheDiscreteEnergyOfCutPieces) {
 // their links.
 class ClosedSystem : public testing::TestWithParam<Shape> {};
 INSTANTIATE_TEST_SUITE_P(Shapes, ClosedSystem,
-                         testing::Values(Shape::kRectangle, Shape::kDiscWithHole, Shape::kDart, Shape::kSlits),
+                         testing::Values(Shape::kRectangle, Shape::kDiscWithHole, Shape::kDart,
+                                         Shape::kSlits),
                          [](const auto& shape) { return shape_name(shape.param); });
 TEST_P(ClosedSystem, KeepsItsMomentum) {
   Scene scene = cut_piece(reference::curved_fabric(), GetParam());
@@ -173,9 +174,10 @@ TEST(Leapfrog, HoldsAHangingStripAtItsExactRest) {
       EXPECT_NEAR(a.state.z[l.node(i, j)], at[std::size_t(j)], 1e-9 * length);
 }
 
-// Case k: a linear lattice is bounded at 0.99 of the step limit and grows at 1.01 of it, without and with damping along springs
-// and -m c v (which, centred, moves leapfrog's limit not at all). Threads that move along themselves reach the bound exactly, neighbours against each
-// other, in a strip and wherever the outline cuts: widths and masses shrink together.
+// Case k: a linear lattice is bounded at 0.99 of the step limit and grows at 1.01 of it, without and with
+// damping along springs and -m c v (which, centred, moves leapfrog's limit not at all). Threads that move
+// along themselves reach the bound exactly, neighbours against each other, in a strip and wherever the
+// outline cuts: widths and masses shrink together.
 struct LimitCase {
   const char* name;
   Shape shape;

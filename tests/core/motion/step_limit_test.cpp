@@ -45,7 +45,8 @@ TEST(StepLimit, BoundsEveryCrumpledLatticeWithoutBending) {
   std::printf("40 crumpled lattices: the true omega reaches %.4f of the bound\n", std::sqrt(closest));
 }
 
-// Bending beside it: sharp folds stiffen by their geometry too, which the automatic step's safety factor covers.
+// Bending beside it: sharp folds stiffen by their geometry too, which the automatic step's safety factor
+// covers.
 TEST(StepLimit, BoundsCrumpledLatticesWithBendingWithinTheSafetyFactor) {
   double closest = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
@@ -61,8 +62,8 @@ TEST(StepLimit, BoundsCrumpledLatticesWithBendingWithinTheSafetyFactor) {
               std::sqrt(closest));
 }
 
-// Pieces that the outline cuts and splits: the bound knows no outline. Without bending it is rigorous; with it, hinges are
-// stiffened by sharp folds only within the safety factor.
+// Pieces that the outline cuts and splits: the bound knows no outline. Without bending it is rigorous; with
+// it, hinges are stiffened by sharp folds only within the safety factor.
 TEST(StepLimit, BoundsCrumpledCutPieces) {
   for (const bool bending : {false, true}) {
     double closest = 0;
@@ -81,8 +82,8 @@ TEST(StepLimit, BoundsCrumpledCutPieces) {
   }
 }
 
-// Clamps inside cells are stiffer than the hinges they replace, by up to 1/s^2 at s = 0.2: their own term covers them. Bending alone,
-// much stiffer than the threads, at rest and folded up to the safety factor.
+// Clamps inside cells are stiffer than the hinges they replace, by up to 1/s^2 at s = 0.2: their own term
+// covers them. Bending alone, much stiffer than the threads, at rest and folded up to the safety factor.
 TEST(StepLimit, BoundsClampedPieces) {
   double closest = 0, unaided = 0;
   for (const bool region : {false, true})
@@ -95,7 +96,8 @@ TEST(StepLimit, BoundsClampedPieces) {
       pin.name = "clamp";
       pin.piece = 0;
       pin.clamp = true;
-      if (region) pin.region = {{0, 0}, {0.074, 0}, {0.074, 0.02 + 0.01 * (1 - s)}, {0, 0.02 + 0.01 * (1 - s)}};
+      if (region)
+        pin.region = {{0, 0}, {0.074, 0}, {0.074, 0.02 + 0.01 * (1 - s)}, {0, 0.02 + 0.01 * (1 - s)}};
       else pin.edges = {0}, scene.pieces[0].grid_origin = Vec2{0, 0.01 * s};
       scene.pins = {pin};
       Assembled a = assemble(scene);
@@ -106,11 +108,12 @@ TEST(StepLimit, BoundsClampedPieces) {
       for (SideClamp& c : a.system.side.clamps) c.excess = 0;
       unaided = std::max(unaided, truth / step_limit_omega2(a.system, *a.motion.kernel, a.state));
     }
-  std::printf("clamps at rest: the true omega reaches %.4f of the bound, %.4f without their term\n", std::sqrt(closest),
-              std::sqrt(unaided));
+  std::printf("clamps at rest: the true omega reaches %.4f of the bound, %.4f without their term\n",
+              std::sqrt(closest), std::sqrt(unaided));
 }
 
-// At rest mass and stiffness of a cut cell shrink together: the outline lowers neither the bound nor the true limit.
+// At rest mass and stiffness of a cut cell shrink together: the outline lowers neither the bound nor the true
+// limit.
 TEST(StepLimit, IsNotLoweredByTheOutline) {
   FabricSpec fabric = reference::curved_fabric();
   fabric.bending_warp *= 100;

@@ -1,5 +1,6 @@
-// Frequencies of the lattice by the kernel's own motion: the stretched net and plane waves in the cloth. Leapfrog moves a mode of
-// frequency w with sin(w_d h/2) = w h/2, so w = w_d [1 - (w_d h)^2/24 + O((w_d h)^4/1920)].
+// Frequencies of the lattice by the kernel's own motion: the stretched net and plane waves in the cloth.
+// Leapfrog moves a mode of frequency w with sin(w_d h/2) = w h/2, so w = w_d [1 - (w_d h)^2/24 + O((w_d
+// h)^4/1920)].
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,10 +13,12 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// The frequency of a signal cos(w_d k h) from sums over it: cos(w_d h) = sum s_k (s_{k-1} + s_{k+1})/(2 sum s_k^2); corrected.
+// The frequency of a signal cos(w_d k h) from sums over it: cos(w_d h) = sum s_k (s_{k-1} + s_{k+1})/(2 sum
+// s_k^2); corrected.
 double frequency_of(const std::vector<double>& s, double h) {
   double top = 0, bottom = 0;
-  for (std::size_t k = 1; k + 1 < s.size(); ++k) top += s[k] * (s[k - 1] + s[k + 1]), bottom += 2 * s[k] * s[k];
+  for (std::size_t k = 1; k + 1 < s.size(); ++k)
+    top += s[k] * (s[k - 1] + s[k + 1]), bottom += 2 * s[k] * s[k];
   const double discrete = std::acos(top / bottom) / h;
   return discrete * (1 - std::pow(discrete * h, 2) / 24);
 }
@@ -29,7 +32,8 @@ FabricSpec linear(double warp, double weft, double bias, double bending) {
 }
 
 // Case g: a square net, its rim held, both threads strained by e: T = p(e)/(1 + e) per width and
-//     w^2 = 4 T/(rho b^2) [sin^2(m pi/2N) + sin^2(n pi/2N)] + 16 B/(rho b^2 l^2) [sin^4 + sin^4],   l = b (1 + e).
+//     w^2 = 4 T/(rho b^2) [sin^2(m pi/2N) + sin^2(n pi/2N)] + 16 B/(rho b^2 l^2) [sin^4 + sin^4],   l = b (1
+//     + e).
 TEST(StretchedNet, SwingsAtItsFrequencies) {
   const int n = 12;
   const double b = 0.01, rho = 0.15, k = 80, e = 0.04, amplitude = 1e-7;
@@ -48,10 +52,13 @@ TEST(StretchedNet, SwingsAtItsFrequencies) {
           a.state.z[at] = amplitude * shape(i, j);
           if (i == 0 || j == 0 || i == n || j == n) a.system.inverse_mass[at] = 0;
         }
-      const double s1 = std::pow(std::sin(p * kPi / (2 * n)), 2), s2 = std::pow(std::sin(q * kPi / (2 * n)), 2);
-      const double w = std::sqrt(4 * k * e / (1 + e) / (rho * b * b) * (s1 + s2) +
-                                 16 * bending / (rho * std::pow(b, 4) * std::pow(1 + e, 2)) * (s1 * s1 + s2 * s2));
-      const double h = std::min(0.2 / w, 0.4 * step_limit_of(a.system, step_limit_omega2(a.system, *a.motion.kernel, a.state)));
+      const double s1 = std::pow(std::sin(p * kPi / (2 * n)), 2),
+                   s2 = std::pow(std::sin(q * kPi / (2 * n)), 2);
+      const double w =
+          std::sqrt(4 * k * e / (1 + e) / (rho * b * b) * (s1 + s2) +
+                    16 * bending / (rho * std::pow(b, 4) * std::pow(1 + e, 2)) * (s1 * s1 + s2 * s2));
+      const double h = std::min(
+          0.2 / w, 0.4 * step_limit_of(a.system, step_limit_omega2(a.system, *a.motion.kernel, a.state)));
       std::vector<double> swing;
       for (int step = 0; step < int(40 / (w * h)); ++step) {
         double sum = 0;
@@ -67,7 +74,8 @@ TEST(StretchedNet, SwingsAtItsFrequencies) {
 }
 
 // Case g': in-plane waves of phase (kx, ky) a cell, m = rho b^2, k_d = g'/2:
-//     m D_xx = 4 k_weft sin^2(kx/2) + 2 k_d (1 - cos kx cos ky),  m D_yy likewise,  m D_xy = 2 k_d sin kx sin ky.
+//     m D_xx = 4 k_weft sin^2(kx/2) + 2 k_d (1 - cos kx cos ky),  m D_yy likewise,  m D_xy = 2 k_d sin kx sin
+//     ky.
 // After k steps the middle node has heard of k cells around it only: it moves as in cloth without a rim.
 TEST(PlaneWave, RunsAtItsFrequency) {
   const double b = 0.01, rho = 0.15, warp = 300, weft = 120, bias = 60, amplitude = 1e-9;
@@ -103,7 +111,8 @@ TEST(PlaneWave, RunsAtItsFrequency) {
         leapfrog_step(a.system, a.motion, a.state, h);
       }
       const double found = frequency_of(wave, h);
-      std::printf("wave %.1f %.1f, branch %d: h w = %.3f, frequency off by %.1e\n", kx, ky, branch, h * w, found / w - 1);
+      std::printf("wave %.1f %.1f, branch %d: h w = %.3f, frequency off by %.1e\n", kx, ky, branch, h * w,
+                  found / w - 1);
       EXPECT_NEAR(found, w, 1e-4 * w);
     }
 }

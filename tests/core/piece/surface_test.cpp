@@ -43,8 +43,9 @@ double area_of(const std::vector<std::vector<Vec2>>& polygons) {
 
 // Concave, with a curved edge, a dart that ends within a cell and a round hole, at a grain of 20 degrees.
 PieceSpec bodice() {
-  PieceSpec piece = piece_of({{0, 0}, {0.2, 0}, {0.2, 0.16}, {0.124, 0.16}, {0.1213, 0.083}, {0.121, 0.16},
-                              {0.07, 0.1}, {0, 0.15}}, 0.01);
+  PieceSpec piece = piece_of(
+      {{0, 0}, {0.2, 0}, {0.2, 0.16}, {0.124, 0.16}, {0.1213, 0.083}, {0.121, 0.16}, {0.07, 0.1}, {0, 0.15}},
+      0.01);
   piece.grain = 20 * std::numbers::pi / 180;
   piece.curves.push_back({1, {{0.17, 0.08}}});
   std::vector<Vec2> hole;

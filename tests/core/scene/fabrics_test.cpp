@@ -97,8 +97,8 @@ TEST_P(ShippedFabric, HasItsRowOnThePage) {
   const std::string row = page.substr(begin + 1, page.find('\n', begin + 1) - begin - 1);
   const std::string figures = row_of(fabric_of(kFolder / file));
   EXPECT_NE(row.find(figures), std::string::npos) << "the page has\n"
-                                                 << row << "\nthe file gives\n"
-                                                 << figures;
+                                                  << row << "\nthe file gives\n"
+                                                  << figures;
 }
 
 INSTANTIATE_TEST_SUITE_P(Fabrics, ShippedFabric, testing::ValuesIn(shipped()),

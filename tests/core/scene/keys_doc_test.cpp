@@ -18,8 +18,8 @@ TEST(KeysPage, NamesEveryKey) {
   CurveSpec curve;
   PinSpec pin;
   ProbeSpec probe;
-  for (const std::vector<Key>& keys : {scene_keys(scene), fabric_keys(fabric), piece_keys(piece, {}), curve_keys(curve),
-                                       pin_keys(pin, {}), probe_keys(probe, {})})
+  for (const std::vector<Key>& keys : {scene_keys(scene), fabric_keys(fabric), piece_keys(piece, {}),
+                                       curve_keys(curve), pin_keys(pin, {}), probe_keys(probe, {})})
     for (const Key& key : keys) {
       if (std::holds_alternative<Later>(key.lands)) continue;
       const std::string name = key.name.substr(key.name.rfind('.') + 1);
