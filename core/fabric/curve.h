@@ -1,11 +1,10 @@
 // A law as a table of polynomials: the interpolant of core/README.md, section 2, ready for lanes.
 //
-//   f(e) = c0 + t (c1 + t^2 (c3 + t (c4 + t c5))),   t = e - origin[k] on segment k, the last with start[k]
-//   <= e
+//   f(e) = c0 + t (c1 + t^2 (c3 + t (c4 + t c5))),   t = e - origin[k],   k the last with start[k] <= e
 //
 // The second derivative vanishes at every point of a diagram, so no segment has a t^2 term. Compression,
-// tension and the linear ends are segments like any other; an odd curve is read at |e| and takes the sign of
-// e.
+// tension and the linear ends are segments like any other; an odd curve is read at |e| and takes the sign
+// of e.
 #pragma once
 #include <vector>
 

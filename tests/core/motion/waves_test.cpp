@@ -32,8 +32,8 @@ FabricSpec linear(double warp, double weft, double bias, double bending) {
 }
 
 // Case g: a square net, its rim held, both threads strained by e: T = p(e)/(1 + e) per width and
-//     w^2 = 4 T/(rho b^2) [sin^2(m pi/2N) + sin^2(n pi/2N)] + 16 B/(rho b^2 l^2) [sin^4 + sin^4],   l = b (1
-//     + e).
+//     w^2 = 4 T/(rho b^2) [sin^2(m pi/2N) + sin^2(n pi/2N)] + 16 B/(rho b^2 l^2) [sin^4 + sin^4],
+//     l = b (1 + e).
 TEST(StretchedNet, SwingsAtItsFrequencies) {
   const int n = 12;
   const double b = 0.01, rho = 0.15, k = 80, e = 0.04, amplitude = 1e-7;
@@ -74,8 +74,8 @@ TEST(StretchedNet, SwingsAtItsFrequencies) {
 }
 
 // Case g': in-plane waves of phase (kx, ky) a cell, m = rho b^2, k_d = g'/2:
-//     m D_xx = 4 k_weft sin^2(kx/2) + 2 k_d (1 - cos kx cos ky),  m D_yy likewise,  m D_xy = 2 k_d sin kx sin
-//     ky.
+//     m D_xx = 4 k_weft sin^2(kx/2) + 2 k_d (1 - cos kx cos ky),  m D_yy likewise,
+//     m D_xy = 2 k_d sin kx sin ky.
 // After k steps the middle node has heard of k cells around it only: it moves as in cloth without a rim.
 TEST(PlaneWave, RunsAtItsFrequency) {
   const double b = 0.01, rho = 0.15, warp = 300, weft = 120, bias = 60, amplitude = 1e-9;
