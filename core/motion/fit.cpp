@@ -60,7 +60,7 @@ void fit_scale(const System& system, State& s, double h) {
     each_cell(system, l, [&](const std::size_t* corner, double share) {
       const double bare = step_limit_cell(l, s, corner, kScaleEvery * h) + clamps;
       const double omega2 = step_limit_rated(system, l, bare, drag);
-      const double ratio = h / (system.safety * step_limit_of(system, omega2));
+      const double ratio = h / (kSafetyDamped * step_limit_of(system, omega2));
       const double quarter = share * l.cell * l.cell / 4 * std::max(1.0, ratio * ratio);
       for (int k = 0; k < 4; ++k) s.lightness[corner[k]] += quarter;
       most = std::max(most, std::min(omega2, omega2 / (ratio * ratio)));

@@ -49,9 +49,9 @@ std::int64_t subs_for(double length, double h_max) {
 }
 
 // The largest step allowed at the state the last look saw.
-double step_allowed(const System& system, double omega2) {
+double step_allowed(const System& system, double damping, double omega2) {
   if (system.step_given > 0) return std::min(system.step_given, system.step_max);
-  return std::min(system.safety * step_limit_of(system, omega2), system.step_max);
+  return std::min(step_safety(system, damping, omega2) * step_limit_of(system, omega2), system.step_max);
 }
 
 bool all_finite(const System& system, const State& s) {
@@ -71,7 +71,7 @@ void look(const System& system, const Motion& motion, State& s, double h) {
   }
   for (;; s.watch_period = std::max(s.watch_period / 4, 1)) {
     s.omega2 = step_limit_omega2(system, *motion.kernel, s, s.watch_period * h);
-    if (h <= step_allowed(system, s.omega2) || s.watch_period == 1) break;
+    if (h <= step_allowed(system, damping_of(system, s), s.omega2) || s.watch_period == 1) break;
   }
   s.omega2_most = std::max(s.omega2_most, s.omega2);
   s.watch_wait = s.watch_period;
@@ -89,7 +89,7 @@ void say_step(std::string& event, const char* verb, double time, double h, const
 void subs_relax(const System& system, State& s, std::string& event) {
   if (s.calm < kCalm || system.fit) return;
   const double q = system.communication;
-  const std::int64_t wanted = subs_for(q, step_allowed(system, s.omega2_most));
+  const std::int64_t wanted = subs_for(q, step_allowed(system, damping_of(system, s), s.omega2_most));
   s.calm = 0;
   s.omega2_most = s.omega2;
   if (wanted >= s.subs) return;
@@ -111,7 +111,7 @@ Advance watch(const System& system, Motion& motion, State& s, double length, std
   look(system, motion, s, h());
   if (system.step_given > 0)
     return h() > step_limit_of(system, s.omega2) ? Advance::kStepAboveLimit : Advance::kDone;
-  while (h() > step_allowed(system, s.omega2)) {
+  while (h() > step_allowed(system, damping_of(system, s), s.omega2)) {
     if (h() * double(kSubsMost) < system.communication) return Advance::kTooManySteps;
     n *= 2;
     done *= 2;
@@ -140,7 +140,7 @@ Advance interval_run(const System& system, Motion& motion, State& s, double leng
 
 void subs_begin(const System& system, const Motion& motion, State& s) {
   s.omega2 = s.omega2_most = step_limit_omega2(system, *motion.kernel, s);
-  s.subs = subs_for(system.communication, step_allowed(system, s.omega2));
+  s.subs = subs_for(system.communication, step_allowed(system, damping_of(system, s), s.omega2));
   s.watch_wait = 0;
 }
 
@@ -190,7 +190,7 @@ void interval_open(const System& system, Motion& motion, State& s, double interv
 }  // namespace
 
 double leapfrog_steps(const System& system, double omega2) {
-  return system.communication / step_allowed(system, omega2);
+  return system.communication / step_allowed(system, system.damping, omega2);
 }
 
 Motion motion_make(const System& system) {

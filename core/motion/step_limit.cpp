@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "forces/lane_scalar.h"
 #include "motion/cell_bound.h"
@@ -158,6 +159,14 @@ double step_limit_omega2(const System& system, const Kernel& kernel, const State
 double step_limit_of(const System& system, double omega2) {
   const double c = system.integrator == Integrator::kPaper ? system.damping : 0;
   return 4 / (c + std::sqrt(c * c + 4 * omega2));
+}
+
+double step_safety(const System& system, double damping, double omega2) {
+  constexpr double kDampedShare = 1e-5;  // of omega
+  double springs = std::numeric_limits<double>::infinity();
+  for (const Lattice& l : system.lattices) springs = std::min(springs, l.law.damping);
+  const bool damped = damping + springs * omega2 >= kDampedShare * std::sqrt(omega2);
+  return damped || system.fit ? kSafetyDamped : kSafetyUndamped;
 }
 
 std::string step_limit_link(const System& system, const Scene& scene, const State& state, double ahead) {

@@ -26,6 +26,11 @@ double step_limit_omega2(const System& system, const Kernel& kernel, const State
 // The limit that follows from it (s); infinite where nothing oscillates.
 double step_limit_of(const System& system, double omega2);
 
+// The automatic step over the step limit, at most, with damping c (1/s): nonlinear cloth gains energy from
+// steps below the limit, little enough to be taken up by light damping. core/README.md, section 4, "Step".
+inline constexpr double kSafetyUndamped = 0.4, kSafetyDamped = 0.7;
+double step_safety(const System& system, double damping, double omega2);
+
 // What sets it, in words: "warp link of piece 'sheet', column 3, row 12, strain 0.0131".
 std::string step_limit_link(const System& system, const Scene& scene, const State& state, double ahead = 0);
 

@@ -129,7 +129,8 @@ def stiffer_and_heavier(cloth, factor):
 def test_mass_and_all_forces_doubled_while_it_moves(pack):
     """Multiplying the areal density, every diagram point and both rigidities by 2 multiplies m r'' = m g - m c r' + F
     by 2, and so does 4: the same motion to the last bit, with 2 and 4 times the force on the pins; without a change, but
-    for the rounding of the two half steps at the change. Leaving any one of them out changes it."""
+    the braking of the two half steps at the change, which differs from that of a whole one by (c h/2)^2. Leaving any
+    one of them out changes it."""
     fmu = pack(swinging_sheet(damping=1.0), nodes="all")
 
     def end(leave_out=None, factor=2.0):
@@ -144,12 +145,12 @@ def test_mass_and_all_forces_doubled_while_it_moves(pack):
     nodes, force = end(factor=1.0)
     doubled_nodes, doubled_force = end()
     nodes_of_four, force_of_four = end(factor=4.0)
-    assert doubled_nodes == pytest.approx(nodes, abs=1e-11)
+    assert doubled_nodes == pytest.approx(nodes, abs=1e-10)
     assert doubled_force == pytest.approx(2 * force, rel=1e-6)
     assert same_bits(doubled_nodes, nodes_of_four)
     assert same_bits(2 * doubled_force, force_of_four)
     for left_out in ("areal_density", "warp.force", "weft.force", "bias.force", "bending.warp", "bending.weft"):
-        assert end(f"fabric.wool.{left_out}")[0] != pytest.approx(nodes, abs=1e-11), left_out
+        assert end(f"fabric.wool.{left_out}")[0] != pytest.approx(nodes, abs=1e-10), left_out
 
 
 def test_start_value_is_the_scene_with_that_value(pack):

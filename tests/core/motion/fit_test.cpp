@@ -228,7 +228,7 @@ TEST(Fit, EnlargesTheInertiaOfStiffCells) {
   scene.mode = Mode::kFit;
   Assembled a = assemble(scene);
   for (std::size_t n : a.system.particle) a.state.y[n] *= a.state.y[n] > 0.025 ? 1.3 : 1.0;
-  const double h = a.system.safety * step_limit_of(a.system, a.state.omega2);
+  const double h = kSafetyDamped * step_limit_of(a.system, a.state.omega2);
   fit_scale(a.system, a.state, h);
   double least = 1, most = 0;
   for (std::size_t n : a.system.particle) {
@@ -237,7 +237,7 @@ TEST(Fit, EnlargesTheInertiaOfStiffCells) {
   }
   EXPECT_LT(least, 0.5);
   EXPECT_EQ(most, 1);
-  EXPECT_NEAR(h * std::sqrt(a.state.omega2) / 2, a.system.safety, 1e-12);
+  EXPECT_NEAR(h * std::sqrt(a.state.omega2) / 2, kSafetyDamped, 1e-12);
 }
 
 }  // namespace
