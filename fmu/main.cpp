@@ -118,6 +118,7 @@ int main(int argc, char** argv) {
   command_run(app, exit_code);
   command_reference(app, exit_code);
   command_variables(app, exit_code);
+  command_bench(app, exit_code);
   if (const std::string problem = command_problem(app, argc, argv); !problem.empty())
     return fail(kBadInput, problem);
   try {

@@ -1,0 +1,64 @@
+#include <cstdio>
+#include <memory>
+
+#include "bench/bench.h"
+#include "command.h"
+
+namespace drape {
+namespace {
+
+struct Options {
+  std::vector<std::string> groups;
+  std::string csv_file;
+  bool quick = false;
+};
+
+void row_print(const bench::Row& row) {
+  std::printf("%-34s %9zu  %-9s %9.1f  %7.3f x %s\n", row.name.c_str(), row.particles, row.contender.c_str(),
+              row.rate, row.ratio, row.against.c_str());
+  std::fflush(stdout);
+}
+
+bool rows_write(const std::string& file, const std::vector<bench::Row>& rows) {
+  std::FILE* out = std::fopen(file.c_str(), "w");
+  if (!out) return false;
+  std::fprintf(out, "group,name,particles,kernel,million_particle_steps_per_s,ratio,against\n");
+  for (const bench::Row& r : rows)
+    std::fprintf(out, "%s,\"%s\",%zu,%s,%.6g,%.6g,\"%s\"\n", r.group.c_str(), r.name.c_str(), r.particles,
+                 r.contender.c_str(), r.rate, r.ratio, r.against.c_str());
+  return std::fclose(out) == 0;
+}
+
+int run_bench(const Options& options) {
+  const bench::Patience patience = options.quick ? bench::Patience{1, 0.002} : bench::Patience{};
+  std::vector<bench::Row> rows;
+  for (const bench::Group& group : bench::groups()) {
+    bool wanted = options.groups.empty();
+    for (const std::string& name : options.groups) wanted = wanted || name == group.name;
+    if (!wanted) continue;
+    std::printf("%s: %s\n%-34s %9s  %-9s %9s  %s\n", group.name, group.description, "", "particles", "kernel",
+                "million/s", "ratio");
+    for (const bench::Row& row : group.rows(patience)) {
+      row_print(row);
+      rows.push_back(row);
+    }
+  }
+  if (!options.csv_file.empty() && !rows_write(options.csv_file, rows))
+    return fail(kBadInput, options.csv_file + " cannot be written");
+  return kDone;
+}
+
+}  // namespace
+
+void command_bench(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("bench", "measure particle-steps per second; pin it to one core");
+  auto options = std::make_shared<Options>();
+  std::vector<std::string> names;
+  for (const bench::Group& group : bench::groups()) names.push_back(group.name);
+  command->add_option("GROUP", options->groups, "groups to run; default: all")->check(CLI::IsMember(names));
+  command->add_option("--csv", options->csv_file, "also writes the rows to a file")->type_name("FILE.csv");
+  command->add_flag("--quick", options->quick, "seconds in all, no figures to rely on");
+  command->callback([options, &exit_code] { exit_code = run_bench(*options); });
+}
+
+}  // namespace drape

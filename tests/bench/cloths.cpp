@@ -1,0 +1,84 @@
+#include "bench/cloths.h"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+
+#include "motion/step_limit.h"
+#include "system/assemble.h"
+
+namespace drape::bench {
+namespace {
+
+constexpr double kCell = 0.01;      // m
+constexpr double kCrumple = 0.003;  // of a cell
+constexpr double kStep = 0.4;       // of the limit
+
+// Slope at zero k (N/m on a 50 mm strip), three times as steep at 10 %; straight with one point.
+DiagramSpec diagram(double k, int points) {
+  DiagramSpec d{{0}, {0}, {}};
+  for (int i = 1; i <= points; ++i) {
+    const double e = 0.1 * i / points;
+    d.elongation.push_back(e);
+    d.force.push_back(0.05 * k * e * (points == 1 ? 1 : 1 + 10 * e));
+  }
+  return d;
+}
+
+}  // namespace
+
+Scene scene_of(const Features& features, int side) {
+  FabricSpec fabric;
+  fabric.name = "bench";
+  fabric.areal_density = 0.15;
+  fabric.thickness = 5e-4;
+  fabric.warp = diagram(100, features.points);
+  fabric.weft = diagram(80, features.points);
+  fabric.bias = diagram(20, features.points);
+  if (features.bending) fabric.bending_warp = 4e-6, fabric.bending_weft = 2e-6;
+  fabric.damping = features.springs;
+
+  Scene scene;
+  scene.name = features.name;
+  scene.fabrics = {fabric};
+  scene.clamp_correction = false;
+  scene.damping = features.damping;
+  scene.energy = features.energy;
+  if (features.air) scene.has_air = true, scene.air_normal = 1.2, scene.air_tangential = 0.05;
+  PieceSpec piece;
+  piece.name = "cloth";
+  piece.fabric = 0;
+  piece.cell = kCell;
+  const double length = (side - 1) * kCell;
+  if (features.cut) {
+    constexpr int kCorners = 48;
+    const double radius = length / std::sqrt(std::numbers::pi);
+    piece.grain = 20 * std::numbers::pi / 180;
+    for (int k = 0; k < kCorners; ++k) {
+      const double at = 2 * std::numbers::pi * k / kCorners;
+      piece.outline.push_back({radius * std::cos(at), radius * std::sin(at)});
+    }
+  } else {
+    piece.outline = {{0, 0}, {length, 0}, {length, length}, {0, length}};
+  }
+  scene.pieces = {piece};
+  return scene;
+}
+
+Ready ready(const Scene& scene) {
+  Ready r;
+  std::vector<Problem> problems;
+  r.system = system_assemble(scene, r.state, problems);
+  for (const Problem& p : problems) throw std::runtime_error(problem_text(p));
+  r.motion = motion_make(r.system);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> shift(-kCrumple * kCell, kCrumple * kCell);
+  for (std::size_t n : r.system.particle)
+    for (Array* a : {&r.state.x, &r.state.y, &r.state.z}) (*a)[n] += shift(random);
+  leapfrog_begin(r.system, r.motion, r.state);
+  r.step = kStep * step_limit_of(r.system, r.state.omega2);
+  return r;
+}
+
+}  // namespace drape::bench

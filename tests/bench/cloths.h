@@ -1,0 +1,37 @@
+// The cloths of the benchmark: squares of any number of particles, with what a step may have to compute.
+#pragma once
+#include <string>
+
+#include "motion/leapfrog.h"
+
+namespace drape::bench {
+
+// What a cloth's step computes beside stretch, shear and gravity.
+struct Features {
+  const char* name;
+  int points = 1;        // of each diagram; 1 = straight
+  bool bending = false;  // along warp and weft, of different rigidity
+  bool cut = false;      // a disc whose outline cuts cells all round, at a grain of 20 degrees
+  double damping = 0;    // c, 1/s
+  double springs = 0;    // beta, s
+  bool air = false;
+  bool energy = false;  // the balance is kept
+};
+
+inline constexpr Features kStretchShear{"stretch and shear"};
+inline constexpr Features kHinges{"with hinges", 1, true};
+inline constexpr Features kFull{"full model", 16, true, true, 2};
+
+// About `side` squared particles in cells of 1 cm.
+Scene scene_of(const Features& features, int side);
+
+// Ready to step, a little crumpled.
+struct Ready {
+  System system;
+  State state;
+  Motion motion;
+  double step = 0;  // s
+};
+Ready ready(const Scene& scene);
+
+}  // namespace drape::bench
