@@ -10,15 +10,15 @@ namespace {
 // of t).
 void segment_add(Curve& c, double start, double origin, double f, double d, double k, double k_next,
                  double s) {
-  const int i = c.segments++;
+  if (c.segments > 0) c.segment[c.segments - 1].end = start;
+  CurveSegment& to = c.segment[c.segments++];
   const double bump = 30 * (s - (k + k_next) / 2);
-  c.start[i] = start;
-  c.origin[i] = origin;
-  c.c0[i] = f;
-  c.c1[i] = k;
-  c.c3[i] = (k_next - k + bump / 3) / (d * d);
-  c.c4[i] = -(k_next - k + bump) / (2 * d * d * d);
-  c.c5[i] = bump / (5 * d * d * d * d);
+  to.origin = origin;
+  to.c0 = f;
+  to.c1 = k;
+  to.c3 = (k_next - k + bump / 3) / (d * d);
+  to.c4 = -(k_next - k + bump) / (2 * d * d * d);
+  to.c5 = bump / (5 * d * d * d * d);
 }
 
 void line_add(Curve& c, double start, double origin, double f, double k) {
@@ -41,25 +41,44 @@ std::vector<double> slopes_of(const std::vector<double>& d, const std::vector<do
   return k;
 }
 
-int segment_of(const Curve& c, double e) {
-  int k = 0;
-  while (k + 1 < c.segments && e >= c.start[k + 1]) ++k;
-  return k;
+const CurveSegment& segment_of(const Curve& c, double e) {
+  const CurveSegment* s = c.segment;
+  while (e >= s->end) ++s;
+  return *s;
 }
 
-double integral_within(const Curve& c, int k, double t) {
+double integral_within(const CurveSegment& s, double t) {
   const double t2 = t * t;
-  return t * (c.c0[k] + t * (c.c1[k] / 2 + t2 * (c.c3[k] / 4 + t * (c.c4[k] / 5 + t * c.c5[k] / 6))));
+  return t * (s.c0 + t * (s.c1 / 2 + t2 * (s.c3 / 4 + t * (s.c4 / 5 + t * s.c5 / 6))));
 }
 
-// energy[k] from segment to segment, outwards from e = 0.
+// Energies from segment to segment, outwards from e = 0.
 void energies_set(Curve& c, int zero) {
-  c.energy[zero] = 0;
-  for (int k = zero + 1; k < c.segments; ++k)
-    c.energy[k] = c.energy[k - 1] + integral_within(c, k - 1, c.origin[k] - c.origin[k - 1]);
+  c.segment[zero].energy = 0;
+  for (int k = zero + 1; k < c.segments; ++k) {
+    const CurveSegment& before = c.segment[k - 1];
+    c.segment[k].energy = before.energy + integral_within(before, c.segment[k].origin - before.origin);
+  }
   for (int k = zero - 1; k >= 0; --k) {
-    const double t = c.start[k + 1] - c.origin[k];  // to the left end of segment k + 1, whose origin that is
-    c.energy[k] = c.energy[k + 1] - integral_within(c, k, t);
+    CurveSegment& s = c.segment[k];
+    s.energy = c.segment[k + 1].energy - integral_within(s, s.end - s.origin);
+  }
+}
+
+// A bin begins a little early, so that rounding never puts a strain into a bin that begins beyond its
+// segment.
+void bins_set(Curve& c) {
+  if (c.segments < 2) return;
+  const double first = c.segment[0].end, last = c.segment[c.segments - 2].end;
+  const double width = std::max(last - first, 1e-6) / (kCurveBins - 2);
+  c.bin_scale = 1 / width;
+  c.bin_shift = 1 - first / width;
+  constexpr double kEarly = 1e-3;  // of a bin
+  for (int i = 0; i < kCurveBins; ++i) {
+    const double begin = first + (i - 1 - kEarly) * width, end = first + (i + kEarly) * width;
+    const CurveSegment *at = &segment_of(c, i == 0 ? -1 : begin), *to = &segment_of(c, end);
+    c.bin_begin[i] = static_cast<unsigned char>(at - c.segment);
+    c.bin_ends = std::max(c.bin_ends, int(to - at));
   }
 }
 
@@ -96,31 +115,29 @@ Curve curve_make(const std::vector<double>& e, const std::vector<double>& f, con
   for (std::size_t i = 0; i < s.size(); ++i) segment_add(c, e[i], e[i], f[i], d[i], k[i], k[i + 1], s[i]);
   line_add(c, e.back(), e.back(), f.back(), k.back());
   energies_set(c, zero);
+  bins_set(c);
   return c;
 }
 
 double curve_value(const Curve& c, double e) {
-  if (c.segments == 0) return 0;
   const double x = c.odd ? std::abs(e) : e;
-  const int k = segment_of(c, x);
-  const double t = x - c.origin[k];
-  const double f = c.c0[k] + t * (c.c1[k] + t * t * (c.c3[k] + t * (c.c4[k] + t * c.c5[k])));
+  const CurveSegment& s = segment_of(c, x);
+  const double t = x - s.origin;
+  const double f = s.c0 + t * (s.c1 + t * t * (s.c3 + t * (s.c4 + t * s.c5)));
   return c.odd ? std::copysign(1.0, e) * f : f;
 }
 
 double curve_slope(const Curve& c, double e) {
-  if (c.segments == 0) return 0;
   const double x = c.odd ? std::abs(e) : e;
-  const int k = segment_of(c, x);
-  const double t = x - c.origin[k];
-  return c.c1[k] + t * t * (3 * c.c3[k] + t * (4 * c.c4[k] + t * 5 * c.c5[k]));
+  const CurveSegment& s = segment_of(c, x);
+  const double t = x - s.origin;
+  return s.c1 + t * t * (3 * s.c3 + t * (4 * s.c4 + t * 5 * s.c5));
 }
 
 double curve_energy(const Curve& c, double e) {
-  if (c.segments == 0) return 0;
   const double x = c.odd ? std::abs(e) : e;
-  const int k = segment_of(c, x);
-  return c.energy[k] + integral_within(c, k, x - c.origin[k]);
+  const CurveSegment& s = segment_of(c, x);
+  return s.energy + integral_within(s, x - s.origin);
 }
 
 }  // namespace drape

@@ -1,11 +1,15 @@
 // A law as a table of polynomials: the interpolant of core/README.md, section 2, ready for lanes.
 //
-//   f(e) = c0 + t (c1 + t^2 (c3 + t (c4 + t c5))),   t = e - origin[k],   k the last with start[k] <= e
+//   f(e) = c0 + t (c1 + t^2 (c3 + t (c4 + t c5))),   t = e - origin
+//
+// on the segment that e lies in: the first that ends above it. To find it, the strains from the first end to
+// the last are shared out into equal bins, each of which knows the segment that it begins in.
 //
 // The second derivative vanishes at every point of a diagram, so no segment has a t^2 term. Compression,
 // tension and the linear ends are segments like any other; an odd curve is read at |e| and takes the sign
 // of e.
 #pragma once
+#include <limits>
 #include <vector>
 
 namespace drape {
@@ -14,15 +18,22 @@ inline constexpr int kCurvePoints = 64;  // of a diagram, at most
 inline constexpr int kCurveSegments =
     kCurvePoints + 2;  // and the blend and the line below zero, the line beyond the end
 
+inline constexpr int kCurveBins = 256;
+
+struct CurveSegment {
+  double origin = 0, c0 = 0, c1 = 0, c3 = 0, c4 = 0, c5 = 0;
+  double end = std::numeric_limits<double>::infinity();
+  double energy = 0;  // integral of f from 0 to origin
+};
+
 struct Curve {
   int segments = 0;  // 0: law off; 1: a straight line through 0
   bool odd = false;
-  double last = 0;                                // last tested strain; linear beyond
-  alignas(64) double start[kCurveSegments] = {};  // start[0] is never compared: everything below start[1]
-  double origin[kCurveSegments] = {};
-  double c0[kCurveSegments] = {}, c1[kCurveSegments] = {}, c3[kCurveSegments] = {}, c4[kCurveSegments] = {},
-         c5[kCurveSegments] = {};
-  double energy[kCurveSegments] = {};  // integral of f from 0 to origin[k]
+  double last = 0;  // last tested strain; linear beyond
+  alignas(64) CurveSegment segment[kCurveSegments];
+  double bin_scale = 0, bin_shift = 0;  // bin of e = scale e + shift, rounded down, from 0 to kCurveBins - 1
+  int bin_ends = 0;                     // ends of segments in one bin, at most
+  unsigned char bin_begin[kCurveBins]{};  // segment
 };
 
 // How a diagram goes on below zero.

@@ -31,8 +31,13 @@ template <class L>
 DRAPE_INLINE L bending_psi(L y) {
   const L h = sqrt(fma(max(y, L(kSharp)), L(0.5), L(0.5)));
   const L z = fma(h, L(4.0), L(-3.0));
-  L q = kPsiSeries[13];
-  for (int k = 12; k >= 0; --k) q = fma(q, z, L(kPsiSeries[k]));
+  const L z2 = z * z;  // two short chains instead of a long one
+  L even = kPsiSeries[12], odd = kPsiSeries[13];
+  for (int k = 10; k >= 0; k -= 2) {
+    even = fma(even, z2, L(kPsiSeries[k]));
+    odd = fma(odd, z2, L(kPsiSeries[k + 1]));
+  }
+  const L q = fma(odd, z, even);
   const L d = y - L(kSharp);
   const L sharp = fma(d, fma(d, L(kSharpPsi2 / 2), L(kSharpPsi1)), L(kSharpPsi));
   return select(ge(y, L(kSharp)), q / h, sharp);

@@ -7,7 +7,7 @@
 // Along the link only: no net force or torque, nothing in rigid motion; it takes w l0 beta p' e'^2 from the
 // cloth.
 #pragma once
-#include "forces/rows.h"
+#include "forces/link_rows.h"
 
 namespace drape {
 namespace {
@@ -15,8 +15,8 @@ namespace {
 // The tension alone.
 struct Elastic {
   template <class L, class Tension>
-  DRAPE_INLINE L operator()(Tension tension, L e, Vec<L>, L, long) const {
-    return tension(e);
+  DRAPE_INLINE L operator()(Tension tension, const LinkLane<L>& link, long) const {
+    return tension(link.strain);
   }
 };
 
@@ -30,9 +30,10 @@ struct Damped {
   ConstRow from, to;
   double beta, inverse_rest;
   template <class L, class Tension>
-  DRAPE_INLINE L operator()(Tension tension, L e, Vec<L> edge, L inverse, long i) const {
-    const L rate = dot(vec_load<L>(to, i) - vec_load<L>(from, i), edge) * (inverse * L(inverse_rest));
-    return damped_tension(tension, e, rate, beta);
+  DRAPE_INLINE L operator()(Tension tension, const LinkLane<L>& link, long i) const {
+    const Vec<L> speed = vec_load<L>(to, i) - vec_load<L>(from, i);
+    const L rate = dot(speed, link.edge) * (link.inverse * L(inverse_rest));
+    return damped_tension(tension, link.strain, rate, beta);
   }
 };
 

@@ -1,14 +1,14 @@
 // Lanes: a few doubles that move together. Every law is written once over a lane type L, which offers
 //
-//   kWidth                      doubles in a lane; mask type Mask, index type Index
+//   kWidth                      doubles in a lane; mask type Mask
 //   load(p) loadu(p) store(p,v) aligned and unaligned
 //   + - * /                     rounded correctly
 //   fma(a,b,c)                  a b + c, rounded once; portable: twice, within 1e-12 of the others
 //   sqrt abs max min            sqrt rounded correctly; max(a,b) = a > b ? a : b
 //   ge gt, select(m,a,b)        m ? a : b
 //   copysign(a,b)
-//   find(e, start, n)           the last k < n with start[k] <= e, 0 if none
-//   gather(p, k)                p[k]
+//   truncate(to, a)             to[i] = a_i without its fraction
+//   columns(rows, c0 ... c5)    ck_i = rows[i][k]; each row 64 bytes, aligned
 //
 // The same operations in the same order in every lane type: one result, whatever the width. Each lane type
 // lives in an anonymous namespace, so that code made for one instruction set can never be linked into
@@ -17,6 +17,8 @@
 
 #if defined(__GNUC__)
 #define DRAPE_INLINE inline __attribute__((always_inline))
+#define DRAPE_INLINE_LAMBDA __attribute__((always_inline))
 #else
 #define DRAPE_INLINE inline
+#define DRAPE_INLINE_LAMBDA
 #endif

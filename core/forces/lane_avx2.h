@@ -10,7 +10,6 @@ namespace {
 struct Avx2Lane {
   static constexpr int kWidth = 4;
   using Mask = __m256d;
-  using Index = __m256i;
   __m256d v;
 
   Avx2Lane() = default;
@@ -19,13 +18,24 @@ struct Avx2Lane {
   static DRAPE_INLINE Avx2Lane load(const double* p) { return _mm256_load_pd(p); }
   static DRAPE_INLINE Avx2Lane loadu(const double* p) { return _mm256_loadu_pd(p); }
   static DRAPE_INLINE void store(double* p, Avx2Lane a) { _mm256_store_pd(p, a.v); }
-  static DRAPE_INLINE Index find(Avx2Lane e, const double* start, int n) {
-    Index k = _mm256_setzero_si256();
-    for (int i = 1; i < n; ++i)  // a true comparison is -1 in each lane
-      k = _mm256_sub_epi64(k, _mm256_castpd_si256(_mm256_cmp_pd(e.v, _mm256_set1_pd(start[i]), _CMP_GE_OQ)));
-    return k;
+  static DRAPE_INLINE void truncate(int* to, Avx2Lane a) {
+    _mm_store_si128(reinterpret_cast<__m128i*>(to), _mm256_cvttpd_epi32(a.v));
   }
-  static DRAPE_INLINE Avx2Lane gather(const double* p, Index k) { return _mm256_i64gather_pd(p, k, 8); }
+  static DRAPE_INLINE void columns(const double* const* rows, Avx2Lane& c0, Avx2Lane& c1, Avx2Lane& c2,
+                                   Avx2Lane& c3, Avx2Lane& c4, Avx2Lane& c5) {
+    const __m256d r0 = _mm256_load_pd(rows[0]), r1 = _mm256_load_pd(rows[1]), r2 = _mm256_load_pd(rows[2]),
+                  r3 = _mm256_load_pd(rows[3]);
+    const __m256d c02 = _mm256_unpacklo_pd(r0, r1), c13 = _mm256_unpackhi_pd(r0, r1),
+                  c02_on = _mm256_unpacklo_pd(r2, r3), c13_on = _mm256_unpackhi_pd(r2, r3);
+    c0 = _mm256_permute2f128_pd(c02, c02_on, 0x20);
+    c1 = _mm256_permute2f128_pd(c13, c13_on, 0x20);
+    c2 = _mm256_permute2f128_pd(c02, c02_on, 0x31);
+    c3 = _mm256_permute2f128_pd(c13, c13_on, 0x31);
+    const __m256d even = _mm256_set_m128d(_mm_load_pd(rows[2] + 4), _mm_load_pd(rows[0] + 4)),
+                  odd = _mm256_set_m128d(_mm_load_pd(rows[3] + 4), _mm_load_pd(rows[1] + 4));
+    c4 = _mm256_unpacklo_pd(even, odd);
+    c5 = _mm256_unpackhi_pd(even, odd);
+  }
 
   friend DRAPE_INLINE Avx2Lane operator+(Avx2Lane a, Avx2Lane b) { return _mm256_add_pd(a.v, b.v); }
   friend DRAPE_INLINE Avx2Lane operator-(Avx2Lane a, Avx2Lane b) { return _mm256_sub_pd(a.v, b.v); }

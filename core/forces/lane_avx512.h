@@ -10,7 +10,6 @@ namespace {
 struct Avx512Lane {
   static constexpr int kWidth = 8;
   using Mask = __mmask8;
-  using Index = __m512i;
   __m512d v;
 
   Avx512Lane() = default;
@@ -19,14 +18,33 @@ struct Avx512Lane {
   static DRAPE_INLINE Avx512Lane load(const double* p) { return _mm512_load_pd(p); }
   static DRAPE_INLINE Avx512Lane loadu(const double* p) { return _mm512_loadu_pd(p); }
   static DRAPE_INLINE void store(double* p, Avx512Lane a) { _mm512_store_pd(p, a.v); }
-  static DRAPE_INLINE Index find(Avx512Lane e, const double* start, int n) {
-    Index k = _mm512_setzero_si512();
-    const Index one = _mm512_set1_epi64(1);
-    for (int i = 1; i < n; ++i)
-      k = _mm512_mask_add_epi64(k, _mm512_cmp_pd_mask(e.v, _mm512_set1_pd(start[i]), _CMP_GE_OQ), k, one);
-    return k;
+  static DRAPE_INLINE void truncate(int* to, Avx512Lane a) {
+    _mm256_store_si256(reinterpret_cast<__m256i*>(to), _mm512_cvttpd_epi32(a.v));
   }
-  static DRAPE_INLINE Avx512Lane gather(const double* p, Index k) { return _mm512_i64gather_pd(k, p, 8); }
+  static DRAPE_INLINE void columns(const double* const* rows, Avx512Lane& c0, Avx512Lane& c1, Avx512Lane& c2,
+                                   Avx512Lane& c3, Avx512Lane& c4, Avx512Lane& c5) {
+    __m512d even[4], odd[4];  // columns 0 2 4 6 and 1 3 5 7 of two rows, pair by pair
+    for (int i = 0; i < 4; ++i) {
+      const __m512d a = _mm512_load_pd(rows[2 * i]), b = _mm512_load_pd(rows[2 * i + 1]);
+      even[i] = _mm512_unpacklo_pd(a, b);
+      odd[i] = _mm512_unpackhi_pd(a, b);
+    }
+    constexpr int k02 = 0x88, k13 = 0xdd;  // pairs of either half
+    const __m512d even04 = _mm512_shuffle_f64x2(even[0], even[1], k02),
+                  even04_on = _mm512_shuffle_f64x2(even[2], even[3], k02),
+                  even26 = _mm512_shuffle_f64x2(even[0], even[1], k13),
+                  even26_on = _mm512_shuffle_f64x2(even[2], even[3], k13),
+                  odd15 = _mm512_shuffle_f64x2(odd[0], odd[1], k02),
+                  odd15_on = _mm512_shuffle_f64x2(odd[2], odd[3], k02),
+                  odd37 = _mm512_shuffle_f64x2(odd[0], odd[1], k13),
+                  odd37_on = _mm512_shuffle_f64x2(odd[2], odd[3], k13);
+    c0 = _mm512_shuffle_f64x2(even04, even04_on, k02);
+    c1 = _mm512_shuffle_f64x2(odd15, odd15_on, k02);
+    c2 = _mm512_shuffle_f64x2(even26, even26_on, k02);
+    c3 = _mm512_shuffle_f64x2(odd37, odd37_on, k02);
+    c4 = _mm512_shuffle_f64x2(even04, even04_on, k13);
+    c5 = _mm512_shuffle_f64x2(odd15, odd15_on, k13);
+  }
 
   friend DRAPE_INLINE Avx512Lane operator+(Avx512Lane a, Avx512Lane b) { return _mm512_add_pd(a.v, b.v); }
   friend DRAPE_INLINE Avx512Lane operator-(Avx512Lane a, Avx512Lane b) { return _mm512_sub_pd(a.v, b.v); }

@@ -12,7 +12,6 @@ template <bool kFused>
 struct ScalarLane {
   static constexpr int kWidth = 1;
   using Mask = bool;
-  using Index = int;
   double v;
 
   ScalarLane() = default;
@@ -20,12 +19,12 @@ struct ScalarLane {
   static DRAPE_INLINE ScalarLane load(const double* p) { return *p; }
   static DRAPE_INLINE ScalarLane loadu(const double* p) { return *p; }
   static DRAPE_INLINE void store(double* p, ScalarLane a) { *p = a.v; }
-  static DRAPE_INLINE Index find(ScalarLane e, const double* start, int n) {
-    int k = 0;
-    for (int i = 1; i < n; ++i) k += e.v >= start[i];
-    return k;
+  static DRAPE_INLINE void truncate(int* to, ScalarLane a) { *to = int(a.v); }
+  static DRAPE_INLINE void columns(const double* const* rows, ScalarLane& c0, ScalarLane& c1, ScalarLane& c2,
+                                   ScalarLane& c3, ScalarLane& c4, ScalarLane& c5) {
+    const double* row = rows[0];
+    c0 = row[0], c1 = row[1], c2 = row[2], c3 = row[3], c4 = row[4], c5 = row[5];
   }
-  static DRAPE_INLINE ScalarLane gather(const double* p, Index k) { return p[k]; }
 
   friend DRAPE_INLINE ScalarLane operator+(ScalarLane a, ScalarLane b) { return a.v + b.v; }
   friend DRAPE_INLINE ScalarLane operator-(ScalarLane a, ScalarLane b) { return a.v - b.v; }

@@ -5,7 +5,6 @@
 //      a o---o b        E = w sqrt(2) b G(e), G' = g, w = b phi/sqrt(2);  pull on a = w g(e) (d - a)/l
 #pragma once
 #include "forces/damping.h"
-#include "forces/rows.h"
 
 namespace drape {
 namespace {
@@ -14,14 +13,14 @@ template <class L, class Tension, class Pull>
 DRAPE_INLINE void shear_diagonals(int n, ConstRow from, ConstRow to, WidthRow width, double diagonal,
                                   Tension tension, Pull pull, Row out) {
   const L inverse_rest = 1 / diagonal;
-  for (int i = 0; i < n; i += L::kWidth) {
-    const Vec<L> edge = vec_load<L>(to, i) - vec_load<L>(from, i);
-    const L length = sqrt(dot(edge, edge));
-    const L w = width_load<L>(width, i);
-    const L inverse = select(gt(w, L(0.0)), L(1.0) / length, L(0.0));
-    const L e = fma(length, inverse_rest, L(-1.0));
-    vec_store(out, i, edge * (inverse * (w * pull(tension, e, edge, inverse, i))));
-  }
+  links_run<L>(
+      n, tension,
+      [&](int i) DRAPE_INLINE_LAMBDA {
+        return link_between(vec_load<L>(from, i), vec_load<L>(to, i), width_load<L>(width, i), inverse_rest);
+      },
+      [&](int i, const LinkLane<L>& link, auto tension_at) DRAPE_INLINE_LAMBDA {
+        vec_store(out, i, link.edge * (link.inverse * (width_load<L>(width, i) * pull(tension_at, link, i))));
+      });
 }
 
 // Diagonal i of a row of cells: rising from node i to node i + 1 above, falling from node i + 1 to node i

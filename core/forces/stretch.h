@@ -5,7 +5,6 @@
 //   E = w b P(e), P' = p;   pull on r0 = w p(e) (r1 - r0)/l = -dE/dr0, and its opposite on r1.
 #pragma once
 #include "forces/damping.h"
-#include "forces/rows.h"
 
 namespace drape {
 namespace {
@@ -15,16 +14,17 @@ template <class L, class Tension, class Pull>
 DRAPE_INLINE void stretch_links(int n, ConstRow from, ConstRow to, WidthRow width, double cell,
                                 Tension tension, Pull pull, LinkRow out) {
   const L inverse_rest = 1 / cell;
-  for (int i = 0; i < n; i += L::kWidth) {
-    const Vec<L> edge = vec_load<L>(to, i) - vec_load<L>(from, i);
-    const L length = sqrt(dot(edge, edge));
-    const L w = width_load<L>(width, i);
-    const L inverse = select(gt(w, L(0.0)), L(1.0) / length, L(0.0));
-    const Vec<L> unit = edge * inverse;
-    vec_store(out.unit, i, unit);
-    L::store(out.inverse + i, inverse);
-    vec_store(out.pull, i, unit * (w * pull(tension, fma(length, inverse_rest, L(-1.0)), edge, inverse, i)));
-  }
+  links_run<L>(
+      n, tension,
+      [&](int i) DRAPE_INLINE_LAMBDA {
+        return link_between(vec_load<L>(from, i), vec_load<L>(to, i), width_load<L>(width, i), inverse_rest);
+      },
+      [&](int i, const LinkLane<L>& link, auto tension_at) DRAPE_INLINE_LAMBDA {
+        const Vec<L> unit = link.edge * link.inverse;
+        vec_store(out.unit, i, unit);
+        L::store(out.inverse + i, link.inverse);
+        vec_store(out.pull, i, unit * (width_load<L>(width, i) * pull(tension_at, link, i)));
+      });
 }
 
 // Weft links lie in one row: node i is the first end of link i and the second of link i - 1.

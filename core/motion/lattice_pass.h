@@ -73,7 +73,7 @@ struct SlabRows {
 template <bool kRates, class Body>
 DRAPE_INLINE void with_pull(const Curve& curve, const Law& law, double rest, ConstRow speed,
                             ConstRow speed_to, Body body) {
-  with_tension(curve, [&](auto tension) {
+  with_tension(curve, [&](auto tension) DRAPE_INLINE_LAMBDA {
     if constexpr (kRates) {
       if (law.damping > 0) return body(tension, Damped{speed, speed_to, law.damping, 1 / rest});
     }
@@ -87,7 +87,7 @@ DRAPE_INLINE void slab_shear(const Lattice& l, const SlabRows& in, const PassRow
   const double diagonal = __builtin_sqrt(2.0) * l.cell;
   const WidthRow width{l.cell * l.cell / (2 * diagonal), in.share, in.share};
   const auto lay = [&](ConstRow from, ConstRow to, ConstRow speed, ConstRow speed_to, Row out) {
-    with_pull<kRates>(l.law.bias, l.law, diagonal, speed, speed_to, [&](auto tension, auto pull) {
+    with_pull<kRates>(l.law.bias, l.law, diagonal, speed, speed_to, [&](auto tension, auto pull) DRAPE_INLINE_LAMBDA {
       shear_diagonals<L>(l.stride, from, to, width, diagonal, tension, pull, out);
     });
   };
@@ -107,13 +107,13 @@ void slab(const Lattice& l, const SlabRows& in, int j, const PassRows& p) {
   row_clear<L>(n, force_above);
 
   if (law.weft.segments || law.bending_weft > 0) {
-    with_pull<kRates>(law.weft, law, b, in.speed, in.speed.at(1), [&](auto tension, auto pull) {
+    with_pull<kRates>(law.weft, law, b, in.speed, in.speed.at(1), [&](auto tension, auto pull) DRAPE_INLINE_LAMBDA {
       stretch_links<L>(n, in.here, in.here.at(1), {b / 2, below, share}, b, tension, pull, p.weft);
     });
     stretch_weft_add<L>(n, p.weft.pull, force);
   }
   if (law.warp.segments || law.bending_warp > 0) {
-    with_pull<kRates>(law.warp, law, b, in.speed, in.speed_above, [&](auto tension, auto pull) {
+    with_pull<kRates>(law.warp, law, b, in.speed, in.speed_above, [&](auto tension, auto pull) DRAPE_INLINE_LAMBDA {
       stretch_links<L>(n, in.here, in.above, {b / 2, share - 1, share}, b, tension, pull, warp);
     });
     stretch_warp_add<L>(n, warp.pull, force, force_above);

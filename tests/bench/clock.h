@@ -5,8 +5,8 @@
 
 namespace drape::bench {
 
-// Seconds that each contender takes for one of its steps; `steps(n)` runs n of them. Each turn of each lasts `turn`
-// seconds.
+// Seconds that each contender takes for one of its steps; `steps(n)` runs n of them. Each turn of each lasts
+// `turn` seconds.
 using Contender = std::function<void(long n)>;
 std::vector<double> race(const std::vector<Contender>& contenders, int turns, double turn);
 
