@@ -7,6 +7,7 @@
 //   sqrt abs max min            sqrt rounded correctly; max(a,b) = a > b ? a : b
 //   ge gt, select(m,a,b)        m ? a : b
 //   copysign(a,b)
+//   shifted(a,b)                the last of a, then all of b but its last: what lies one to the left of b
 //   truncate(to, a)             to[i] = a_i without its fraction
 //   columns(rows, c0 ... c5)    ck_i = rows[i][k]; each row 64 bytes, aligned
 //

@@ -45,6 +45,9 @@ struct Avx2Lane {
     return _mm256_fmadd_pd(a.v, b.v, c.v);
   }
   friend DRAPE_INLINE Avx2Lane sqrt(Avx2Lane a) { return _mm256_sqrt_pd(a.v); }
+  friend DRAPE_INLINE Avx2Lane shifted(Avx2Lane a, Avx2Lane b) {
+    return _mm256_shuffle_pd(_mm256_permute2f128_pd(a.v, b.v, 0x21), b.v, 0b0101);
+  }
   friend DRAPE_INLINE Avx2Lane abs(Avx2Lane a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v); }
   friend DRAPE_INLINE Avx2Lane max(Avx2Lane a, Avx2Lane b) { return _mm256_max_pd(a.v, b.v); }
   friend DRAPE_INLINE Avx2Lane min(Avx2Lane a, Avx2Lane b) { return _mm256_min_pd(a.v, b.v); }

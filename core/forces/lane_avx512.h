@@ -54,6 +54,9 @@ struct Avx512Lane {
     return _mm512_fmadd_pd(a.v, b.v, c.v);
   }
   friend DRAPE_INLINE Avx512Lane sqrt(Avx512Lane a) { return _mm512_sqrt_pd(a.v); }
+  friend DRAPE_INLINE Avx512Lane shifted(Avx512Lane a, Avx512Lane b) {
+    return _mm512_castsi512_pd(_mm512_alignr_epi64(_mm512_castpd_si512(b.v), _mm512_castpd_si512(a.v), 7));
+  }
   friend DRAPE_INLINE Avx512Lane abs(Avx512Lane a) { return _mm512_abs_pd(a.v); }
   friend DRAPE_INLINE Avx512Lane max(Avx512Lane a, Avx512Lane b) { return _mm512_max_pd(a.v, b.v); }
   friend DRAPE_INLINE Avx512Lane min(Avx512Lane a, Avx512Lane b) { return _mm512_min_pd(a.v, b.v); }

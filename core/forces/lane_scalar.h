@@ -34,6 +34,7 @@ struct ScalarLane {
     return kFused ? __builtin_fma(a.v, b.v, c.v) : a.v * b.v + c.v;
   }
   friend DRAPE_INLINE ScalarLane sqrt(ScalarLane a) { return __builtin_sqrt(a.v); }
+  friend DRAPE_INLINE ScalarLane shifted(ScalarLane a, ScalarLane) { return a; }
   friend DRAPE_INLINE ScalarLane abs(ScalarLane a) { return __builtin_fabs(a.v); }
   friend DRAPE_INLINE ScalarLane max(ScalarLane a, ScalarLane b) { return a.v > b.v ? a.v : b.v; }
   friend DRAPE_INLINE ScalarLane min(ScalarLane a, ScalarLane b) { return a.v < b.v ? a.v : b.v; }

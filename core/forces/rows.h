@@ -17,12 +17,10 @@ struct Row {
   DRAPE_INLINE operator ConstRow() const { return {x, y, z}; }
 };
 
-// A row of links from node i of one row to node i of another (or to i + 1): direction, 1 / length, and the
-// pull on the first end.
+// What the hinges need of a row of links from node i of one row to node i of another (or to i + 1).
 struct LinkRow {
   Row unit;         // 1
-  double* inverse;  // 1/m; 0 where there is no link
-  Row pull;         // N
+  double* inverse;  // 1/m
 };
 
 // The width of link i is scale (a[i] + b[i]): half the shares of its two cells.
@@ -67,6 +65,11 @@ DRAPE_INLINE L dot(Vec<L> a, Vec<L> b) {
 template <class L>
 DRAPE_INLINE L width_load(const WidthRow& w, long i) {
   return L(w.scale) * (L::loadu(w.a + i) + L::loadu(w.b + i));
+}
+
+template <class L>
+DRAPE_INLINE Vec<L> shifted(Vec<L> a, Vec<L> b) {
+  return {shifted(a.x, b.x), shifted(a.y, b.y), shifted(a.z, b.z)};
 }
 
 // f[i] += v[i]

