@@ -257,7 +257,7 @@ void leapfrog_complete(const System& system, Motion& motion, State& s, bool with
     s.dissipated = now.dissipated;
     s.input = now.input + motion.held.work;
   }
-  for (std::size_t p = 0; within && p < told.size(); ++p) {
+  for (std::size_t p = 0; within && !s.advance_begins && p < told.size(); ++p) {
     s.pin_impulse[p].force += s.h_old / 2 * told[p].force;
     s.pin_impulse[p].torque += s.h_old / 2 * told[p].torque;
   }

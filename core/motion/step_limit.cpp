@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
 #include "forces/lane_scalar.h"
 #include "motion/cell_bound.h"
@@ -163,9 +162,7 @@ double step_limit_of(const System& system, double omega2) {
 
 double step_safety(const System& system, double damping, double omega2) {
   constexpr double kDampedShare = 1e-5;  // of omega
-  double springs = std::numeric_limits<double>::infinity();
-  for (const Lattice& l : system.lattices) springs = std::min(springs, l.law.damping);
-  const bool damped = damping + springs * omega2 >= kDampedShare * std::sqrt(omega2);
+  const bool damped = damping >= kDampedShare * std::sqrt(omega2);
   return damped || system.fit ? kSafetyDamped : kSafetyUndamped;
 }
 

@@ -44,7 +44,7 @@ TEST(Tension, IsTheCurvesBetweenAtAndBesideItsPoints) {
       const double end = curve.segment[k].end;
       for (double e : {std::nextafter(end, -1.0), end, std::nextafter(end, 1.0)}) expect_read(curve, e);
     }
-    for (double e : {-1e300, -1.0, 1.0, 1e300}) {
+    for (double e : {-1e6, -1.0, 1.0, 1e6}) {
       const double value = curve_value(curve, e);
       EXPECT_NEAR(AnyTension{&curve}(Lane(e)).v, value, 1e-14 * std::abs(value)) << e;
     }
