@@ -22,8 +22,9 @@ inline constexpr int kCurveBins = 256;
 
 struct CurveSegment {
   double origin = 0, c0 = 0, c1 = 0, c3 = 0, c4 = 0, c5 = 0;
-  double end = std::numeric_limits<double>::infinity();
-  double energy = 0;  // integral of f from 0 to origin
+  double end =
+      std::numeric_limits<double>::quiet_NaN();  // of the last: nothing is beyond it, infinity neither
+  double energy = 0;                             // integral of f from 0 to origin
 };
 
 struct Curve {

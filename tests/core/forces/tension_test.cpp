@@ -48,7 +48,10 @@ TEST(Tension, IsTheCurvesBetweenAtAndBesideItsPoints) {
       const double value = curve_value(curve, e);
       EXPECT_NEAR(AnyTension{&curve}(Lane(e)).v, value, 1e-14 * std::abs(value)) << e;
     }
-    EXPECT_TRUE(std::isnan(AnyTension{&curve}(Lane(NAN)).v));
+    for (double e : {double(NAN), double(INFINITY)}) {
+      EXPECT_FALSE(std::isfinite(AnyTension{&curve}(Lane(e)).v)) << e;
+      EXPECT_FALSE(std::isfinite(curve_value(curve, e))) << e;
+    }
   }
 }
 
