@@ -11,10 +11,7 @@ void counts_fill(const Grid& grid, drape_cloth::Piece& piece) {
   piece.twins = int(grid.twin.size());
   if (grid.paper) return;
   for (const GridCell& cell : grid.cells) piece.cut += grid_is_cut(grid, cell.i, cell.j);
-  for (const GridPart& part : grid.parts) {
-    const GridCell& cell = grid.cells[std::size_t(part.cell)];
-    piece.merged += cell.i != part.i || cell.j != part.j;
-  }
+  for (const GridPart& part : grid.parts) piece.merged += grid_is_merged(grid, part);
 }
 
 // `number`: the particles of the grid's nodes.

@@ -57,13 +57,12 @@ void parts_draw(pugi::xml_node parent, const View& view) {
              "share " + svg_number(c.share));
   for (const GridPart& part : grid.parts) {
     const GridCell& c = grid.cells[std::size_t(part.cell)];
-    const bool merged = c.i != part.i || c.j != part.j;
     std::string path;
     for (const std::vector<Vec2>& loop : part.loops) path += view.path(loop, true);
     if (grid.paper) fill(parent, "part", path, kStripInk, "mass only");
     else
       fill(parent, "part", path, share_colour(c.share),
-           (merged ? "merged, share " : "share ") + svg_number(c.share));
+           (grid_is_merged(grid, part) ? "merged, share " : "share ") + svg_number(c.share));
   }
 }
 

@@ -67,6 +67,12 @@ Vec2 grid_plane(const Grid& grid, Vec2 coordinates);
 // True where the outline cuts the place: it holds parts.
 bool grid_is_cut(const Grid& grid, int i, int j);
 
+// True where the cell of a part has another place: it has taken the part over.
+inline bool grid_is_merged(const Grid& grid, const GridPart& part) {
+  const GridCell& cell = grid.cells[std::size_t(part.cell)];
+  return cell.i != part.i || cell.j != part.j;
+}
+
 // The regular cell of a place, else the first with twins; -1: none.
 int grid_cell_at(const Grid& grid, int i, int j);
 

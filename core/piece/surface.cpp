@@ -29,8 +29,7 @@ int corner_of(Builder& b, const GridPoint& point) {
 
 // A polygon in cells, of a part.
 void polygon_append(Builder& b, const Polygon& polygon, const GridPart& part) {
-  const GridCell& c = b.grid.cells[std::size_t(part.cell)];
-  const bool merged = c.i != part.i || c.j != part.j;
+  const bool merged = grid_is_merged(b.grid, part);
   std::vector<int>& corner = b.surface.corner;
   const std::size_t begin = corner.size();
   for (const Vec2& p : polygon) {
