@@ -12,34 +12,39 @@ namespace {
 constexpr const char* kKernels[] = {"portable", "scalar", "avx2", "avx512"};
 constexpr int kSides[] = {33, 65, 129, 257, 1025};
 
-std::string size_text(int side) { return std::to_string(side) + " squared"; }
-
-Contender stepper(Ready& r) {
-  return [&r](long n) {
-    for (long k = 0; k < n; ++k) leapfrog_step(r.system, r.motion, r.state, r.step);
-  };
+// Million particle-steps per second of each, measured by turns.
+std::vector<double> rates_of(std::vector<Ready>& cloths, const Patience& patience) {
+  std::vector<Contender> contenders;
+  for (Ready& r : cloths)
+    contenders.push_back([&r](long n) {
+      for (long k = 0; k < n; ++k) leapfrog_step(r.system, r.motion, r.state, r.step);
+    });
+  std::vector<double> rates = race(contenders, patience.turns, patience.seconds);
+  for (std::size_t k = 0; k < rates.size(); ++k)
+    rates[k] = double(cloths[k].system.particle.size()) / rates[k] / 1e6;
+  return rates;
 }
 
-double rate_of(const Ready& r, double seconds) { return double(r.system.particle.size()) / seconds / 1e6; }
+// A row for each cloth, against the first.
+void rows_add(const char* group, const std::vector<std::string>& names, std::vector<Ready>& cloths,
+              const std::string& against, const Patience& patience, std::vector<Row>& rows) {
+  const std::vector<double> rates = rates_of(cloths, patience);
+  for (std::size_t k = 0; k < cloths.size(); ++k)
+    rows.push_back({group, names[k], cloths[k].system.particle.size(), cloths[k].motion.kernel->name,
+                    rates[k], rates[k] / rates[0], against});
+}
 
 // Every instruction set of this processor on one cloth, against the portable kernel.
 void race_kernels(const Features& features, int side, const Patience& patience, std::vector<Row>& rows) {
   const Scene scene = scene_of(features, side);
   std::vector<Ready> cloths;
-  std::vector<const char*> names;
   for (const char* name : kKernels)
     if (const Kernel* kernel = kernel_named(name)) {
       cloths.push_back(ready(scene));
       cloths.back().motion.kernel = kernel;
-      names.push_back(name);
     }
-  std::vector<Contender> contenders;
-  for (Ready& r : cloths) contenders.push_back(stepper(r));
-  const std::vector<double> seconds = race(contenders, patience.turns, patience.seconds);
-  for (std::size_t k = 0; k < seconds.size(); ++k)
-    rows.push_back({"kernel", std::string(features.name) + ", " + size_text(side),
-                    cloths[k].system.particle.size(), names[k], rate_of(cloths[k], seconds[k]),
-                    seconds[0] / seconds[k], names[0]});
+  const std::string name = std::string(features.name) + ", " + std::to_string(side) + " squared";
+  rows_add("kernel", std::vector(cloths.size(), name), cloths, kKernels[0], patience, rows);
 }
 
 std::vector<Row> kernel_rows(const Patience& patience) {
@@ -62,17 +67,13 @@ std::vector<Row> feature_rows(const Patience& patience) {
                                {"energy balance", 1, false, false, 0, 0, false, true},
                                kFull};
   std::vector<Ready> cloths;
-  for (const Features& f : features) cloths.push_back(ready(scene_of(f, 129)));
-  std::vector<Contender> contenders;
-  for (Ready& r : cloths) contenders.push_back(stepper(r));
-  const std::vector<double> seconds = race(contenders, patience.turns, patience.seconds);
-  std::vector<Row> rows;
-  for (std::size_t k = 0; k < seconds.size(); ++k) {
-    const double rate = rate_of(cloths[k], seconds[k]);
-    rows.push_back({"features", features[k].name, cloths[k].system.particle.size(),
-                    cloths[k].motion.kernel->name, rate, rate / rate_of(cloths[0], seconds[0]),
-                    features[0].name});
+  std::vector<std::string> names;
+  for (const Features& f : features) {
+    cloths.push_back(ready(scene_of(f, 129)));
+    names.push_back(f.name);
   }
+  std::vector<Row> rows;
+  rows_add("features", names, cloths, names[0], patience, rows);
   return rows;
 }
 
@@ -80,15 +81,9 @@ std::vector<Row> feature_rows(const Patience& patience) {
 std::vector<Row> scaling_rows(const Patience& patience) {
   std::vector<Ready> cloths;
   for (int side : {129, 33, 65, 257, 513, 1001}) cloths.push_back(ready(scene_of(kFull, side)));
-  std::vector<Contender> contenders;
-  for (Ready& r : cloths) contenders.push_back(stepper(r));
-  const std::vector<double> seconds = race(contenders, patience.turns, patience.seconds);
   std::vector<Row> rows;
-  for (std::size_t k = 0; k < seconds.size(); ++k) {
-    const double rate = rate_of(cloths[k], seconds[k]);
-    rows.push_back({"scaling", kFull.name, cloths[k].system.particle.size(), cloths[k].motion.kernel->name,
-                    rate, rate / rate_of(cloths[0], seconds[0]), "129 squared"});
-  }
+  rows_add("scaling", std::vector<std::string>(cloths.size(), kFull.name), cloths, "129 squared", patience,
+           rows);
   return rows;
 }
 
