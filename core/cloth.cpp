@@ -174,7 +174,7 @@ drape_status drape_advance(drape_cloth* c, double length) {
   c->tuning_good = c->tuning;
   std::string event;
   const Advance how = leapfrog_advance(c->system, c->motion, c->state, length, event,
-                                       [c](double intervals) { tuning_go(*c, intervals); });
+                                       [c](double intervals) { return tuning_go(*c, intervals); });
   if (!event.empty())
     say(*c, DRAPE_LOG_STABILITY, event + ", set by the " + step_limit_link(c->system, c->scene, c->state));
   if (how == Advance::kDone) {

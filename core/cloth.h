@@ -75,8 +75,8 @@ void inputs_taken(drape_cloth& cloth);
 // The values of the parameters are those of the system.
 void tuning_begin(drape_cloth& cloth);
 
-// Moves ramps on by a number of communication intervals.
-void tuning_go(drape_cloth& cloth, double intervals);
+// Moves ramps on by a number of communication intervals; true where one was under way.
+bool tuning_go(drape_cloth& cloth, double intervals);
 
 // Takes up an earlier state of the tuning.
 void tuning_restore(drape_cloth& cloth, const Tuning& tuning);

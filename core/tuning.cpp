@@ -133,7 +133,7 @@ void parameters_commit(drape_cloth& c, const ParameterValues& before, std::vecto
   if (parameters_read(c.parameters) == before) return;
   const ParameterValues in_force = c.tuning.in_force;
   const State untouched = c.state;
-  leapfrog_complete(c.system, c.motion, c.state, false);
+  leapfrog_complete(c.system, c.motion, c.state);
   const double error_before = balance_error(c);
   while (parameters_try(c, before, problems)) continue;
   // Before the first step there is nothing to spare: the values are there at once.
@@ -153,11 +153,11 @@ void tuning_begin(drape_cloth& c) {
   c.tuning.ramp = ramp_at(c.tuning.in_force);
 }
 
-void tuning_go(drape_cloth& c, double intervals) {
+bool tuning_go(drape_cloth& c, double intervals) {
   Ramp& ramp = c.tuning.ramp;
-  if (!ramp_under_way(ramp)) return;
+  if (!ramp_under_way(ramp)) return false;
   ramp_go(ramp, intervals);
-  leapfrog_complete(c.system, c.motion, c.state, true);
+  leapfrog_complete(c.system, c.motion, c.state);
   const double error_before = balance_error(c);
   std::vector<Problem> problems;
   values_take(c, ramp_values(ramp), problems);
@@ -167,6 +167,7 @@ void tuning_go(drape_cloth& c, double intervals) {
   if (!ramp_under_way(ramp))
     say(c, DRAPE_LOG_EVENT,
         "at " + number(state_time(c.state, c.system.communication), 9) + " s the tuned values are reached");
+  return true;
 }
 
 void tuning_restore(drape_cloth& c, const Tuning& tuning) {

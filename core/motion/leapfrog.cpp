@@ -54,6 +54,10 @@ double step_allowed(const System& system, double damping, double omega2) {
   return std::min(step_safety(system, damping, omega2) * step_limit_of(system, omega2), system.step_max);
 }
 
+double step_now(const System& system, const State& s, double omega2) {
+  return step_allowed(system, damping_of(system, s), omega2);
+}
+
 bool all_finite(const System& system, const State& s) {
   double sum = 0;
   for (std::size_t n : system.particle)
@@ -71,7 +75,7 @@ void look(const System& system, const Motion& motion, State& s, double h) {
   }
   for (;; s.watch_period = std::max(s.watch_period / 4, 1)) {
     s.omega2 = step_limit_omega2(system, *motion.kernel, s, s.watch_period * h);
-    if (h <= step_allowed(system, damping_of(system, s), s.omega2) || s.watch_period == 1) break;
+    if (h <= step_now(system, s, s.omega2) || s.watch_period == 1) break;
   }
   s.omega2_most = std::max(s.omega2_most, s.omega2);
   s.watch_wait = s.watch_period;
@@ -89,7 +93,7 @@ void say_step(std::string& event, const char* verb, double time, double h, const
 void subs_relax(const System& system, State& s, std::string& event) {
   if (s.calm < kCalm || system.fit) return;
   const double q = system.communication;
-  const std::int64_t wanted = subs_for(q, step_allowed(system, damping_of(system, s), s.omega2_most));
+  const std::int64_t wanted = subs_for(q, step_now(system, s, s.omega2_most));
   s.calm = 0;
   s.omega2_most = s.omega2;
   if (wanted >= s.subs) return;
@@ -111,7 +115,7 @@ Advance watch(const System& system, Motion& motion, State& s, double length, std
   look(system, motion, s, h());
   if (system.step_given > 0)
     return h() > step_limit_of(system, s.omega2) ? Advance::kStepAboveLimit : Advance::kDone;
-  while (h() > step_allowed(system, damping_of(system, s), s.omega2)) {
+  while (h() > step_now(system, s, s.omega2)) {
     if (h() * double(kSubsMost) < system.communication) return Advance::kTooManySteps;
     n *= 2;
     done *= 2;
@@ -140,7 +144,7 @@ Advance interval_run(const System& system, Motion& motion, State& s, double leng
 
 void subs_begin(const System& system, const Motion& motion, State& s) {
   s.omega2 = s.omega2_most = step_limit_omega2(system, *motion.kernel, s);
-  s.subs = subs_for(system.communication, step_allowed(system, damping_of(system, s), s.omega2));
+  s.subs = subs_for(system.communication, step_now(system, s, s.omega2));
   s.watch_wait = 0;
 }
 
@@ -167,7 +171,7 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   motion.path = path_make(system, s, motion.inputs, length);
   if (system.fit && path_moves(motion.path)) fit_wake(s);
   const bool jumps = path_jumps(motion.path, s) && system.integrator == Integrator::kLeapfrog;
-  if (jumps) leapfrog_complete(system, motion, s, false);
+  if (jumps) leapfrog_complete(system, motion, s);
   path_follow(motion.path, 0, s);
   held_refresh(system.constraints, s, motion.held);
   held_rates(system.constraints, s, Rate::kVelocity, motion.held);
@@ -178,11 +182,10 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   if (system.energy) s.input += kinetic_energy(system, s) - before;
 }
 
-// Lets the system change before an interval, and looks again at what is held.
+// Lets the system change before an interval; where it has, looks again at what is held.
 void interval_open(const System& system, Motion& motion, State& s, double intervals,
-                   const std::function<void(double)>& begins) {
-  if (!begins) return;
-  begins(intervals);
+                   const IntervalBegins& begins) {
+  if (!begins || !begins(intervals)) return;
   held_refresh(system.constraints, s, motion.held);
   held_rates(system.constraints, s, Rate::kVelocity, motion.held);
 }
@@ -247,7 +250,7 @@ void leapfrog_step(const System& system, Motion& motion, State& s, double h, dou
   ++s.steps;
 }
 
-void leapfrog_complete(const System& system, Motion& motion, State& s, bool within) {
+void leapfrog_complete(const System& system, Motion& motion, State& s) {
   if (s.h_old == 0 || system.integrator == Integrator::kPaper) return;
   std::vector<PinLoad> told;
   const double lead = velocity_lead(system, s);
@@ -257,7 +260,7 @@ void leapfrog_complete(const System& system, Motion& motion, State& s, bool with
     s.dissipated = now.dissipated;
     s.input = now.input + motion.held.work;
   }
-  for (std::size_t p = 0; within && !s.advance_begins && p < told.size(); ++p) {
+  for (std::size_t p = 0; !s.advance_begins && p < told.size(); ++p) {
     s.pin_impulse[p].force += s.h_old / 2 * told[p].force;
     s.pin_impulse[p].torque += s.h_old / 2 * told[p].torque;
   }
@@ -270,7 +273,7 @@ void leapfrog_complete(const System& system, Motion& motion, State& s, bool with
 }
 
 Advance leapfrog_advance(const System& system, Motion& motion, State& s, double length, std::string& event,
-                         const std::function<void(double)>& interval_begins) {
+                         const IntervalBegins& interval_begins) {
   const double q = system.communication;
   const double whole = std::round(length / q);
   // A master's own clock rounds: the length may be off by some units in the last place of the time.

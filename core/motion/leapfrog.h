@@ -40,21 +40,22 @@ void leapfrog_begin(const System& system, Motion& motion, State& state);
 void leapfrog_retuned(const System& system, Motion& motion, State& state);
 
 // Completes the last half kick, so that the state is one of t_n as at the start: before the system changes or
-// the velocity of a pin jumps. `within` an advance, its impulses go to the pins; at an advance's beginning
-// the one before has told them.
-void leapfrog_complete(const System& system, Motion& motion, State& state, bool within);
+// the velocity of a pin jumps. Its impulses go to the pins of the advance that it ends.
+void leapfrog_complete(const System& system, Motion& motion, State& state);
 
 // One step of size h, which leads to the share u of the present interval of the inputs' paths.
 void leapfrog_step(const System& system, Motion& motion, State& state, double h, double u = 1);
+
+// What may change the system before an interval, given its length over q; true where it may have done so.
+using IntervalBegins = std::function<bool(double intervals)>;
 
 // Advances by `length` > 0: whole communication intervals of q on the grid, or one interval of its own
 // length. Each interval of q has state.subs steps; that number doubles when the step limit falls and is
 // chosen anew after 100 calm intervals. kStepAboveLimit: a given step met a limit below it. kTooManySteps:
 // the automatic step fell below q / kSubsMost. kNotFinite: the run left the finite numbers; the caller holds
-// the state from before. `event` receives a sentence when the step changed. `interval_begins` is called
-// before each interval, with its length over q; it may change the system.
+// the state from before. `event` receives a sentence when the step changed.
 Advance leapfrog_advance(const System& system, Motion& motion, State& state, double length,
-                         std::string& event, const std::function<void(double)>& interval_begins = {});
+                         std::string& event, const IntervalBegins& interval_begins = {});
 
 // Synchronous velocities of all nodes at the present time (into vx, vy, vz [nodes]) and the loads of the pins
 // on the outside world (load [pins]): their mean over the last half step, which the impulses of the state

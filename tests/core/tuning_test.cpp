@@ -266,6 +266,30 @@ TEST(Tuning, work_of_doubling_gravity_in_free_fall) {
   EXPECT_NEAR(energy(c).kinetic, before.kinetic, 1e-14 * before.kinetic);
 }
 
+double pin_force(const Cloth& c) { return drape_outputs_at(c.get(), 0)->pin[0].force[2]; }
+
+// Friction does nothing where nothing touches. On its way along a ramp each interval begins with half a kick,
+// and still every impulse is told, once: all of h is 1/64 of an advance. A refused advance leaves the last
+// one's force as it was.
+TEST(Tuning, pins_tell_each_impulse_once) {
+  Heard heard;
+  const Cloth c = open_sheet(heard, true), untouched = open_sheet(heard, true);
+  ASSERT_TRUE(c && untouched);
+  run(c, 20), run(untouched, 20);
+  drape_parameters_of(c.get())->ramp = 8 * kQ;
+  drape_parameters_of(c.get())->fabric[0].friction = 0.5;
+  for (int k = 0; k < 6; ++k) {
+    run(c, 2), run(untouched, 2);
+    EXPECT_NEAR(pin_force(c), pin_force(untouched), 1e-8 * std::abs(pin_force(untouched))) << k;
+  }
+  const double force = pin_force(c);
+  drape_parameters_of(c.get())->fabric[0].friction = 0.4;
+  drape_parameters_of(c.get())->ramp = 0;
+  drape_parameters_of(c.get())->gravity[1] = NAN;
+  ASSERT_EQ(drape_advance(c.get(), kQ), DRAPE_DISCARD);
+  EXPECT_NEAR(pin_force(c), force, 1e-12 * std::abs(force));
+}
+
 // A diagram doubled under strain doubles its energy; the density times 1.5 the weight's and that of motion.
 TEST(Tuning, work_of_a_stiffer_and_a_heavier_cloth) {
   Heard heard;
