@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "motion/step_limit.h"
 #include "system/links.h"
@@ -13,7 +14,7 @@ constexpr int kScaleEvery = 16;         // steps
 constexpr int kJudgeEvery = 8;          // intervals
 constexpr double kResidualRest = 1e-5;  // of the load
 constexpr double kKineticRest = 1e-9;   // of that times the size of the largest piece
-constexpr double kLeastLoad = 1e-12;    // N, where nothing weighs or pulls
+constexpr double kFaded = 1e-4;         // of the most there was, where nothing weighs or pulls
 
 // Rows on several nodes are projected with the true masses, which is right where the nodes of connected rows
 // have one lightness: the least of theirs. Fixed nodes do not move; theirs is 1, for the force on the pin.
@@ -137,6 +138,18 @@ Left forces_left(const System& system, Motion& motion, const State& s) {
 }
 }  // namespace
 
+namespace {
+// What the forces on particles owe to the rounding of coordinates, N, summed by size.
+double rounding(const System& system, const State& s) {
+  double far = 0, inertia = 0;
+  for (std::size_t n : system.particle) {
+    far = std::max({far, std::abs(s.x[n]), std::abs(s.y[n]), std::abs(s.z[n])});
+    inertia += system.mass[n] / s.lightness[n];
+  }
+  return std::numeric_limits<double>::epsilon() * far * s.omega2 * inertia;
+}
+}  // namespace
+
 void fit_judge(const System& system, Motion& motion, State& s) {
   if (s.fit.judge_wait-- > 0) return;
   s.fit.judge_wait = kJudgeEvery - 1;
@@ -144,16 +157,19 @@ void fit_judge(const System& system, Motion& motion, State& s) {
   double weight = 0, size = 0;
   for (std::size_t n : system.particle) weight += system.mass[n] * norm(system.gravity);
   for (const Lattice& l : system.lattices) size = std::max(size, l.cell * std::max(l.columns, l.rows));
-  s.fit.load = std::max({s.fit.load, weight, left.pins, left.sum, kLeastLoad});
+  s.fit.most = std::max(s.fit.most, left.sum + left.pins);
+  s.fit.load = std::max(weight, left.pins);
+  if (weight == 0)
+    s.fit.load = std::max({s.fit.load, kFaded * s.fit.most, rounding(system, s) / kResidualRest});
   s.fit.residual = left.sum / s.fit.load;
   s.fit.at_rest = s.fit.residual <= kResidualRest && kinetic(system, s) <= kKineticRest * s.fit.load * size;
   if (s.fit.at_rest) stop(system, s);
 }
 
 void fit_wake(State& s) {
+  s.fit.most = 0;
   if (!s.fit.at_rest) return;
   s.fit.at_rest = false;
-  s.fit.load = 0;
   s.fit.judge_wait = 0;
   s.watch_wait = 0;
 }

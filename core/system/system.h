@@ -100,7 +100,8 @@ struct Fit {
   double damping = 0;   // c, 1/s
   int judge_wait = 0;   // intervals until the forces left are looked at
   double residual = 1;  // their sum over the load
-  double load = 0;  // N, the largest since the start or the last change: weight, pins' forces, forces left
+  double load = 0;      // N, weight or pins' forces
+  double most = 0;      // N, forces left and pins' forces, the most since something last changed
   bool at_rest = false;
 };
 

@@ -198,6 +198,37 @@ TEST(Fit, StaysAtRestUntilSomethingChanges) {
   EXPECT_NE(positions(a), rest);
 }
 
+// What the forces were on the way there does not count: a bar that was carried off in one step, with weight
+// and without, and a cloth that starts far from rest end where the judge finds nothing left of the present
+// load.
+TEST(Fit, RestIsJudgedByThePresentLoad) {
+  for (const double carried : {0.0, 0.1, 1.0})
+    for (const double weight : {9.81, 0.0}) {
+      if (carried == 0 && weight == 0) continue;
+      Scene scene = reference::rectangle(reference::curved_fabric(), 0.05, 0.05, 0.01, true);
+      scene.mode = Mode::kFit;
+      scene.gravity = {0, 0, -weight};
+      scene.imperfection_amplitude = 0.01;  // as large as a cell
+      scene.pins = {reference::pin_edges("bar", {2}), reference::pin_edges("foot", {0})};
+      scene.pins[0].drive = Drive::kPosition;
+      Assembled a = assemble(scene);
+      std::string event;
+      const Vec3 from = a.motion.inputs.pin[0].position;
+      a.motion.inputs.pin[0].position = {from[0], from[1] + carried, from[2] + carried};
+      ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 1e-4, event), Advance::kDone);
+      a.motion.inputs.pin[0].position = {from[0], from[1], from[2] + 0.002};  // 4 % longer than it was
+      ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 1e-4, event), Advance::kDone);
+      ASSERT_TRUE(fit_run(a, 60)) << carried << " m, " << weight << " m/s^2, residual "
+                                  << a.state.fit.residual;
+      const reference::Motion judge = reference::motion_make(scene);
+      reference::Outside outside = judge.start;
+      outside.pins[0].p[2] += 0.002;
+      const reference::Residual left = reference::residual(judge, outside, positions(a));
+      EXPECT_LE(left.ratio, 1.001e-5) << carried << " m, " << weight << " m/s^2";
+      EXPECT_NEAR(left.ratio, a.state.fit.residual, 1e-3 * left.ratio + 1e-12);
+    }
+}
+
 // Springs that are damped lower the step limit too; what a fit makes of it stays bounded, beyond the hundred
 // intervals after which a dynamic run would choose its step anew. Without weight, with nothing but a clamp
 // that was turned, it comes to rest all the same.
