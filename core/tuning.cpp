@@ -142,8 +142,8 @@ void parameters_commit(drape_cloth& c, const ParameterValues& before, std::vecto
            parameters_groups(c.parameters));
   std::vector<Problem> none;
   values_take(c, ramp_values(c.tuning.ramp), none);
-  if (c.tuning.in_force == in_force) c.state = untouched;
-  else tuning_changed(c, error_before);
+  if (parameters_move_otherwise(c.parameters, in_force, c.tuning.in_force)) tuning_changed(c, error_before);
+  else c.state = untouched;
 }
 
 }  // namespace
@@ -157,17 +157,19 @@ bool tuning_go(drape_cloth& c, double intervals) {
   Ramp& ramp = c.tuning.ramp;
   if (!ramp_under_way(ramp)) return false;
   ramp_go(ramp, intervals);
-  leapfrog_complete(c.system, c.motion, c.state);
-  const double error_before = balance_error(c);
+  const ParameterValues values = ramp_values(ramp);
+  const bool moves = parameters_move_otherwise(c.parameters, c.tuning.in_force, values);
+  if (moves) leapfrog_complete(c.system, c.motion, c.state);
+  const double error_before = moves ? balance_error(c) : 0;
   std::vector<Problem> problems;
-  values_take(c, ramp_values(ramp), problems);
+  values_take(c, values, problems);
   // Both ends of the way make laws, but a law in between may not: the values wait for the next interval.
   for (const Problem& p : problems) say(c, DRAPE_LOG_WARNING, "on its way, " + problem_text(p));
-  if (problems.empty()) tuning_changed(c, error_before);
+  if (moves && problems.empty()) tuning_changed(c, error_before);
   if (!ramp_under_way(ramp))
     say(c, DRAPE_LOG_EVENT,
         "at " + number(state_time(c.state, c.system.communication), 9) + " s the tuned values are reached");
-  return true;
+  return moves;
 }
 
 void tuning_restore(drape_cloth& c, const Tuning& tuning) {

@@ -1,5 +1,6 @@
 #include "system/parameters.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "scene/ranges.h"
@@ -126,6 +127,20 @@ ParameterValues parameters_read(const Parameters& p) {
 void parameters_write(Parameters& p, const ParameterValues& v) {
   std::size_t k = 0;
   each_value(p, [&](double& x) { x = v.value[k++]; });
+}
+
+bool parameters_move_otherwise(const Parameters& p, const ParameterValues& a, const ParameterValues& b) {
+  const auto idle = [&](const double* value) {
+    return value == &p.shown.ramp || std::any_of(p.fabrics.begin(), p.fabrics.end(),
+                                                 [&](const drape_fabric& f) { return value == &f.friction; });
+  };
+  bool otherwise = false;
+  std::size_t k = 0;
+  each_value(p, [&](const double& value) {
+    otherwise = otherwise || (a.value[k] != b.value[k] && !idle(&value));
+    ++k;
+  });
+  return otherwise;
 }
 
 std::vector<int> parameters_groups(const Parameters& p) {
