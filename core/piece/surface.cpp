@@ -59,7 +59,7 @@ void part_open(const std::vector<Polygon>& loops, std::vector<Polygon>& open) {
     const double i = cut.i0 + part.place % cut.columns, j = cut.j0 + part.place / cut.columns;
     std::vector<Polygon> back = part.loops;
     for (Polygon& loop : back)
-      for (Vec2& p : loop) p = {p[0] + i + middle[0], p[1] + j + middle[1]};
+      for (Vec2& p : loop) p = {cut_snapped(p[0] + i + middle[0]), cut_snapped(p[1] + j + middle[1])};
     part_open(back, open);
   }
 }
