@@ -164,12 +164,10 @@ drape_status drape_advance(drape_cloth* c, double length) {
     return DRAPE_DISCARD;
   }
   c->stuck = false;
-  if (drape_commit(c) != DRAPE_OK) return DRAPE_DISCARD;
+  const bool committed = drape_commit(c) == DRAPE_OK;
   std::vector<Problem> problems;
-  if (!inputs_take(*c, length, problems)) {
-    say_problems(*c, problems);
-    return DRAPE_DISCARD;
-  }
+  if (!inputs_take(*c, length, problems)) say_problems(*c, problems);
+  if (!committed || !problems.empty()) return DRAPE_DISCARD;
   c->good = c->state;
   c->tuning_good = c->tuning;
   std::string event;
