@@ -30,14 +30,18 @@ std::vector<Item> cell_items(pugi::xml_node parent, const Scene& scene, const st
   std::vector<Item> items;
   const bool paper = scene.outline == OutlineModel::kPaper;
   const auto any = [&](auto is) { return std::any_of(grids.begin(), grids.end(), is); };
-  items.push_back({12, "whole cell", [square](Vec2 at) { square(at, kClothInk); }});
+  const auto has_whole = [](const Grid& g) {
+    return std::any_of(g.cells.begin(), g.cells.end(),
+                       [&](const GridCell& c) { return !grid_is_cut(g, c.i, c.j); });
+  };
+  if (any(has_whole)) items.push_back({12, "whole cell", [square](Vec2 at) { square(at, kClothInk); }});
   if (any([](const Grid& g) { return !g.parts.empty(); })) {
     if (paper) items.push_back({12, "mass only", [square](Vec2 at) { square(at, kStripInk); }});
     else
-      items.push_back({48, "cell that the outline cuts, share 0.25 to 1", [square](Vec2 at) {
-                         for (int k = 0; k < 4; ++k)
-                           square({at[0] + 12 * k, at[1]}, share_colour(0.25 * (k + 1)));
-                       }});
+      items.push_back(
+          {48, "share of a cell that the outline cuts: 0.25, 0.5, 0.75, 1 or more", [square](Vec2 at) {
+             for (int k = 0; k < 4; ++k) square({at[0] + 12 * k, at[1]}, share_colour(0.25 * (k + 1)));
+           }});
   }
   if (any([](const Grid& g) { return !g.twin.empty(); }))
     items.push_back({30, "particle and its twin at one place, with their cloth", [parent](Vec2 at) {
