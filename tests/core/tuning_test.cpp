@@ -28,7 +28,8 @@ void hear(void* user, drape_log_kind kind, const char* message) {
 }
 
 // A sheet of 0.05 m x 0.05 m, its lowest point 1 m above the origin; free, or held at a corner.
-Cloth open_sheet(Heard& heard, bool held, const std::string& step = "0.000030517578125") {
+Cloth open_sheet(Heard& heard, bool held, const std::string& step = "0.000030517578125",
+                 const std::string& pin_keys = "") {
   const SceneFolder folder;
   const std::string scene = R"(
 [scene]
@@ -53,7 +54,7 @@ place = { origin = [0, 0, 1], axis_x = [1, 0, 0], axis_y = [0, 0, 1] }
 name = "low"
 piece = "sheet"
 at = [0.03, 0]
-)" + std::string(held ? "[[pin]]\nname = \"corner\"\npiece = \"sheet\"\nat = [[0, 0.05]]\n" : "");
+)" + std::string(held ? "[[pin]]\nname = \"corner\"\npiece = \"sheet\"\nat = [[0, 0.05]]\n" + pin_keys : "");
   return Cloth(drape_open(folder.write("scene.toml", scene).c_str(), hear, &heard));
 }
 
@@ -233,6 +234,20 @@ TEST(Tuning, ranges_of_the_new_values) {
   EXPECT_EQ(p.ramp, 0);
   EXPECT_EQ(p.fabric[0].damping, 0);
   EXPECT_EQ(p.fabric[0].friction, 0.3);
+}
+
+// One advance tells of both what is wrong with its parameters and what with its inputs.
+TEST(Tuning, faults_of_one_advance_are_told_together) {
+  Heard heard;
+  const Cloth c = open_sheet(heard, true, "0.000030517578125", "drive = \"position\"\n");
+  ASSERT_TRUE(c);
+  drape_parameters_of(c.get())->damping = -1;
+  drape_inputs_of(c.get())->pin[0].position[2] = NAN;
+  EXPECT_EQ(drape_advance(c.get(), kQ), DRAPE_DISCARD);
+  ASSERT_EQ(heard.errors.size(), 2u);
+  EXPECT_EQ(heard.errors[0].rfind("damping = -1 1/s; allowed: ", 0), 0u);
+  EXPECT_EQ(heard.errors[1].rfind("pin.corner.position[3] = nan m; allowed: ", 0), 0u);
+  EXPECT_EQ(drape_advance(c.get(), kQ), DRAPE_OK);
 }
 
 double total(const drape_energy& e) { return e.kinetic + e.stretch + e.shear + e.bending + e.gravity; }
