@@ -75,7 +75,7 @@ void inputs_taken(drape_cloth& cloth);
 // The values of the parameters are those of the system.
 void tuning_begin(drape_cloth& cloth);
 
-// Moves ramps on by a number of communication intervals; true where one was under way.
+// Moves ramps on by a number of communication intervals; true where that moves the cloth otherwise.
 bool tuning_go(drape_cloth& cloth, double intervals);
 
 // Takes up an earlier state of the tuning.

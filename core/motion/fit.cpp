@@ -136,9 +136,7 @@ Left forces_left(const System& system, Motion& motion, const State& s) {
     left.sum += system.mass[n] * norm({motion.ax[n], motion.ay[n], motion.az[n]});
   return left;
 }
-}  // namespace
 
-namespace {
 // What the forces on particles owe to the rounding of coordinates, N, summed by size.
 double rounding(const System& system, const State& s) {
   double far = 0, inertia = 0;
