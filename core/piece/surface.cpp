@@ -1,6 +1,7 @@
 #include "piece/surface.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "piece/cut.h"
@@ -9,6 +10,13 @@ namespace drape {
 namespace {
 
 using Polygon = std::vector<Vec2>;
+
+// In units of 2^-40 of a cell, which no area feels: sums and differences of such coordinates are exact, so
+// that corners which polygons share stay the same numbers in each.
+Vec2 rounded(const Vec2& p) {
+  constexpr double kUnit = 0x1p-40;
+  return {std::nearbyint(p[0] / kUnit) * kUnit, std::nearbyint(p[1] / kUnit) * kUnit};
+}
 
 struct Builder {
   const Grid& grid;
@@ -51,6 +59,7 @@ void part_open(const std::vector<Polygon>& loops, std::vector<Polygon>& open) {
                                                  [a](const Vec2& p, const Vec2& q) { return p[a] < q[a]; });
     middle[a] = ((*low)[a] + (*high)[a]) / 2;
   }
+  middle = rounded(middle);
   std::vector<Polygon> moved = loops;
   for (Polygon& loop : moved)
     for (Vec2& p : loop) p = {cut_snapped(p[0] - middle[0]), cut_snapped(p[1] - middle[1])};
@@ -59,7 +68,7 @@ void part_open(const std::vector<Polygon>& loops, std::vector<Polygon>& open) {
     const double i = cut.i0 + part.place % cut.columns, j = cut.j0 + part.place / cut.columns;
     std::vector<Polygon> back = part.loops;
     for (Polygon& loop : back)
-      for (Vec2& p : loop) p = {cut_snapped(p[0] + i + middle[0]), cut_snapped(p[1] + j + middle[1])};
+      for (Vec2& p : loop) p = rounded({p[0] + i + middle[0], p[1] + j + middle[1]});
     part_open(back, open);
   }
 }
@@ -76,7 +85,7 @@ Surface surface_make(const Grid& grid) {
   for (const GridPart& part : grid.parts) {
     std::vector<Polygon> loops = part.loops, open;
     for (Polygon& loop : loops)
-      for (Vec2& p : loop) p = grid_coordinates(grid, p);
+      for (Vec2& p : loop) p = rounded(grid_coordinates(grid, p));
     part_open(loops, open);
     for (const Polygon& polygon : open) polygon_append(b, polygon, part);
   }
