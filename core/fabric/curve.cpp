@@ -82,6 +82,57 @@ void bins_set(Curve& c) {
   }
 }
 
+// True where bins of equal width from `low` on hold the first `ends` ends one by one, none near an edge.
+bool bins_part(const Curve& c, double low, double width, int ends) {
+  constexpr double kEdge = 1e-6;  // of a bin
+  double before = -1;
+  for (int k = 0; k < ends; ++k) {
+    const double at = (c.segment[k].end - low) / width, bin = std::floor(at);
+    if (bin == before || at - bin < kEdge || at - bin > 1 - kEdge) return false;
+    before = bin;
+  }
+  return true;
+}
+
+template <int kSize>
+void start_fill(const Curve& c, double low, double width, double limit, CurveStart<kSize>& s) {
+  s.low = low + 1e-3 * width;  // off the edge, whatever rounding does
+  s.limit = std::min(limit, low + (kSize - 1e-6) * width);
+  s.scale = 1 / width;
+  s.shift = -low / width - 0.5;
+  for (int k = 0; k < kSize; ++k) {
+    const CurveSegment& at = segment_of(c, low + k * width);
+    s.first[k] = &at - c.segment;
+    s.end[k] = at.end < low + (k + 1) * width ? at.end : std::numeric_limits<double>::quiet_NaN();
+    const CurveSegment& row = c.segment[k];
+    const double values[6] = {row.origin, row.c0, row.c1, row.c3, row.c4, row.c5};
+    for (int q = 0; q < 6; ++q) s.column[q][k] = values[q];
+  }
+}
+
+// The most ends that bins of some width and place can hold: widths of intervals between ends, and others.
+template <int kSize>
+void start_set(const Curve& c, CurveStart<kSize>& s) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  constexpr int kPhases = 32, kWidths = 12;
+  if (c.segments == 1) return start_fill(c, 0, 1, kInfinite, s);
+  const auto end = [&](int k) { return c.segment[k].end; };
+  for (int ends = std::min(c.segments, kSize) - 1; ends > 0; --ends) {
+    const double span = ends > 1 ? end(ends - 1) - end(0) : std::max(std::abs(end(0)), 1e-3);
+    const double limit = ends == c.segments - 1 ? kInfinite : end(ends);
+    for (int phase = 1; phase < kPhases; ++phase) {
+      const double before = double(phase) / kPhases;  // of a bin, that the first end lies beyond `low`
+      const double least = span / (kSize - before) * 1.001;
+      for (int w = 0; w < kWidths + ends - 1; ++w) {
+        const double width =
+            w < kWidths ? least * (1 + w / (2.0 * kWidths)) : end(w - kWidths + 1) - end(w - kWidths);
+        const double low = end(0) - before * width;
+        if (width >= least && bins_part(c, low, width, ends)) return start_fill(c, low, width, limit, s);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Curve curve_make(const std::vector<double>& e, const std::vector<double>& f, const Continuation& below) {
@@ -102,6 +153,8 @@ Curve curve_make(const std::vector<double>& e, const std::vector<double>& f, con
       std::all_of(s.begin(), s.end(), [&](double v) { return std::abs(v - s[0]) <= 1e-14 * std::abs(s[0]); });
   if (straight && (below.odd || r == 1)) {
     line_add(c, 0, 0, 0, k[0]);
+    start_set(c, c.start8);
+    start_set(c, c.start16);
     return c;
   }
   if (!below.odd && r != 1) {
@@ -116,6 +169,8 @@ Curve curve_make(const std::vector<double>& e, const std::vector<double>& f, con
   line_add(c, e.back(), e.back(), f.back(), k.back());
   energies_set(c, zero);
   bins_set(c);
+  start_set(c, c.start8);
+  start_set(c, c.start16);
   return c;
 }
 

@@ -9,6 +9,7 @@
 // tension and the linear ends are segments like any other; an odd curve is read at |e| and takes the sign
 // of e.
 #pragma once
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -19,6 +20,18 @@ inline constexpr int kCurveSegments =
     kCurvePoints + 2;  // and the blend and the line below zero, the line beyond the end
 
 inline constexpr int kCurveBins = 256;
+
+// The first segments of a curve, up to a strain `limit`, laid out for tables of kSize numbers in registers.
+// Bins of equal width, each with no more than one end in it: the bin of e = scale max(e, low) + shift,
+// rounded to the nearest.
+template <int kSize>
+struct CurveStart {
+  static constexpr int kBins = kSize;
+  double low = 0, limit = std::numeric_limits<double>::infinity(), scale = 0, shift = 0;
+  alignas(64) double end[kSize]{};          // the end in the bin, or what nothing reaches
+  alignas(64) std::int64_t first[kSize]{};  // the segment that the bin begins in
+  alignas(64) double column[6][kSize]{};    // origin, c0, c1, c3, c4, c5 of the segments
+};
 
 struct CurveSegment {
   double origin = 0, c0 = 0, c1 = 0, c3 = 0, c4 = 0, c5 = 0;
@@ -35,6 +48,8 @@ struct Curve {
   double bin_scale = 0, bin_shift = 0;  // bin of e = scale e + shift, rounded down, from 0 to kCurveBins - 1
   int bin_ends = 0;                     // ends of segments in one bin, at most
   unsigned char bin_begin[kCurveBins]{};  // segment
+  CurveStart<8> start8;
+  CurveStart<16> start16;
 };
 
 // How a diagram goes on below zero.

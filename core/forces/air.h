@@ -34,27 +34,25 @@ DRAPE_INLINE Vec<L> air_quarter(const Air& air, const Vec3& wind, Vec<L> d1, Vec
          ut * (scale * L(air.tangential) * (sqrt(dot(ut, ut)) * size));
 }
 
-// Cells between two rows of nodes: positions r and velocities u of both.
+// Cells between two rows of nodes: positions r and velocities u of both. Node i is a corner of cells i - 1
+// and i. The row above takes it off what it holds: minus its sums so far.
 template <class L>
-DRAPE_INLINE void air_cells(int n, const Air& air, const Vec3& wind, ConstRow r, ConstRow r_above, ConstRow u,
-                            ConstRow u_above, const double* share, Row quarter) {
-  for (int i = 0; i < n; i += L::kWidth) {
-    const Vec<L> d1 = vec_load<L>(r_above, i + 1) - vec_load<L>(r, i),
-                 d2 = vec_load<L>(r_above, i) - vec_load<L>(r, i + 1);
-    const Vec<L> speed = ((vec_load<L>(u, i) + vec_load<L>(u, i + 1)) +
-                          (vec_load<L>(u_above, i) + vec_load<L>(u_above, i + 1))) *
-                         L(0.25);
-    vec_store(quarter, i, air_quarter(air, wind, d1, d2, speed, L::load(share + i)));
-  }
-}
-
-// Node i is a corner of cells i - 1 and i.
-template <class L>
-DRAPE_INLINE void air_add(int n, ConstRow quarter, Row force, Row force_above) {
-  for (int i = 0; i < n; i += L::kWidth) {
-    const Vec<L> both = vec_load<L>(quarter, i - 1) + vec_load<L>(quarter, i);
+DRAPE_INLINE void air_cells(Columns reach, const Air& air, const Vec3& wind, ConstRow r, ConstRow r_above,
+                            ConstRow u, ConstRow u_above, const double* share, Row force, Row force_above) {
+  Vec<L> before{L(0.0), L(0.0), L(0.0)};
+  for (int i = reach.begin; i < reach.end; i += L::kWidth) {
+    const int beyond = i + L::kWidth < reach.end ? i + L::kWidth : i;
+    const auto right = [&](ConstRow row) DRAPE_INLINE_LAMBDA {
+      return ahead(vec_load<L>(row, i), vec_load<L>(row, beyond));
+    };
+    const Vec<L> d1 = right(r_above) - vec_load<L>(r, i), d2 = vec_load<L>(r_above, i) - right(r);
+    const Vec<L> speed =
+        ((vec_load<L>(u, i) + right(u)) + (vec_load<L>(u_above, i) + right(u_above))) * L(0.25);
+    const Vec<L> quarter = air_quarter(air, wind, d1, d2, speed, L::load(share + i));
+    const Vec<L> both = shifted(before, quarter) + quarter;
     vec_add(force, i, both);
-    vec_add(force_above, i, both);
+    vec_take(force_above, i, both);
+    before = quarter;
   }
 }
 

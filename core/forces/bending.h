@@ -10,10 +10,10 @@
 // The force is normal to each edge and shorter by its present length: no net force, no net torque. The share
 // of a missing hinge is 0.
 //
-// psi without trigonometry: with h = cos(theta/2) = sqrt((1 + y)/2), psi(y) = Q(h)/h, Q(h) = acos(h)/sqrt(1 -
-// h^2). Q is analytic but at h = -1; on h in [1/2, 1], theta up to 120 degrees, its Chebyshev series in 4h -
-// 3 falls as (7 + sqrt(48))^-n: degree 13 is exact to 6e-17. Beyond 120 degrees psi goes on by its
-// second-order Taylor polynomial.
+// psi without trigonometry: psi(y) = acos(y)/sqrt(1 - y^2) is analytic but at y = -1. On y in [1/2, 1], folds
+// of up to 60 degrees, its Chebyshev series in 4y - 3 falls as (7 + sqrt(48))^-n: degree 13 is exact to
+// 6e-17. With h = cos(theta/2) = sqrt((1 + y)/2), psi(y) = psi(h)/h: the same series serves up to 120
+// degrees. Beyond, psi goes on by its second-order Taylor polynomial.
 #pragma once
 #include "forces/bending_constants.h"
 #include "forces/rows.h"
@@ -27,20 +27,33 @@ inline constexpr double kPsiSeries[] = {
     5.5733945603696164e-08, -7.54052908486172e-09,   1.0237755548669992e-09, -1.3986077184953492e-10,
     2.0541559585752153e-11, -2.8263080717976547e-12};
 
+// psi(y) for y in [1/2, 1]
 template <class L>
-DRAPE_INLINE L bending_psi(L y) {
-  const L h = sqrt(fma(max(y, L(kSharp)), L(0.5), L(0.5)));
-  const L z = fma(h, L(4.0), L(-3.0));
+DRAPE_INLINE L bending_series(L y) {
+  const L z = fma(y, L(4.0), L(-3.0));
   const L z2 = z * z;  // two short chains instead of a long one
   L even = kPsiSeries[12], odd = kPsiSeries[13];
   for (int k = 10; k >= 0; k -= 2) {
     even = fma(even, z2, L(kPsiSeries[k]));
     odd = fma(odd, z2, L(kPsiSeries[k + 1]));
   }
-  const L q = fma(odd, z, even);
+  return fma(odd, z, even);
+}
+
+// psi(y) for y below 1/2
+template <class L>
+DRAPE_INLINE L bending_folded(L y) {
+  const L h = sqrt(fma(max(y, L(kSharp)), L(0.5), L(0.5)));
   const L d = y - L(kSharp);
   const L sharp = fma(d, fma(d, L(kSharpPsi2 / 2), L(kSharpPsi1)), L(kSharpPsi));
-  return select(ge(y, L(kSharp)), q / h, sharp);
+  return select(ge(y, L(kSharp)), bending_series(h) / h, sharp);
+}
+
+template <class L>
+DRAPE_INLINE L bending_psi(L y) {
+  const L psi = bending_series(y);
+  const auto folded = gt(L(0.5), y);
+  return any(folded) ? select(folded, bending_folded(y), psi) : psi;
 }
 
 // Forces on the two ends of a hinge of stiffness kappa between links (u, 1/|a|) and (v, 1/|c|).
@@ -50,40 +63,42 @@ struct HingeForces {
 };
 template <class L>
 DRAPE_INLINE HingeForces<L> bending_hinge(Vec<L> u, L inverse_a, Vec<L> v, L inverse_c, L kappa) {
-  const L y = dot(u, v);
+  const L y = select(gt(kappa, L(0.0)), dot(u, v), L(1.0));  // where there is no hinge nothing is folded
   const L moment = kappa * bending_psi(y);
-  return {(u * y - v) * (moment * inverse_a), (u - v * y) * (moment * inverse_c)};
+  const auto turned = [&](L a, L b) DRAPE_INLINE_LAMBDA { return fms(a, y, b); };
+  const Vec<L> first{turned(u.x, v.x), turned(u.y, v.y), turned(u.z, v.z)},
+      last{turned(v.x, u.x), turned(v.y, u.y), turned(v.z, u.z)};
+  return {first * (moment * inverse_a), last * (L(0.0) - moment * inverse_c)};
 }
 
-// Hinges across the warp links below and above a row; kappa = rigidity share[i].
+// A link as its hinges see it.
 template <class L>
-DRAPE_INLINE void bending_warp_add(int n, const LinkRow& below, const LinkRow& above, const double* share,
-                                   double rigidity, Row force_below, Row force, Row force_above) {
-  for (int i = 0; i < n; i += L::kWidth) {
-    const auto f =
-        bending_hinge(vec_load<L>(below.unit, i), L::load(below.inverse + i), vec_load<L>(above.unit, i),
-                      L::load(above.inverse + i), L(rigidity) * L::load(share + i));
-    vec_add(force_below, i, f.first);
-    vec_add(force_above, i, f.last);
-    vec_store(force, i, vec_load<L>(force, i) - (f.first + f.last));
-  }
+struct HingeLink {
+  Vec<L> unit;
+  L inverse;  // 1/m
+};
+template <class L>
+DRAPE_INLINE HingeLink<L> hinge_link(Vec<L> from, Vec<L> to, L inverse) {
+  return {(to - from) * inverse, inverse};
 }
 
-// Hinges along a row of weft links: hinge i lies between links i - 1 and i.
+// Hinges along a row of weft links, in the order of i. Hinge i + 1 lies between links i and i + 1 and pulls
+// at nodes i, i + 1 and i + 2, so that what it adds to the later two is handed on:
+//
+//   F_i += f_i - g_(i-1),   g_i = f_i + l_i - l_(i-1);   f, l of hinge i + 1 on its first and last node
 template <class L>
-DRAPE_INLINE void bending_weft_add(int n, const LinkRow& links, const double* share, double rigidity,
-                                   Row first, Row last, Row force) {
-  for (int i = 0; i < n; i += L::kWidth) {
-    const auto f = bending_hinge(vec_load<L>(links.unit, i - 1), L::loadu(links.inverse + i - 1),
-                                 vec_load<L>(links.unit, i), L::load(links.inverse + i),
-                                 L(rigidity) * L::load(share + i));
-    vec_store(first, i, f.first);
-    vec_store(last, i, f.last);
-  }
-  for (int i = 0; i < n; i += L::kWidth) {
-    const Vec<L> ends = vec_load<L>(first, i + 1) + vec_load<L>(last, i - 1);
-    vec_add(force, i, ends - (vec_load<L>(first, i) + vec_load<L>(last, i)));
-  }
+struct WeftHinges {
+  HingeLink<L> links;   // from node i on
+  Vec<L> last, passed;  // l and g of the lane before
+};
+template <class L>
+DRAPE_INLINE Vec<L> bending_weft(const HingeLink<L>& next, L kappa, WeftHinges<L>& w) {
+  const auto f = bending_hinge(w.links.unit, w.links.inverse, ahead(w.links.unit, next.unit),
+                               ahead(w.links.inverse, next.inverse), kappa);
+  const Vec<L> passed = f.first + (f.last - shifted(w.last, f.last));
+  const Vec<L> force = f.first - shifted(w.passed, passed);
+  w = {next, f.last, passed};
+  return force;
 }
 
 }  // namespace

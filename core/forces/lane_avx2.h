@@ -9,7 +9,11 @@ namespace {
 
 struct Avx2Lane {
   static constexpr int kWidth = 4;
-  using Mask = __m256d;
+  static constexpr bool kPermutes = false;
+  struct Mask {
+    __m256d v;
+    friend DRAPE_INLINE bool any(Mask m) { return _mm256_movemask_pd(m.v) != 0; }
+  };
   __m256d v;
 
   Avx2Lane() = default;
@@ -44,21 +48,25 @@ struct Avx2Lane {
   friend DRAPE_INLINE Avx2Lane fma(Avx2Lane a, Avx2Lane b, Avx2Lane c) {
     return _mm256_fmadd_pd(a.v, b.v, c.v);
   }
+  friend DRAPE_INLINE Avx2Lane fms(Avx2Lane a, Avx2Lane b, Avx2Lane c) {
+    return _mm256_fmsub_pd(a.v, b.v, c.v);
+  }
   friend DRAPE_INLINE Avx2Lane sqrt(Avx2Lane a) { return _mm256_sqrt_pd(a.v); }
   friend DRAPE_INLINE Avx2Lane shifted(Avx2Lane a, Avx2Lane b) {
     return _mm256_shuffle_pd(_mm256_permute2f128_pd(a.v, b.v, 0x21), b.v, 0b0101);
   }
+  friend DRAPE_INLINE Avx2Lane ahead(Avx2Lane a, Avx2Lane b) {
+    return _mm256_shuffle_pd(a.v, _mm256_permute2f128_pd(a.v, b.v, 0x21), 0b0101);
+  }
   friend DRAPE_INLINE Avx2Lane abs(Avx2Lane a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v); }
   friend DRAPE_INLINE Avx2Lane max(Avx2Lane a, Avx2Lane b) { return _mm256_max_pd(a.v, b.v); }
   friend DRAPE_INLINE Avx2Lane min(Avx2Lane a, Avx2Lane b) { return _mm256_min_pd(a.v, b.v); }
-  friend DRAPE_INLINE Mask ge(Avx2Lane a, Avx2Lane b) { return _mm256_cmp_pd(a.v, b.v, _CMP_GE_OQ); }
-  friend DRAPE_INLINE Mask gt(Avx2Lane a, Avx2Lane b) { return _mm256_cmp_pd(a.v, b.v, _CMP_GT_OQ); }
-  friend DRAPE_INLINE Avx2Lane copysign(Avx2Lane a, Avx2Lane b) {
-    const __m256d sign = _mm256_set1_pd(-0.0);
-    return _mm256_or_pd(_mm256_andnot_pd(sign, a.v), _mm256_and_pd(sign, b.v));
-  }
+  friend DRAPE_INLINE Mask ge(Avx2Lane a, Avx2Lane b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_GE_OQ)}; }
+  friend DRAPE_INLINE Mask gt(Avx2Lane a, Avx2Lane b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_GT_OQ)}; }
+  friend DRAPE_INLINE Avx2Lane bits_and(Avx2Lane a, Avx2Lane b) { return _mm256_and_pd(a.v, b.v); }
+  friend DRAPE_INLINE Avx2Lane bits_xor(Avx2Lane a, Avx2Lane b) { return _mm256_xor_pd(a.v, b.v); }
   friend DRAPE_INLINE Avx2Lane select(Mask m, Avx2Lane a, Avx2Lane b) {
-    return _mm256_blendv_pd(b.v, a.v, m);
+    return _mm256_blendv_pd(b.v, a.v, m.v);
   }
 };
 

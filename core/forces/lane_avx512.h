@@ -2,6 +2,8 @@
 #pragma once
 #include <immintrin.h>
 
+#include <cstdint>
+
 #include "forces/lane.h"
 
 namespace drape {
@@ -9,7 +11,11 @@ namespace {
 
 struct Avx512Lane {
   static constexpr int kWidth = 8;
-  using Mask = __mmask8;
+  static constexpr bool kPermutes = true;
+  struct Mask {
+    __mmask8 m;
+    friend DRAPE_INLINE bool any(Mask a) { return a.m != 0; }
+  };
   __m512d v;
 
   Avx512Lane() = default;
@@ -46,6 +52,31 @@ struct Avx512Lane {
     c5 = _mm512_shuffle_f64x2(odd15, odd15_on, k13);
   }
 
+  // Whole numbers, of which pick() looks at the last bits.
+  struct Places {
+    __m512i v;
+  };
+  // a, from 0 to 2^51, rounded to the nearest
+  static DRAPE_INLINE Places places(Avx512Lane a) {
+    constexpr double kWhole = 0x1.8p52;  // beyond it doubles have no fractions
+    return {_mm512_castpd_si512(_mm512_add_pd(a.v, _mm512_set1_pd(kWhole)))};
+  }
+  // m ? a + 1 : a
+  static DRAPE_INLINE Places next(Places a, Mask m) {
+    return {_mm512_mask_add_epi64(a.v, m.m, a.v, _mm512_set1_epi64(1))};
+  }
+  // table[places] of 8 or 16 numbers
+  template <int kSize>
+  static DRAPE_INLINE Avx512Lane pick(const double (&table)[kSize], Places at) {
+    if constexpr (kSize == 8) return _mm512_permutexvar_pd(at.v, _mm512_load_pd(table));
+    else return _mm512_permutex2var_pd(_mm512_load_pd(table), at.v, _mm512_load_pd(table + 8));
+  }
+  template <int kSize>
+  static DRAPE_INLINE Places pick(const std::int64_t (&table)[kSize], Places at) {
+    if constexpr (kSize == 8) return {_mm512_permutexvar_epi64(at.v, _mm512_load_si512(table))};
+    else return {_mm512_permutex2var_epi64(_mm512_load_si512(table), at.v, _mm512_load_si512(table + 8))};
+  }
+
   friend DRAPE_INLINE Avx512Lane operator+(Avx512Lane a, Avx512Lane b) { return _mm512_add_pd(a.v, b.v); }
   friend DRAPE_INLINE Avx512Lane operator-(Avx512Lane a, Avx512Lane b) { return _mm512_sub_pd(a.v, b.v); }
   friend DRAPE_INLINE Avx512Lane operator*(Avx512Lane a, Avx512Lane b) { return _mm512_mul_pd(a.v, b.v); }
@@ -53,21 +84,29 @@ struct Avx512Lane {
   friend DRAPE_INLINE Avx512Lane fma(Avx512Lane a, Avx512Lane b, Avx512Lane c) {
     return _mm512_fmadd_pd(a.v, b.v, c.v);
   }
+  friend DRAPE_INLINE Avx512Lane fms(Avx512Lane a, Avx512Lane b, Avx512Lane c) {
+    return _mm512_fmsub_pd(a.v, b.v, c.v);
+  }
   friend DRAPE_INLINE Avx512Lane sqrt(Avx512Lane a) { return _mm512_sqrt_pd(a.v); }
   friend DRAPE_INLINE Avx512Lane shifted(Avx512Lane a, Avx512Lane b) {
     return _mm512_castsi512_pd(_mm512_alignr_epi64(_mm512_castpd_si512(b.v), _mm512_castpd_si512(a.v), 7));
   }
+  friend DRAPE_INLINE Avx512Lane ahead(Avx512Lane a, Avx512Lane b) {
+    return _mm512_castsi512_pd(_mm512_alignr_epi64(_mm512_castpd_si512(b.v), _mm512_castpd_si512(a.v), 1));
+  }
   friend DRAPE_INLINE Avx512Lane abs(Avx512Lane a) { return _mm512_abs_pd(a.v); }
   friend DRAPE_INLINE Avx512Lane max(Avx512Lane a, Avx512Lane b) { return _mm512_max_pd(a.v, b.v); }
   friend DRAPE_INLINE Avx512Lane min(Avx512Lane a, Avx512Lane b) { return _mm512_min_pd(a.v, b.v); }
-  friend DRAPE_INLINE Mask ge(Avx512Lane a, Avx512Lane b) { return _mm512_cmp_pd_mask(a.v, b.v, _CMP_GE_OQ); }
-  friend DRAPE_INLINE Mask gt(Avx512Lane a, Avx512Lane b) { return _mm512_cmp_pd_mask(a.v, b.v, _CMP_GT_OQ); }
-  friend DRAPE_INLINE Avx512Lane copysign(Avx512Lane a, Avx512Lane b) {
-    const __m512d sign = _mm512_set1_pd(-0.0);
-    return _mm512_or_pd(_mm512_andnot_pd(sign, a.v), _mm512_and_pd(sign, b.v));
+  friend DRAPE_INLINE Mask ge(Avx512Lane a, Avx512Lane b) {
+    return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_GE_OQ)};
   }
+  friend DRAPE_INLINE Mask gt(Avx512Lane a, Avx512Lane b) {
+    return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_GT_OQ)};
+  }
+  friend DRAPE_INLINE Avx512Lane bits_and(Avx512Lane a, Avx512Lane b) { return _mm512_and_pd(a.v, b.v); }
+  friend DRAPE_INLINE Avx512Lane bits_xor(Avx512Lane a, Avx512Lane b) { return _mm512_xor_pd(a.v, b.v); }
   friend DRAPE_INLINE Avx512Lane select(Mask m, Avx512Lane a, Avx512Lane b) {
-    return _mm512_mask_blend_pd(m, b.v, a.v);
+    return _mm512_mask_blend_pd(m.m, b.v, a.v);
   }
 };
 

@@ -1,7 +1,8 @@
 // One double as a lane: the portable path, and with kFused the yardstick that the vector lanes match bit for
 // bit.
 #pragma once
-#include <cmath>
+#include <bit>
+#include <cstdint>
 
 #include "forces/lane.h"
 
@@ -11,7 +12,11 @@ namespace {
 template <bool kFused>
 struct ScalarLane {
   static constexpr int kWidth = 1;
-  using Mask = bool;
+  static constexpr bool kPermutes = false;
+  struct Mask {
+    bool m;
+    friend DRAPE_INLINE bool any(Mask a) { return a.m; }
+  };
   double v;
 
   ScalarLane() = default;
@@ -33,20 +38,25 @@ struct ScalarLane {
   friend DRAPE_INLINE ScalarLane fma(ScalarLane a, ScalarLane b, ScalarLane c) {
     return kFused ? __builtin_fma(a.v, b.v, c.v) : a.v * b.v + c.v;
   }
+  friend DRAPE_INLINE ScalarLane fms(ScalarLane a, ScalarLane b, ScalarLane c) {
+    return kFused ? __builtin_fma(a.v, b.v, -c.v) : a.v * b.v - c.v;
+  }
   friend DRAPE_INLINE ScalarLane sqrt(ScalarLane a) { return __builtin_sqrt(a.v); }
   friend DRAPE_INLINE ScalarLane shifted(ScalarLane a, ScalarLane) { return a; }
+  friend DRAPE_INLINE ScalarLane ahead(ScalarLane, ScalarLane b) { return b; }
   friend DRAPE_INLINE ScalarLane abs(ScalarLane a) { return __builtin_fabs(a.v); }
   friend DRAPE_INLINE ScalarLane max(ScalarLane a, ScalarLane b) { return a.v > b.v ? a.v : b.v; }
   friend DRAPE_INLINE ScalarLane min(ScalarLane a, ScalarLane b) { return a.v < b.v ? a.v : b.v; }
-  friend DRAPE_INLINE Mask ge(ScalarLane a, ScalarLane b) { return a.v >= b.v; }
-  friend DRAPE_INLINE Mask gt(ScalarLane a, ScalarLane b) { return a.v > b.v; }
-  friend DRAPE_INLINE ScalarLane copysign(ScalarLane a, ScalarLane b) { return __builtin_copysign(a.v, b.v); }
+  friend DRAPE_INLINE ScalarLane select(Mask m, ScalarLane a, ScalarLane b) { return m.m ? a : b; }
+  friend DRAPE_INLINE Mask ge(ScalarLane a, ScalarLane b) { return {a.v >= b.v}; }
+  friend DRAPE_INLINE Mask gt(ScalarLane a, ScalarLane b) { return {a.v > b.v}; }
+  friend DRAPE_INLINE ScalarLane bits_and(ScalarLane a, ScalarLane b) {
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(a.v) & std::bit_cast<std::uint64_t>(b.v));
+  }
+  friend DRAPE_INLINE ScalarLane bits_xor(ScalarLane a, ScalarLane b) {
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(a.v) ^ std::bit_cast<std::uint64_t>(b.v));
+  }
 };
-
-template <bool kFused>
-DRAPE_INLINE ScalarLane<kFused> select(bool m, ScalarLane<kFused> a, ScalarLane<kFused> b) {
-  return m ? a : b;
-}
 
 }  // namespace
 }  // namespace drape

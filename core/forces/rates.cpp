@@ -15,7 +15,7 @@ void damping_add(const Lattice& l, const Link& link, const State& s, double lead
   const NodeLane inverse_rest = 1 / link.rest, e = fma(edge.length, inverse_rest, NodeLane(-1.0));
   const NodeLane rate =
       dot(node_speed(s, link.to, lead) - node_speed(s, link.from, lead), edge.unit) * inverse_rest;
-  const NodeLane slope = AnyTension{&curve}.slope(e);
+  const NodeLane slope = CurveTension{&curve}.slope(e);
   const NodeVec force = edge.unit * (NodeLane(link.width * l.law.damping) * (slope * rate));
   force_add(f, link.from, force);
   force_take(f, link.to, force);

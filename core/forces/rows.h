@@ -17,17 +17,11 @@ struct Row {
   DRAPE_INLINE operator ConstRow() const { return {x, y, z}; }
 };
 
-// What the hinges need of a row of links from node i of one row to node i of another (or to i + 1).
-struct LinkRow {
-  Row unit;         // 1
-  double* inverse;  // 1/m
-};
-
-// The width of link i is scale (a[i] + b[i]): half the shares of its two cells.
-struct WidthRow {
-  double scale;  // m
-  const double *a, *b;
-};
+// Coordinate k of three.
+template <class T>
+DRAPE_INLINE auto coordinate(const T& v, int k) {
+  return k == 0 ? v.x : k == 1 ? v.y : v.z;
+}
 
 namespace {
 
@@ -63,19 +57,25 @@ DRAPE_INLINE L dot(Vec<L> a, Vec<L> b) {
   return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z));
 }
 template <class L>
-DRAPE_INLINE L width_load(const WidthRow& w, long i) {
-  return L(w.scale) * (L::loadu(w.a + i) + L::loadu(w.b + i));
+DRAPE_INLINE Vec<L> shifted(Vec<L> a, Vec<L> b) {
+  return {shifted(a.x, b.x), shifted(a.y, b.y), shifted(a.z, b.z)};
 }
 
 template <class L>
-DRAPE_INLINE Vec<L> shifted(Vec<L> a, Vec<L> b) {
-  return {shifted(a.x, b.x), shifted(a.y, b.y), shifted(a.z, b.z)};
+DRAPE_INLINE Vec<L> ahead(Vec<L> a, Vec<L> b) {
+  return {ahead(a.x, b.x), ahead(a.y, b.y), ahead(a.z, b.z)};
 }
 
 // f[i] += v[i]
 template <class L>
 DRAPE_INLINE void vec_add(Row f, long i, Vec<L> v) {
   vec_store(f, i, vec_load<L>(f, i) + v);
+}
+
+// f[i] -= v[i]
+template <class L>
+DRAPE_INLINE void vec_take(Row f, long i, Vec<L> v) {
+  vec_store(f, i, vec_load<L>(f, i) - v);
 }
 
 }  // namespace

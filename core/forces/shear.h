@@ -4,44 +4,20 @@
 //        | X |
 //      a o---o b        E = w sqrt(2) b G(e), G' = g, w = b phi/sqrt(2);  pull on a = w g(e) (d - a)/l
 #pragma once
-#include "forces/damping.h"
+#include "forces/rows.h"
 
 namespace drape {
 namespace {
 
-// The two ends of the diagonals of a row of cells: rising from node i to node i + 1 above, falling from node
-// i + 1 to node i above.
-struct DiagonalRows {
-  ConstRow from[2], to[2];
-};
-DRAPE_INLINE DiagonalRows diagonals_of(ConstRow row, ConstRow above) {
-  return {{row, row.at(1)}, {above.at(1), above}};
+DRAPE_INLINE double shear_rest(double cell) { return __builtin_sqrt(2.0) * cell; }
+
+template <class L>
+DRAPE_INLINE void shear_edges(L a, L b, L c, L d, L* rising_falling) {
+  rising_falling[0] = d - a;
+  rising_falling[1] = c - b;
 }
 
-// Diagonals are `width` (m) times the share of their cell wide. `pull`: two Elastic or Damped, of the rising
-// and the falling ones.
-template <class L, class Tension, class Pull>
-DRAPE_INLINE void shear_cells(int n, const DiagonalRows& rows, double width, const double* share,
-                              double diagonal, Tension tension, const Pull (&pull)[2], Row force,
-                              Row force_above) {
-  const L inverse_rest = 1 / diagonal;
-  Vec<L> before[2]{{L(0.0), L(0.0), L(0.0)}, {L(0.0), L(0.0), L(0.0)}};
-  links_run<L, 2>(
-      n, tension,
-      [&](int i, int q) DRAPE_INLINE_LAMBDA {
-        return link_between(vec_load<L>(rows.from[q], i), vec_load<L>(rows.to[q], i), inverse_rest);
-      },
-      [&](int i, const LinkLane<L>* links, auto tension_of) DRAPE_INLINE_LAMBDA {
-        const L w = L(width) * L::load(share + i);
-        Vec<L> f[2];
-        for (int q = 0; q < 2; ++q)
-          f[q] = links[q].edge * (links[q].inverse * (w * pull[q](tension_of(q), links[q], i)));
-        vec_add(force, i, f[0] + shifted(before[1], f[1]));
-        vec_store(force_above, i, vec_load<L>(force_above, i) - (shifted(before[0], f[0]) + f[1]));
-        before[0] = f[0];
-        before[1] = f[1];
-      });
-}
+DRAPE_INLINE double shear_width(double cell) { return cell * cell / shear_rest(cell); }
 
 }  // namespace
 }  // namespace drape

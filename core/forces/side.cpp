@@ -20,7 +20,7 @@ void links_add(const System& system, const State& s, bool rates, double lead, No
     if (curve.segments == 0) continue;
     const NodeEdge edge = node_edge(s, link.node[0], link.node[1]);
     const NodeLane inverse_rest = 1 / link.rest, e = fma(edge.length, inverse_rest, NodeLane(-1.0));
-    const AnyTension tension{&curve};
+    const CurveTension tension{&curve};
     NodeLane pull = tension(e);
     if (rates && law.damping > 0) {
       const NodeVec du = node_speed(s, link.node[1], lead) - node_speed(s, link.node[0], lead);

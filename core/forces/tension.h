@@ -1,25 +1,13 @@
 // A curve read in lanes: the force per width (and its slope) at a strain. core/README.md, section 2.
 //
-// with_tension() picks the reader once per row: nothing for a law that is off, one product for a straight
-// diagram, a table otherwise.
+// A straight diagram is one product. Any other is a table: first the segment that a strain lies in, then its
+// polynomial.
 #pragma once
 #include "fabric/curve.h"
 #include "forces/lane.h"
 
 namespace drape {
 namespace {
-
-struct NoTension {
-  static constexpr bool kTable = false;
-  template <class L>
-  DRAPE_INLINE L operator()(L) const {
-    return L(0.0);
-  }
-  template <class L>
-  DRAPE_INLINE L slope(L) const {
-    return L(0.0);
-  }
-};
 
 struct LineTension {
   static constexpr bool kTable = false;
@@ -47,75 +35,105 @@ DRAPE_INLINE const double* segment_find(const Curve& curve, int bin, double x) {
   return &segment->origin;
 }
 
-// The segments of a lane: f = c0 + t (c1 + t^2 (c3 + t (c4 + t c5))).
-template <class L, bool kOdd>
-struct SegmentTension {
+// The segments that the strains of a lane lie in.
+template <class L>
+struct Segments {
+  L origin, c0, c1, c3, c4, c5;
+};
+
+// |e| of an odd curve, e of another; sign: the bits that are taken off.
+template <class L>
+struct Read {
+  L x, sign;
+};
+template <class L>
+DRAPE_INLINE Read<L> strain_read(const Curve& curve, L e) {
+  const L sign = bits_and(e, L(curve.odd ? -0.0 : 0.0));
+  return {bits_xor(e, sign), sign};
+}
+
+// f = c0 + t (c1 + t^2 (c3 + t (c4 + t c5)))
+template <class L>
+DRAPE_INLINE L segments_value(const Segments<L>& s, Read<L> at) {
+  const L t = at.x - s.origin;
+  return bits_xor(fma(t, fma(t * t, fma(t, fma(t, s.c5, s.c4), s.c3), s.c1), s.c0), at.sign);
+}
+template <class L>
+DRAPE_INLINE L segments_slope(const Segments<L>& s, Read<L> at) {
+  const L t = at.x - s.origin;
+  return fma(t * t, fma(t, fma(t, L(5.0) * s.c5, L(4.0) * s.c4), L(3.0) * s.c3), s.c1);
+}
+
+template <class L>
+DRAPE_INLINE Segments<L> segments_load(const double* const* rows) {
+  Segments<L> s;
+  L::columns(rows, s.origin, s.c0, s.c1, s.c3, s.c4, s.c5);
+  return s;
+}
+
+// Any curve, from memory.
+template <class L>
+DRAPE_INLINE Segments<L> segments_search(const Curve& curve, L x) {
+  alignas(64) int bins[L::kWidth];
+  alignas(64) double strains[L::kWidth];
+  const double* rows[L::kWidth];
+  bins_store(curve, x, bins);
+  L::store(strains, x);
+  for (int i = 0; i < L::kWidth; ++i) rows[i] = segment_find(curve, bins[i], strains[i]);
+  return segments_load<L>(rows);
+}
+
+// From registers, where no strain is beyond the start of the curve.
+template <class L, int kSize>
+DRAPE_INLINE Segments<L> segments_pick(const CurveStart<kSize>& start, L x) {
+  const auto bin = L::places(fma(max(x, L(start.low)), L(start.scale), L(start.shift)));
+  const auto at = L::next(L::pick(start.first, bin), ge(x, L::pick(start.end, bin)));
+  const auto column = [&](int k) DRAPE_INLINE_LAMBDA { return L::pick(start.column[k], at); };
+  return {column(0), column(1), column(2), column(3), column(4), column(5)};
+}
+template <class L>
+__attribute__((noinline)) void segments_beyond(const Curve& curve, L x, Segments<L>& found) {
+  found = any(ge(x, L(curve.start16.limit))) ? segments_search(curve, x) : segments_pick(curve.start16, x);
+}
+
+template <class L>
+DRAPE_INLINE Segments<L> segments_of(const Curve& curve, L x) {
+  if constexpr (L::kPermutes) {
+    if (!any(ge(x, L(curve.start8.limit)))) return segments_pick(curve.start8, x);
+    Segments<L> found;
+    segments_beyond(curve, x, found);
+    return found;
+  } else {
+    return segments_search(curve, x);
+  }
+}
+
+// Any curve. One that is off reads as 0 from its first, empty segment.
+struct CurveTension {
+  static constexpr bool kTable = true;
+  const Curve* curve;
+  template <class L>
+  DRAPE_INLINE L operator()(L e) const {
+    const Read<L> at = strain_read(*curve, e);
+    return segments_value(segments_of(*curve, at.x), at);
+  }
+  template <class L>
+  DRAPE_INLINE L slope(L e) const {
+    const Read<L> at = strain_read(*curve, e);
+    return segments_slope(segments_of(*curve, at.x), at);
+  }
+};
+
+// The same where the segments have been found before.
+template <class L>
+struct FoundTension {
+  const Curve* curve;
   const double* const* rows;  // [kWidth] segments
   DRAPE_INLINE L operator()(L e) const {
-    L origin, c0, c1, c3, c4, c5;
-    L::columns(rows, origin, c0, c1, c3, c4, c5);
-    const L t = (kOdd ? abs(e) : e) - origin;
-    const L f = fma(t, fma(t * t, fma(t, fma(t, c5, c4), c3), c1), c0);
-    return kOdd ? copysign(f, e) : f;
+    return segments_value(segments_load<L>(rows), strain_read(*curve, e));
   }
-  DRAPE_INLINE L slope(L e) const {
-    L origin, c0, c1, c3, c4, c5;
-    L::columns(rows, origin, c0, c1, c3, c4, c5);
-    const L t = (kOdd ? abs(e) : e) - origin;
-    return fma(t * t, fma(t, fma(t, L(5.0) * c5, L(4.0) * c4), L(3.0) * c3), c1);
-  }
+  DRAPE_INLINE L slope(L e) const { return segments_slope(segments_load<L>(rows), strain_read(*curve, e)); }
 };
-
-template <bool kOdd_>
-struct TableTension {
-  static constexpr bool kTable = true, kOdd = kOdd_;
-  const Curve* curve;
-  template <class L>
-  DRAPE_INLINE L operator()(L e) const {
-    const double* rows[L::kWidth];
-    find(e, rows);
-    return SegmentTension<L, kOdd>{rows}(e);
-  }
-  template <class L>
-  DRAPE_INLINE L slope(L e) const {
-    const double* rows[L::kWidth];
-    find(e, rows);
-    return SegmentTension<L, kOdd>{rows}.slope(e);
-  }
-
- private:
-  template <class L>
-  DRAPE_INLINE void find(L e, const double** rows) const {
-    const L x = kOdd ? abs(e) : e;
-    alignas(64) int bins[L::kWidth];
-    alignas(64) double strains[L::kWidth];
-    bins_store(*curve, x, bins);
-    L::store(strains, x);
-    for (int i = 0; i < L::kWidth; ++i) rows[i] = segment_find(*curve, bins[i], strains[i]);
-  }
-};
-
-// Any curve, chosen at each call: for passes that are rare. A curve that is off reads as 0 from its first,
-// empty segment.
-struct AnyTension {
-  const Curve* curve;
-  template <class L>
-  DRAPE_INLINE L operator()(L e) const {
-    return curve->odd ? TableTension<true>{curve}(e) : TableTension<false>{curve}(e);
-  }
-  template <class L>
-  DRAPE_INLINE L slope(L e) const {
-    return curve->odd ? TableTension<true>{curve}.slope(e) : TableTension<false>{curve}.slope(e);
-  }
-};
-
-template <class Body>
-DRAPE_INLINE void with_tension(const Curve& curve, Body body) {
-  if (curve.segments == 0) body(NoTension{});
-  else if (curve.segments == 1) body(LineTension{curve.segment[0].c1});
-  else if (curve.odd) body(TableTension<true>{&curve});
-  else body(TableTension<false>{&curve});
-}
 
 }  // namespace
 }  // namespace drape

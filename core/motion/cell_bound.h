@@ -42,7 +42,7 @@ DRAPE_INLINE L edges_bound(Vec<L> a, Vec<L> b, Vec<L> c, Vec<L> d, const Lattice
   const L lb = sqrt(dot(bottom, bottom)), lt = sqrt(dot(top, top)), ll = sqrt(dot(left, left)),
           lr = sqrt(dot(right, right));
   const L inverse_rest = 1 / l.cell;
-  const AnyTension warp{&l.law.warp}, weft{&l.law.weft};
+  const CurveTension warp{&l.law.warp}, weft{&l.law.weft};
   const auto f = link_bound_max(link_bound(lb, inverse_rest, weft), link_bound(lt, inverse_rest, weft));
   const auto w = link_bound_max(link_bound(ll, inverse_rest, warp), link_bound(lr, inverse_rest, warp));
   const L cosine = max(max(abs(dot(bottom, left) / (lb * ll)), abs(dot(bottom, right) / (lb * lr))),
@@ -57,7 +57,7 @@ template <class L>
 DRAPE_INLINE L diagonal_bound(Vec<L> from, Vec<L> to, L inverse_rest, const Curve& curve) {
   const Vec<L> edge = to - from;
   const L ratio = sqrt(dot(edge, edge)) * inverse_rest;
-  const AnyTension bias{&curve};
+  const CurveTension bias{&curve};
   const L e = ratio - L(1.0);
   return L(4.0) * max(bias.slope(e), max(bias(e) / ratio, L(0.0)));
 }

@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "forces/side.h"
-#include "motion/kernel.h"
+#include "motion/blocks.h"
 
 namespace drape {
 namespace {
@@ -18,15 +18,18 @@ bool runs_here(const Kernel& k) {
 
 constexpr const Kernel* kByChoice[] = {&kKernelAvx512, &kKernelAvx2, &kKernelPortable, &kKernelScalar};
 
-}  // namespace
-
-Workspace workspace_make(const System& system) {
-  Workspace w;
-  for (const Lattice& l : system.lattices) w.stride = std::max(w.stride, l.stride);
-  w.rows.assign(kRowUnit + std::size_t(kScratchRows) * std::size_t(w.stride + kRowUnit), 0.0);
-  for (Array* a : {&w.side_x, &w.side_y, &w.side_z}) a->assign(system.side.node.size(), 0.0);
-  return w;
+void pass_run_all(const Kernel& kernel, const System& system, const StepCoefficients& c, Workspace& w,
+                  const State& s, const PassTarget& to) {
+  const bool rates = system_has_rates(system);
+  if (!system.side.node.empty())
+    side_forces(system, s, rates, c.lead, {w.side_x.data(), w.side_y.data(), w.side_z.data()});
+  blocks_copy(system, s, w);
+  const Pass pass = rates ? kernel.rates : kernel.plain;
+  for (ThreadRoom& room : w.threads)
+    for (const RowBlock& block : room.blocks) pass(system, block, c, w, room.rows.data(), s, to);
 }
+
+}  // namespace
 
 double velocity_lead(const System& system, const State& s) {
   if (system.integrator == Integrator::kPaper || s.h_old == 0) return 0;
@@ -35,20 +38,14 @@ double velocity_lead(const System& system, const State& s) {
 
 void kernel_step(const Kernel& kernel, const System& system, const StepCoefficients& c, Workspace& w,
                  State& s) {
-  const bool rates = system_has_rates(system);
-  if (!system.side.node.empty())
-    side_forces(system, s, rates, c.lead, {w.side_x.data(), w.side_y.data(), w.side_z.data()});
-  for (const Lattice& l : system.lattices) (rates ? kernel.rates : kernel.plain).step(system, l, c, w, s);
+  pass_run_all(kernel, system, c, w, s, {&s, nullptr, nullptr, nullptr});
 }
 
 void kernel_forces(const Kernel& kernel, const System& system, const State& s, Workspace& w, double* fx,
                    double* fy, double* fz) {
-  const bool rates = system_has_rates(system);
-  const double lead = velocity_lead(system, s);
-  if (!system.side.node.empty())
-    side_forces(system, s, rates, lead, {w.side_x.data(), w.side_y.data(), w.side_z.data()});
-  for (const Lattice& l : system.lattices)
-    (rates ? kernel.rates : kernel.plain).forces(system, l, s, lead, w, fx, fy, fz);
+  StepCoefficients c{};
+  c.lead = velocity_lead(system, s);
+  pass_run_all(kernel, system, c, w, s, {nullptr, fx, fy, fz});
 }
 
 const Kernel* kernel_named(const char* name) {

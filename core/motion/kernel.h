@@ -11,27 +11,44 @@ struct StepCoefficients {
   double lead;
 };
 
-inline constexpr int kScratchRows =
-    3 * 4 + 2 * 3 + 3 * 3 + 3 * 3;  // links; hinges; forces; velocities and air
+// Rows begin .. end - 1 of a lattice, which one thread moves. Rows of its neighbours, which move meanwhile,
+// it reads from copies: two on either side.
+struct RowBlock {
+  int lattice = 0, begin = 0, end = 0;
+  Array copies;  // [2 rows below, 2 above][3 or 9 coordinates][stride]
+};
 
-// Scratch rows of one pass, large enough for the longest row of a system, and the forces beside the rows;
-// made once.
-struct Workspace {
+// x y z, and vx vy vz wx wy wz where forces depend on velocity.
+inline int block_coordinates(const State& s) { return s.wx.empty() ? 3 : 9; }
+
+inline constexpr int kScratchRows = 3 + 3 * 3 + 2 * 3;  // links; forces; velocities
+
+// What a thread works in: its blocks, and scratch rows as long as the longest row of the system.
+struct ThreadRoom {
+  std::vector<RowBlock> blocks;
   Array rows;
+};
+
+// Room of all threads, and the forces beside the rows; made once.
+struct Workspace {
+  std::vector<ThreadRoom> threads;
   int stride = 0;
   Array side_x, side_y, side_z;  // [slots] N
 };
-Workspace workspace_make(const System& system);
+Workspace workspace_make(const System& system, int threads = 1);
+// Forgets what is no number: rows are read beyond what the pass before has written, where nothing weighs it.
+void workspace_clear(Workspace& workspace);
 
-// One pass over a lattice. What lies beside its rows is taken from the workspace. `rates`: with the forces
-// that depend on velocity, for which step keeps the old velocity in w.
-struct Pass {
-  // Advances positions and velocities of a lattice by one step.
-  void (*step)(const System&, const Lattice&, const StepCoefficients&, Workspace&, State&);
-  // Writes the internal and air forces F (N) of a lattice to fx, fy, fz [nodes].
-  void (*forces)(const System&, const Lattice&, const State&, double lead, Workspace&, double* fx, double* fy,
-                 double* fz);
+// What a pass leads to: a state that it moves, or internal and air forces (N) [nodes].
+struct PassTarget {
+  State* moved;
+  double *fx, *fy, *fz;
 };
+
+// One pass over a block of rows. What lies beside the rows is taken from the workspace. `rates`: with the
+// forces that depend on velocity, for which a step keeps the old velocity in w.
+using Pass = void (*)(const System&, const RowBlock&, const StepCoefficients&, const Workspace&,
+                      double* scratch, const State&, const PassTarget&);
 
 struct Kernel {
   const char* name;

@@ -6,9 +6,9 @@
 
 namespace drape {
 
-const Kernel kKernelAvx2{"avx2", pass_of<Avx2Lane, false>(), pass_of<Avx2Lane, true>(),
+const Kernel kKernelAvx2{"avx2", block_pass<Avx2Lane, false>, block_pass<Avx2Lane, true>,
                          cells_omega2<Avx2Lane>};
-const Kernel kKernelScalar{"scalar", pass_of<ScalarLane<true>, false>(), pass_of<ScalarLane<true>, true>(),
+const Kernel kKernelScalar{"scalar", block_pass<ScalarLane<true>, false>, block_pass<ScalarLane<true>, true>,
                            cells_omega2<ScalarLane<true>>};
 
 }  // namespace drape

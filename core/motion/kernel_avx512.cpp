@@ -5,7 +5,7 @@
 
 namespace drape {
 
-const Kernel kKernelAvx512{"avx512", pass_of<Avx512Lane, false>(), pass_of<Avx512Lane, true>(),
+const Kernel kKernelAvx512{"avx512", block_pass<Avx512Lane, false>, block_pass<Avx512Lane, true>,
                            cells_omega2<Avx512Lane>};
 
 }  // namespace drape

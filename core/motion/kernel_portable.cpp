@@ -5,7 +5,7 @@
 
 namespace drape {
 
-const Kernel kKernelPortable{"portable", pass_of<ScalarLane<false>, false>(),
-                             pass_of<ScalarLane<false>, true>(), cells_omega2<ScalarLane<false>>};
+const Kernel kKernelPortable{"portable", block_pass<ScalarLane<false>, false>,
+                             block_pass<ScalarLane<false>, true>, cells_omega2<ScalarLane<false>>};
 
 }  // namespace drape

@@ -302,7 +302,9 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
     s.origin = state_time(s, q) + length;
     s.tick = 0;
   }
-  return result == Advance::kDone && !all_finite(system, s) ? Advance::kNotFinite : result;
+  if (result == Advance::kDone && !all_finite(system, s)) result = Advance::kNotFinite;
+  if (result == Advance::kNotFinite) workspace_clear(motion.workspace);
+  return result;
 }
 
 // v_n = (v_{n-1/2} + h_old a_n / 2) / (1 + c h_old / 2); the paper's scheme holds v_n itself.

@@ -1,5 +1,6 @@
 #include "system/assemble.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "constraint/pins.h"
@@ -66,6 +67,26 @@ void lattice_fill(const Lattice& l, const Grid& grid, const Scene& scene, System
     state.vz[n] = spec.velocity[2];
     system.particle.push_back(n);
   }
+}
+
+// Where the rows around each have particles.
+std::vector<Columns> lattice_reach(const Lattice& l, const Array& area) {
+  const auto used = [&](int i, int j) { return area[l.node(i, j)] > 0; };
+  std::vector<Columns> row, reach;  // of the particles of each row; of each and its neighbours
+  for (int j = 0; j < l.rows; ++j) {
+    Columns c{l.columns, 0};
+    for (int i = 0; i < l.columns; ++i)
+      if (used(i, j)) c = {std::min(c.begin, i), i + 1};
+    row.push_back(c);
+  }
+  for (int j = 0; j < l.rows; ++j) {
+    Columns c{l.columns, 0};
+    for (int k = std::max(j - 1, 0); k <= std::min(j + 1, l.rows - 1); ++k)
+      c = {std::min(c.begin, row[std::size_t(k)].begin), std::max(c.end, row[std::size_t(k)].end)};
+    const int begin = c.begin / kRowUnit * kRowUnit, end = (c.end + kRowUnit) / kRowUnit * kRowUnit;
+    reach.push_back({std::min(begin, end), end});
+  }
+  return reach;
 }
 
 // m = rho a
@@ -135,6 +156,7 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
   start.wind = scene.wind;
   for (std::size_t p = 0; p < scene.pieces.size(); ++p) {
     lattice_fill(system.lattices[p], grids[p], scene, system, start);
+    system.lattices[p].reach = lattice_reach(system.lattices[p], system.area);
     threads_lay(system, int(p), grids[p], clamp_slopes(scene, int(p), grids[p]), start);
   }
   side_number(system);

@@ -14,6 +14,11 @@
 
 namespace drape {
 
+// Columns from begin to end - 1; multiples of kRowUnit.
+struct Columns {
+  int begin, end;
+};
+
 // One piece as rows of nodes in the common arrays. Node (i,j) is at first + j stride + i; a guard row on
 // either side and at least one unused node at the end of each row have share 0 and mass 0, and never move. So
 // have kRowUnit nodes at either end of the arrays. Twins follow the guard row above, padded to whole
@@ -27,8 +32,9 @@ struct Lattice {
   int twin_stride = 0;         // multiple of kRowUnit
   int twin_slot = 0;           // of the first twin in Side; multiple of kRowUnit
   std::vector<int>
-      row_slot;     // [rows + 1] slots of the nodes of row j in Side: row_slot[j] .. row_slot[j+1]; or empty
-  double cell = 0;  // b, m
+      row_slot;  // [rows + 1] slots of the nodes of row j in Side: row_slot[j] .. row_slot[j+1]; or empty
+  std::vector<Columns> reach;                  // [rows] where rows j - 1, j, j + 1 have particles
+  double cell = 0;                             // b, m
   std::vector<std::array<int, 2>> twin_place;  // [twins] column and row
   int piece = 0, fabric = 0;
   Law law;

@@ -30,8 +30,8 @@ std::vector<Curve> curves() {
 void expect_read(const Curve& curve, double e) {
   const double value = curve_value(curve, e), slope = curve_slope(curve, e);
   // Both round some ten terms, of which the largest is no larger than force or slope and their like at 50 %.
-  EXPECT_NEAR(AnyTension{&curve}(Lane(e)).v, value, 1e-14 * (std::abs(value) + 10)) << e;
-  EXPECT_NEAR(AnyTension{&curve}.slope(Lane(e)).v, slope, 1e-12 * (std::abs(slope) + 1e3)) << e;
+  EXPECT_NEAR(CurveTension{&curve}(Lane(e)).v, value, 1e-14 * (std::abs(value) + 10)) << e;
+  EXPECT_NEAR(CurveTension{&curve}.slope(Lane(e)).v, slope, 1e-12 * (std::abs(slope) + 1e3)) << e;
 }
 
 TEST(Tension, IsTheCurvesBetweenAtAndBesideItsPoints) {
@@ -46,10 +46,10 @@ TEST(Tension, IsTheCurvesBetweenAtAndBesideItsPoints) {
     }
     for (double e : {-1e6, -1.0, 1.0, 1e6}) {
       const double value = curve_value(curve, e);
-      EXPECT_NEAR(AnyTension{&curve}(Lane(e)).v, value, 1e-14 * std::abs(value)) << e;
+      EXPECT_NEAR(CurveTension{&curve}(Lane(e)).v, value, 1e-14 * std::abs(value)) << e;
     }
     for (double e : {double(NAN), double(INFINITY)}) {
-      EXPECT_FALSE(std::isfinite(AnyTension{&curve}(Lane(e)).v)) << e;
+      EXPECT_FALSE(std::isfinite(CurveTension{&curve}(Lane(e)).v)) << e;
       EXPECT_FALSE(std::isfinite(curve_value(curve, e))) << e;
     }
   }
@@ -61,7 +61,7 @@ TEST(Tension, TakesTheSegmentThatBeginsAtAnEnd) {
   for (const Curve& curve : curves())
     for (int k = 1; k < curve.segments; ++k) {
       const double end = curve.segment[k - 1].end;
-      EXPECT_EQ(AnyTension{&curve}(Lane(end)).v,
+      EXPECT_EQ(CurveTension{&curve}(Lane(end)).v,
                 curve.segment[k].c0 + (end - curve.segment[k].origin) * curve.segment[k].c1)
           << k;
     }
@@ -69,7 +69,7 @@ TEST(Tension, TakesTheSegmentThatBeginsAtAnEnd) {
 
 TEST(Tension, OfALawThatIsOffIsNothing) {
   const Curve off;
-  for (double e : {-1.0, 0.0, 0.3}) EXPECT_EQ(AnyTension{&off}(Lane(e)).v, 0);
+  for (double e : {-1.0, 0.0, 0.3}) EXPECT_EQ(CurveTension{&off}(Lane(e)).v, 0);
 }
 
 }  // namespace
