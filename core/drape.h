@@ -56,6 +56,7 @@ typedef struct drape_parameters {
   double air_normal, air_tangential; /* 1 */
   double ramp;                       /* s, parameter_ramp */
   double step_max;                   /* s; fixed after the first step */
+  double threads;                    /* that share a step, a whole number; changes no bit; fixed likewise */
   int fabric_count;
   drape_fabric* fabric; /* [fabric_count] */
 } drape_parameters;

@@ -59,6 +59,17 @@ int step_fabric(const drape_cloth& c) {
   return fabric;
 }
 
+void threads_take(drape_cloth& c, int threads) {
+  if (threads == c.system.threads) return;
+  c.system.threads = threads;
+  Workspace& w = c.motion.workspace;
+  w = workspace_make(c.system, threads_wanted(c.system));
+  if (w.threads.size() > 1 && !w.workers)
+    say(c, DRAPE_LOG_WARNING,
+        "threads = " + std::to_string(threads) +
+            ": the system starts no more threads; the cloth moves on one");
+}
+
 // Takes the numbers of c.parameters into the system. The masses and the limit may have changed: look again at
 // once.
 void parameters_take(drape_cloth& c, std::vector<Problem>& problems) {
@@ -70,6 +81,7 @@ void parameters_take(drape_cloth& c, std::vector<Problem>& problems) {
   c.system.air.normal = p.air_normal;
   c.system.air.tangential = p.air_tangential;
   c.system.step_max = p.step_max;
+  threads_take(c, int(p.threads));
   c.tuning.in_force = parameters_read(c.parameters);
 }
 
@@ -117,19 +129,21 @@ void tuning_changed(drape_cloth& c, double error_before) {
   c.state.input += balance_error(c) - error_before;
 }
 
-// step.max is fixed once the cloth has moved.
-void step_max_mend(drape_cloth& c, std::vector<Problem>& problems) {
-  double& step_max = c.parameters.shown.step_max;
-  if (c.state.steps == 0 || step_max == c.system.step_max) return;
-  problems.push_back({"step.max", "= " + number(step_max) + " s; it is fixed once the cloth has moved, at " +
-                                      number(c.system.step_max) + " s"});
-  step_max = c.system.step_max;
+// What is fixed once the cloth has moved.
+void fixed_mend(const drape_cloth& c, const char* name, const char* unit, double& value, double fixed,
+                std::vector<Problem>& problems) {
+  if (c.state.steps == 0 || value == fixed) return;
+  problems.push_back({name, "= " + number(value) + unit + "; it is fixed once the cloth has moved, at " +
+                                number(fixed) + unit});
+  value = fixed;
 }
 
 // Takes what has been written; `before` are the values that were aimed at.
 void parameters_commit(drape_cloth& c, const ParameterValues& before, std::vector<Problem>& problems) {
   parameters_mend(c.parameters, c.scene, before, problems);
-  step_max_mend(c, problems);
+  drape_parameters& p = c.parameters.shown;
+  fixed_mend(c, "step.max", " s", p.step_max, c.system.step_max, problems);
+  fixed_mend(c, "threads", "", p.threads, c.system.threads, problems);
   if (parameters_read(c.parameters) == before) return;
   const ParameterValues in_force = c.tuning.in_force;
   const State untouched = c.state;

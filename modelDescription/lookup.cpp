@@ -40,7 +40,7 @@ std::string range_text(const Range& r) {
   if (!from && !to) return "any finite number";
   if (!to) return r.min_open ? "above " + decimal_text(r.min) : decimal_text(r.min) + " or more";
   if (!from) return r.max_open ? "below " + decimal_text(r.max) : decimal_text(r.max) + " or less";
-  return (r.min_open ? "above " : "") + decimal_text(r.min) + (r.max_open ? " to below " : " to ") +
+  return (r.min_open ? "above " : r.whole ? "a whole number from " : "") + decimal_text(r.min) + (r.max_open ? " to below " : " to ") +
          decimal_text(r.max);
 }
 
@@ -48,7 +48,7 @@ std::string range_problem(const Variable& v, double value) {
   const Range& r = v.range;
   const bool low = r.min_open ? value > r.min : value >= r.min,
              high = r.max_open ? value < r.max : value <= r.max;
-  if (std::isfinite(value) && low && high) return "";
+  if (std::isfinite(value) && low && high && (!r.whole || value == std::floor(value))) return "";
   const std::string unit = v.unit == std::string_view("1") ? "" : std::string(" ") + v.unit;
   return v.name() + " is " + decimal_text(value) + unit + "; allowed: " + range_text(r) + unit;
 }

@@ -20,7 +20,7 @@ struct Row {
 };
 
 constexpr Range kAny{};
-constexpr Range range_of(const Quantity& l) { return {l.low, l.high, l.above, false}; }
+constexpr Range range_of(const Quantity& l) { return {l.low, l.high, l.above, false, l.whole}; }
 
 constexpr Row tunable(const Quantity& l) {
   return {Causality::kParameter, Variability::kTunable, l.unit, range_of(l)};
@@ -126,6 +126,7 @@ void add_parameters(Table& table, drape_parameters& p) {
   }
   add(table, "parameter_ramp", &p.ramp, tunable(kRamp), "time over which a tuned value moves to its new one");
   add(table, "step.max", &p.step_max, fixed(kStepMax), "longest time step");
+  add(table, "threads", &p.threads, fixed(kThreads), "threads that share a step; they change no result");
 }
 
 void add_inputs(Table& table, drape_inputs& u, drape_inputs& rates) {

@@ -22,6 +22,7 @@ inline constexpr const char* kNodesNames[] = {"none", "outline", "all"};
 struct Range {
   double min = -std::numeric_limits<double>::infinity(), max = std::numeric_limits<double>::infinity();
   bool min_open = false, max_open = false;
+  bool whole = false;
 };
 
 struct Variable {

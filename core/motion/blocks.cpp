@@ -5,12 +5,18 @@
 namespace drape {
 namespace {
 
+std::int64_t nodes_of(const Lattice& l) { return std::int64_t(l.rows) * l.stride; }
+std::int64_t nodes_of(const System& system) {
+  std::int64_t nodes = 0;
+  for (const Lattice& l : system.lattices) nodes += nodes_of(l);
+  return nodes;
+}
+
 // Blocks of about as many nodes for each thread: thread t takes the nodes from t/threads on of all rows in
 // order.
 void blocks_share_out(const System& system, std::vector<ThreadRoom>& threads) {
-  const auto nodes = [](const Lattice& l) { return std::int64_t(l.rows) * l.stride; };
-  std::int64_t all = 0, before = 0;
-  for (const Lattice& l : system.lattices) all += nodes(l);
+  const std::int64_t all = nodes_of(system);
+  std::int64_t before = 0;
   const std::int64_t count = std::int64_t(threads.size());
   for (std::size_t k = 0; k < system.lattices.size(); ++k) {
     const Lattice& l = system.lattices[k];
@@ -22,7 +28,7 @@ void blocks_share_out(const System& system, std::vector<ThreadRoom>& threads) {
       const int begin = t == 0 ? 0 : row_of(t), end = t + 1 == count ? l.rows : row_of(t + 1);
       if (begin < end) threads[std::size_t(t)].blocks.push_back({int(k), begin, end, {}});
     }
-    before += nodes(l);
+    before += nodes_of(l);
   }
 }
 
@@ -37,6 +43,13 @@ void row_copy(const Lattice& l, const State& s, int j, int slot, Array& copies) 
 
 }  // namespace
 
+// Calling a thread costs about half a microsecond a step, and each block runs up to three rows of its
+// neighbours: a thread with fewer nodes than this is no gain.
+int threads_wanted(const System& system) {
+  constexpr std::int64_t kNodesEach = 2000;
+  return int(std::clamp<std::int64_t>(nodes_of(system) / kNodesEach, 1, system.threads));
+}
+
 Workspace workspace_make(const System& system, int threads) {
   Workspace w;
   for (const Lattice& l : system.lattices) w.stride = std::max(w.stride, l.stride);
@@ -44,6 +57,7 @@ Workspace workspace_make(const System& system, int threads) {
   for (ThreadRoom& room : w.threads)
     room.rows.assign(kRowUnit + std::size_t(kScratchRows) * std::size_t(w.stride + kRowUnit), 0.0);
   blocks_share_out(system, w.threads);
+  if (threads > 1) w.workers = workers_start(threads);
   for (Array* a : {&w.side_x, &w.side_y, &w.side_z}) a->assign(system.side.node.size(), 0.0);
   return w;
 }

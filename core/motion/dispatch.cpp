@@ -24,9 +24,21 @@ void pass_run_all(const Kernel& kernel, const System& system, const StepCoeffici
   if (!system.side.node.empty())
     side_forces(system, s, rates, c.lead, {w.side_x.data(), w.side_y.data(), w.side_z.data()});
   blocks_copy(system, s, w);
-  const Pass pass = rates ? kernel.rates : kernel.plain;
-  for (ThreadRoom& room : w.threads)
-    for (const RowBlock& block : room.blocks) pass(system, block, c, w, room.rows.data(), s, to);
+  struct Task {
+    const System& system;
+    const StepCoefficients& c;
+    Workspace& w;
+    const State& s;
+    const PassTarget& to;
+    Pass pass;
+  } task{system, c, w, s, to, rates ? kernel.rates : kernel.plain};
+  const auto run = [](void* context, int k) {
+    const Task& t = *static_cast<Task*>(context);
+    ThreadRoom& room = t.w.threads[std::size_t(k)];
+    for (const RowBlock& block : room.blocks) t.pass(t.system, block, t.c, t.w, room.rows.data(), t.s, t.to);
+  };
+  if (w.workers) return workers_run(*w.workers, run, &task);
+  for (int k = 0; k < int(w.threads.size()); ++k) run(&task, k);
 }
 
 }  // namespace

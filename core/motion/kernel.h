@@ -1,5 +1,6 @@
 // The lattice pass: all forces of a lattice and, fused with it, either the step or their output.
 #pragma once
+#include "motion/workers.h"
 #include "system/system.h"
 
 namespace drape {
@@ -32,10 +33,12 @@ struct ThreadRoom {
 // Room of all threads, and the forces beside the rows; made once.
 struct Workspace {
   std::vector<ThreadRoom> threads;
+  WorkersHandle workers;  // of more threads than one
   int stride = 0;
   Array side_x, side_y, side_z;  // [slots] N
 };
-Workspace workspace_make(const System& system, int threads = 1);
+Workspace workspace_make(const System& system, int threads);
+int threads_wanted(const System& system);  // as many as the system asks for, where each gets enough to do
 // Forgets what is no number: rows are read beyond what the pass before has written, where nothing weighs it.
 void workspace_clear(Workspace& workspace);
 

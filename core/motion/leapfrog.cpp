@@ -199,7 +199,7 @@ double leapfrog_steps(const System& system, double omega2) {
 Motion motion_make(const System& system) {
   Motion m;
   m.kernel = &kernel_pick();
-  m.workspace = workspace_make(system);
+  m.workspace = workspace_make(system, threads_wanted(system));
   m.held = held_make(system.constraints);
   m.balance = balance_make(system);
   m.torque.resize(system.constraints.pins.size());

@@ -9,10 +9,12 @@ struct Quantity {
   double low, high;
   bool above;  // the low end itself is not allowed
   const char* unit;
+  bool whole = false;  // a whole number only
 };
 
 constexpr bool quantity_fits(const Quantity& q, double value) {  // false for what is no number
-  return (q.above ? value > q.low : value >= q.low) && value <= q.high;
+  const bool within = (q.above ? value > q.low : value >= q.low) && value <= q.high;
+  return within && (!q.whole || value == double(long(value)));
 }
 
 inline constexpr Quantity kArealDensity{"areal_density", 1e-4, 100, false, "kg/m2"};
@@ -41,5 +43,7 @@ inline constexpr Quantity kBending{"bending", 0, kSpecimenRigidity.high / kSpeci
 // A step longer than the longest communication interval is as good as none.
 inline constexpr Quantity kCommunication{"communication", 1e-9, 1e3, false, "s"};
 inline constexpr Quantity kStepMax{"step.max", kCommunication.low, kCommunication.high, false, "s"};
+
+inline constexpr Quantity kThreads{"threads", 1, 64, false, "1", true};
 
 }  // namespace drape

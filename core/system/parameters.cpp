@@ -24,6 +24,7 @@ void each_value(P& p, Visit visit) {
   visit(p.shown.air_tangential);
   visit(p.shown.ramp);
   visit(p.shown.step_max);
+  visit(p.shown.threads);
   for (auto& f : p.fabrics)
     for (auto* v : {&f.areal_density, &f.bending_warp, &f.bending_weft, &f.poisson, &f.compression,
                     &f.damping, &f.friction})
@@ -44,6 +45,7 @@ std::vector<ValueRow> value_rows(const Parameters& p, const Scene& scene) {
   rows.push_back({"air.tangential", &kAirCoefficient});
   rows.push_back({"parameter_ramp", &kRamp});
   rows.push_back({"step.max", &kStepMax});
+  rows.push_back({"threads", &kThreads});
   for (const FabricSpec& f : scene.fabrics) {
     const std::string place = "fabric." + f.name;
     rows.push_back({place + ".areal_density", &kArealDensity});
@@ -84,7 +86,10 @@ std::string limits_text(const Quantity& q, double value) {
   const std::string unit = std::string(q.unit) == "1" ? "" : std::string(" ") + q.unit;
   char text[160];
   std::snprintf(text, sizeof text, "= %.9g%s; allowed: %s %.9g to %.9g%s", value, unit.c_str(),
-                q.above ? "above" : "from", q.low, q.high, unit.c_str());
+                q.above   ? "above"
+                : q.whole ? "a whole number from"
+                          : "from",
+                q.low, q.high, unit.c_str());
   return text;
 }
 
@@ -114,6 +119,7 @@ void parameters_make(Parameters& p, const Scene& scene, double step_max) {
              scene.air_tangential,
              0,
              step_max,
+             1,
              int(n),
              p.fabrics.data()};
 }
@@ -131,8 +137,9 @@ void parameters_write(Parameters& p, const ParameterValues& v) {
 
 bool parameters_move_otherwise(const Parameters& p, const ParameterValues& a, const ParameterValues& b) {
   const auto idle = [&](const double* value) {
-    return value == &p.shown.ramp || std::any_of(p.fabrics.begin(), p.fabrics.end(),
-                                                 [&](const drape_fabric& f) { return value == &f.friction; });
+    return value == &p.shown.ramp || value == &p.shown.threads ||
+           std::any_of(p.fabrics.begin(), p.fabrics.end(),
+                       [&](const drape_fabric& f) { return value == &f.friction; });
   };
   bool otherwise = false;
   std::size_t k = 0;
@@ -147,7 +154,7 @@ std::vector<int> parameters_groups(const Parameters& p) {
   std::vector<int> group;
   int next = 0;
   each_value(p, [&](const double& value) {
-    const bool at_once = &value == &p.shown.ramp || &value == &p.shown.step_max;
+    const bool at_once = &value == &p.shown.ramp || &value == &p.shown.step_max || &value == &p.shown.threads;
     group.push_back(at_once ? -1 : next++);
   });
   std::size_t k = group.size();

@@ -28,13 +28,13 @@ void parameters_make(Parameters& parameters, const Scene& scene, double step_max
 ParameterValues parameters_read(const Parameters& parameters);
 void parameters_write(Parameters& parameters, const ParameterValues& values);
 
-// True where two sets of values move the cloth otherwise: they differ in more than parameter_ramp and
+// True where two sets of values move the cloth otherwise: they differ in more than parameter_ramp, threads and
 // friction, which nothing meets yet.
 bool parameters_move_otherwise(const Parameters& parameters, const ParameterValues& a,
                                const ParameterValues& b);
 
 // For each value, what moves together when it is tuned: a number of its own, but one for all points of a
-// diagram; -1 for what takes its new value at once (parameter_ramp, step.max).
+// diagram; -1 for what takes its new value at once (parameter_ramp, step.max, threads).
 std::vector<int> parameters_groups(const Parameters& parameters);
 
 // The fabrics of the scene with the values of the parameters.

@@ -54,6 +54,23 @@ std::vector<Row> kernel_rows(const Patience& patience) {
   return rows;
 }
 
+// One and two threads by size; not to be pinned to one core.
+std::vector<Row> thread_rows(const Patience& patience) {
+  std::vector<Row> rows;
+  for (const Features& features : {kStretchShear, kHinges, kFull})
+    for (int side : {33, 65, 129, 257, 513}) {
+      const Scene scene = scene_of(features, side);
+      std::vector<Ready> cloths;
+      std::vector<std::string> names;
+      for (int threads : {1, 2}) {
+        cloths.push_back(ready(scene, threads));
+        names.push_back(std::string(features.name) + ", " + std::to_string(threads) + " threads");
+      }
+      rows_add("threads", names, cloths, "1 thread", patience, rows);
+    }
+  return rows;
+}
+
 // Each feature alone, added to stretch and shear.
 std::vector<Row> feature_rows(const Patience& patience) {
   const Features features[] = {kStretchShear,
@@ -92,6 +109,7 @@ std::vector<Row> scaling_rows(const Patience& patience) {
 const std::vector<Group>& groups() {
   static const std::vector<Group> kGroups = {
       {"kernel", "particle-steps per second by size, laws and instruction set", kernel_rows},
+      {"threads", "what a second thread gains; not pinned", thread_rows},
       {"features", "what each feature costs", feature_rows},
       {"scaling", "particle-steps per second against particles", scaling_rows}};
   return kGroups;

@@ -32,6 +32,6 @@ struct Ready {
   Motion motion;
   double step = 0;  // s
 };
-Ready ready(const Scene& scene);
+Ready ready(const Scene& scene, int threads = 1);
 
 }  // namespace drape::bench

@@ -179,6 +179,7 @@ TEST_F(ClothTest, TakesTheEndsOfEveryRange) {
   takes(p.damping, 0, 1e6);
   for (double& g : p.gravity) takes(g, -1e4, 1e4);
   takes(p.step_max, 1e-9, 1e3);
+  takes(p.threads, 1, 64);
   takes(p.fabric[0].areal_density, 1e-4, 100);
   takes(p.fabric[0].bending_warp, 0, 1000);
   takes(p.fabric[0].bending_weft, 0, 1000);

@@ -2,7 +2,7 @@
 import numpy as np
 import pytest
 from master import Instance, same_bits
-from scenes import read_csv, swinging_sheet
+from scenes import HORIZONTAL, pin_points, read_csv, sheet, swinging_sheet
 
 Q = {"binary": 2.0**-10, "decimal": 0.001}  # s; the decimal one is rounded in every product k q
 
@@ -59,6 +59,20 @@ def test_run_and_fmu(drape, write, pack, tmp_path, q):
             values = cloth.get(*exact)
             written = row[[names.index(name) for name in exact]]
             assert [n for n, a, b in zip(exact, written, values) if not same_bits(a, b)] == [], k
+
+
+def test_threads(pack):
+    """One, two and three threads on a sheet that is large enough for three."""
+    scene = sheet(0.4, 0.4, 0.005, HORIZONTAL)
+    pin_points(scene, "peg", (0, 0.4))
+    fmu = pack(scene, nodes="all")
+    ends = []
+    for threads in (1, 2, 3):
+        with Instance(fmu) as cloth:
+            ends.append(cloth.initialize(threads=threads).run(0.005, 0.001).nodes())
+    assert ends[0].size > 3 * 6000
+    assert same_bits(ends[0], ends[1])
+    assert same_bits(ends[0], ends[2])
 
 
 def test_two_runs(drape, write, tmp_path):

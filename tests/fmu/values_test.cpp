@@ -103,6 +103,21 @@ TEST(Values, fixed_parameters_until_initialization_ends) {
   EXPECT_LE(slave.get("step.size"), 1e-5);
 }
 
+TEST(Values, threads_are_whole_and_fixed) {
+  Slave slave;
+  for (const double threads : {0.0, 1.5, 65.0}) {
+    EXPECT_EQ(slave.set("threads", threads), fmi2Discard);
+    expect_sentence(slave, fmi2Discard, {"threads", "a whole number from 1 to 64"});
+  }
+  ASSERT_EQ(slave.set("threads", 3), fmi2OK) << slave.last_message();
+  ASSERT_EQ(fmi2().EnterInitializationMode(slave.component), fmi2OK);
+  ASSERT_EQ(fmi2().ExitInitializationMode(slave.component), fmi2OK);
+  EXPECT_EQ(slave.get("threads"), 3);
+  EXPECT_EQ(slave.set("threads", 2), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"threads", "fixed"});
+  ASSERT_EQ(slave.step(0, 0.001), fmi2OK) << slave.last_message();
+}
+
 // The sample's warp diagram is 2, 6, 30 N. Each value alone is in range; together they fall.
 TEST(Values, falling_diagram_is_refused_at_the_end_of_initialization) {
   Slave slave;
