@@ -94,6 +94,19 @@ std::vector<Row> feature_rows(const Patience& patience) {
   return rows;
 }
 
+// What tests/bench/peers.py compares others with.
+std::vector<Row> peer_rows(const Patience& patience) {
+  std::vector<Ready> cloths;
+  std::vector<std::string> names;
+  for (const Features& features : {kStretchShear, kHinges}) {
+    cloths.push_back(ready(scene_of(features, 129)));
+    names.push_back(features.name);
+  }
+  std::vector<Row> rows;
+  rows_add("peers", names, cloths, names[0], patience, rows);
+  return rows;
+}
+
 // The full model by size, against 129 squared.
 std::vector<Row> scaling_rows(const Patience& patience) {
   std::vector<Ready> cloths;
@@ -111,6 +124,7 @@ const std::vector<Group>& groups() {
       {"kernel", "particle-steps per second by size, laws and instruction set", kernel_rows},
       {"threads", "what a second thread gains; not pinned", thread_rows},
       {"features", "what each feature costs", feature_rows},
+      {"peers", "Drape's side of tests/bench/peers.py", peer_rows},
       {"scaling", "particle-steps per second against particles", scaling_rows}};
   return kGroups;
 }
