@@ -38,7 +38,8 @@ DRAPE_INLINE Vec<L> air_quarter(const Air& air, const Vec3& wind, Vec<L> d1, Vec
 // and i. The row above takes it off what it holds: minus its sums so far.
 template <class L>
 DRAPE_INLINE void air_cells(Columns reach, const Air& air, const Vec3& wind, ConstRow r, ConstRow r_above,
-                            ConstRow u, ConstRow u_above, const double* share, Row force, Row force_above) {
+                            ConstRow u, ConstRow u_above, const double* share, PackedRow force,
+                            PackedRow force_above) {
   Vec<L> before{L(0.0), L(0.0), L(0.0)};
   for (int i = reach.begin; i < reach.end; i += L::kWidth) {
     const int beyond = i + L::kWidth < reach.end ? i + L::kWidth : i;
@@ -50,8 +51,8 @@ DRAPE_INLINE void air_cells(Columns reach, const Air& air, const Vec3& wind, Con
         ((vec_load<L>(u, i) + right(u)) + (vec_load<L>(u_above, i) + right(u_above))) * L(0.25);
     const Vec<L> quarter = air_quarter(air, wind, d1, d2, speed, L::load(share + i));
     const Vec<L> both = shifted(before, quarter) + quarter;
-    vec_add(force, i, both);
-    vec_take(force_above, i, both);
+    packed_store(force, i, packed_load<L>(force, i) + both);
+    packed_store(force_above, i, packed_load<L>(force_above, i) - both);
     before = quarter;
   }
 }

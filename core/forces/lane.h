@@ -11,6 +11,7 @@
 //   ahead(a,b)                  all of a but its first, then the first of b: what lies one to the right of a
 //   truncate(to, a)             to[i] = a_i without its fraction
 //   columns(rows, c0 ... c5)    ck_i = rows[i][k]; each row 64 bytes, aligned
+//   kept(a)                     a, in a register: compilers that run short of them load the same number twice
 //   kPermutes                   whether places(), next() and pick() are there: tables in registers
 //
 // The same operations in the same order in every lane type: one result, whatever the width. Each lane type

@@ -61,6 +61,10 @@ struct Avx2Lane {
   friend DRAPE_INLINE Avx2Lane abs(Avx2Lane a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v); }
   friend DRAPE_INLINE Avx2Lane max(Avx2Lane a, Avx2Lane b) { return _mm256_max_pd(a.v, b.v); }
   friend DRAPE_INLINE Avx2Lane min(Avx2Lane a, Avx2Lane b) { return _mm256_min_pd(a.v, b.v); }
+  friend DRAPE_INLINE Avx2Lane kept(Avx2Lane a) {
+    asm("" : "+x"(a.v));
+    return a;
+  }
   friend DRAPE_INLINE Mask ge(Avx2Lane a, Avx2Lane b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_GE_OQ)}; }
   friend DRAPE_INLINE Mask gt(Avx2Lane a, Avx2Lane b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_GT_OQ)}; }
   friend DRAPE_INLINE Avx2Lane bits_and(Avx2Lane a, Avx2Lane b) { return _mm256_and_pd(a.v, b.v); }

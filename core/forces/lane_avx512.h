@@ -97,6 +97,10 @@ struct Avx512Lane {
   friend DRAPE_INLINE Avx512Lane abs(Avx512Lane a) { return _mm512_abs_pd(a.v); }
   friend DRAPE_INLINE Avx512Lane max(Avx512Lane a, Avx512Lane b) { return _mm512_max_pd(a.v, b.v); }
   friend DRAPE_INLINE Avx512Lane min(Avx512Lane a, Avx512Lane b) { return _mm512_min_pd(a.v, b.v); }
+  friend DRAPE_INLINE Avx512Lane kept(Avx512Lane a) {
+    asm("" : "+v"(a.v));
+    return a;
+  }
   friend DRAPE_INLINE Mask ge(Avx512Lane a, Avx512Lane b) {
     return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_GE_OQ)};
   }

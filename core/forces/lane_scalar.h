@@ -48,6 +48,7 @@ struct ScalarLane {
   friend DRAPE_INLINE ScalarLane max(ScalarLane a, ScalarLane b) { return a.v > b.v ? a.v : b.v; }
   friend DRAPE_INLINE ScalarLane min(ScalarLane a, ScalarLane b) { return a.v < b.v ? a.v : b.v; }
   friend DRAPE_INLINE ScalarLane select(Mask m, ScalarLane a, ScalarLane b) { return m.m ? a : b; }
+  friend DRAPE_INLINE ScalarLane kept(ScalarLane a) { return a; }
   friend DRAPE_INLINE Mask ge(ScalarLane a, ScalarLane b) { return {a.v >= b.v}; }
   friend DRAPE_INLINE Mask gt(ScalarLane a, ScalarLane b) { return {a.v > b.v}; }
   friend DRAPE_INLINE ScalarLane bits_and(ScalarLane a, ScalarLane b) {

@@ -66,16 +66,22 @@ DRAPE_INLINE Vec<L> ahead(Vec<L> a, Vec<L> b) {
   return {ahead(a.x, b.x), ahead(a.y, b.y), ahead(a.z, b.z)};
 }
 
-// f[i] += v[i]
+// x, y and z of kRowUnit nodes one after another: one address for three coordinates.
+struct PackedRow {
+  double* p;
+  template <class L>
+  DRAPE_INLINE double* at(int i, int k) const {
+    if constexpr (L::kWidth == 8) return p + 3 * i + 8 * k;
+    else return p + i / 8 * 24 + 8 * k + i % 8;
+  }
+};
 template <class L>
-DRAPE_INLINE void vec_add(Row f, long i, Vec<L> v) {
-  vec_store(f, i, vec_load<L>(f, i) + v);
+DRAPE_INLINE Vec<L> packed_load(PackedRow r, int i) {
+  return {L::load(r.at<L>(i, 0)), L::load(r.at<L>(i, 1)), L::load(r.at<L>(i, 2))};
 }
-
-// f[i] -= v[i]
 template <class L>
-DRAPE_INLINE void vec_take(Row f, long i, Vec<L> v) {
-  vec_store(f, i, vec_load<L>(f, i) - v);
+DRAPE_INLINE void packed_store(PackedRow r, int i, Vec<L> v) {
+  for (int k = 0; k < 3; ++k) L::store(r.at<L>(i, k), coordinate(v, k));
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ namespace {
 // The scratch rows of a thread by their use. Each is preceded and followed by a register of zeros.
 struct PassRows {
   double *weft, *warp[2];  // 1/l of links, for hinges
-  Row force[3];
+  PackedRow force[3];
   Row speed[2];  // velocities led on to t_n
 };
 
@@ -52,14 +52,14 @@ DRAPE_INLINE PassRows pass_rows(double* scratch, int stride) {
   PassRows p;
   p.weft = take.one();
   for (double*& row : p.warp) row = take.one();
-  for (Row& row : p.force) row = take.vector();
+  for (PackedRow& row : p.force) row = {take.vector().x};
   for (Row& row : p.speed) row = take.vector();
   return p;
 }
 
 template <class L>
-DRAPE_INLINE void row_clear(int n, Row r) {
-  for (int i = 0; i < n; i += L::kWidth) vec_store(r, i, Vec<L>{L(0.0), L(0.0), L(0.0)});
+DRAPE_INLINE void row_clear(int n, PackedRow r) {
+  for (int i = 0; i < n; i += L::kWidth) packed_store(r, i, Vec<L>{L(0.0), L(0.0), L(0.0)});
 }
 // u = v + lead (v - w)
 template <class L>
@@ -71,14 +71,16 @@ DRAPE_INLINE void row_lead(int n, double lead, ConstRow v, ConstRow w, Row out) 
 }
 
 // What the lists beside the rows add to row j, taken off minus its sums so far.
-DRAPE_INLINE void row_add_side(const System& system, const Lattice& l, const Workspace& w, int j, Row force) {
+DRAPE_INLINE void row_add_side(const System& system, const Lattice& l, const Workspace& w, int j,
+                               PackedRow force) {
   if (l.row_slot.empty()) return;
   const std::size_t row = l.node(0, j);
   for (int k = l.row_slot[std::size_t(j)]; k < l.row_slot[std::size_t(j) + 1]; ++k) {
-    const std::size_t i = system.side.node[std::size_t(k)] - row;
-    force.x[i] -= w.side_x[std::size_t(k)];
-    force.y[i] -= w.side_y[std::size_t(k)];
-    force.z[i] -= w.side_z[std::size_t(k)];
+    const int i = int(system.side.node[std::size_t(k)] - row);
+    double* at = force.p + i / kRowUnit * 3 * kRowUnit + i % kRowUnit;
+    at[0] -= w.side_x[std::size_t(k)];
+    at[kRowUnit] -= w.side_y[std::size_t(k)];
+    at[2 * kRowUnit] -= w.side_z[std::size_t(k)];
   }
 }
 
@@ -105,6 +107,7 @@ struct PassRun {
     return {at, at + l.stride, at + 2 * l.stride};
   }
   DRAPE_INLINE ConstRow positions(int j) const { return row(s.x, s.y, s.z, 0, j); }
+  DRAPE_INLINE bool moves_plainly(int j) const { return mine(j) && to.moved && to.moved->lightness.empty(); }
   DRAPE_INLINE RowMove move(int j) const { return mine(j) ? row_move_of(system, to, first(j)) : RowMove{}; }
 };
 
@@ -116,10 +119,10 @@ DRAPE_INLINE void speed_load(const PassRun& run, int j) {
 
 template <class L, bool kRates>
 DRAPE_INLINE void row_finish(const PassRun& run, int j) {
-  const RowMove move = run.move(j);
+  AnySink<L, kRates> sink{MoveLanes<L>(run.c), run.move(j)};
   const Columns reach = run.l.reach[std::size_t(j)];
   for (int i = reach.begin; i < reach.end; i += L::kWidth)
-    row_move<L, kRates>(i, run.c, move, vec_load<L>(run.p.force[j % 3], i));
+    sink_take(sink, i, packed_load<L>(run.p.force[j % 3], i));
 }
 
 // The hinges centred on row j; row j - 1 moves.
@@ -129,8 +132,8 @@ DRAPE_INLINE void slab_hinges(const PassRun& run, const SlabRows& in, int j) {
   const Law& law = run.l.law;
   const ConstRow row_below = run.positions(j - 1);
   const double *inverse_below = p.warp[(j + 1) % 2], *inverse_above = p.warp[j % 2];
-  const Row below = p.force[(j + 2) % 3], here = p.force[j % 3], above = p.force[(j + 1) % 3];
-  const RowMove move = run.move(j - 1);
+  const PackedRow below = p.force[(j + 2) % 3], here = p.force[j % 3], above = p.force[(j + 1) % 3];
+  AnySink<L, kRates> sink{MoveLanes<L>(run.c), run.move(j - 1)};
   const int begin = in.reach.begin, end = in.reach.end;
   const auto weft_link = [&](int i) DRAPE_INLINE_LAMBDA {
     const int beyond = i + L::kWidth < end ? i + L::kWidth : i;
@@ -148,9 +151,9 @@ DRAPE_INLINE void slab_hinges(const PassRun& run, const SlabRows& in, int j) {
                        c = hinge_link(at, vec_load<L>(in.above, i), L::load(inverse_above + i));
     const HingeForces<L> across =
         bending_hinge(a.unit, a.inverse, c.unit, c.inverse, L(law.bending_warp) * L::load(in.hinge_warp + i));
-    vec_add(here, i, along - (across.first + across.last));
-    vec_take(above, i, across.last);
-    row_move<L, kRates>(i, run.c, move, vec_load<L>(below, i) + across.first);
+    packed_store(here, i, packed_load<L>(here, i) + (along - (across.first + across.last)));
+    packed_store(above, i, packed_load<L>(above, i) - across.last);
+    sink_take(sink, i, packed_load<L>(below, i) + across.first);
   }
 }
 
@@ -180,24 +183,22 @@ void pass_run(const PassRun& run) {
                       share - n,
                       run.system.hinge_warp.data() + o,
                       run.system.hinge_weft.data() + o};
-    const Row force = p.force[j % 3], force_above = p.force[(j + 1) % 3];
+    const PackedRow force = p.force[j % 3], force_above = p.force[(j + 1) % 3];
     if (run.mine(j)) row_add_side(run.system, l, run.workspace, j, force);
-    if constexpr (kHinges || kRates) {
-      double *weft = kHinges ? p.weft : nullptr, *warp = kHinges ? p.warp[j % 2] : nullptr;
-      slab_links<L, Tension, kFamilies, kDamped>(
-          l, in, force, force_above, weft, warp,
-          [&](int i, int k, L f) DRAPE_INLINE_LAMBDA { L::store(coordinate(force, k) + i, f); });
-      if (air)
-        air_cells<L>(in.reach, run.system.air, run.s.wind, in.here, in.above, in.speed, in.speed_above, share,
-                     force, force_above);
-      if constexpr (!kHinges) row_finish<L, kRates>(run, j);
-      else if (j + 1 >= begin) slab_hinges<L, kRates>(run, in, j);
-    } else {
-      const RowMove move = run.move(j);
-      slab_links<L, Tension, kFamilies, kDamped>(
-          l, in, force, force_above, nullptr, nullptr,
-          [&](int i, int k, L f) DRAPE_INLINE_LAMBDA { row_move<L, kRates>(i, k, run.c, move, f); });
+    const bool at_once = !kHinges && !kRates && run.moves_plainly(j);
+    if (at_once) {
+      const RowMove m = run.move(j);
+      slab_links<L, Tension, kFamilies, kDamped>(l, in, force, force_above, nullptr, nullptr,
+                                                 MoveSink<L>{MoveLanes<L>(run.c), m.r, m.v, m.inverse_mass});
+      continue;
     }
+    double *weft = kHinges ? p.weft : nullptr, *warp = kHinges ? p.warp[j % 2] : nullptr;
+    slab_links<L, Tension, kFamilies, kDamped>(l, in, force, force_above, weft, warp, StoreSink<L>{force});
+    if (air)
+      air_cells<L>(in.reach, run.system.air, run.s.wind, in.here, in.above, in.speed, in.speed_above, share,
+                   force, force_above);
+    if constexpr (!kHinges) row_finish<L, kRates>(run, j);
+    else if (j + 1 >= begin) slab_hinges<L, kRates>(run, in, j);
   }
   if (kHinges && end == l.rows) row_finish<L, kRates>(run, end - 1);
 }
@@ -234,9 +235,9 @@ void block_pass(const System& system, const RowBlock& block, const StepCoefficie
   else pass_sheared<L, kRates, CurveTension>(run);
   if (l.twins > 0 && block.end == l.rows) {
     const std::size_t k = std::size_t(l.twin_slot);
-    const RowMove move = row_move_of(system, to, l.twin_first);
+    AnySink<L, kRates> sink{MoveLanes<L>(c), row_move_of(system, to, l.twin_first)};
     for (int i = 0; i < l.twin_stride; i += L::kWidth)
-      row_move<L, kRates>(i, c, move, vec_load<L>(const_row(w.side_x, w.side_y, w.side_z, k), i));
+      sink_take(sink, i, vec_load<L>(const_row(w.side_x, w.side_y, w.side_z, k), i));
   }
 }
 

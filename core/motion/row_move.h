@@ -33,28 +33,70 @@ DRAPE_INLINE RowMove row_move_of(const System& system, const PassTarget& to, std
   return m;
 }
 
-// v <- keep v + kick (F/m + g),  r <- r + drift v, coordinate k. A node without mass stays. In a fit, inertia
-// is m/lightness.
-template <class L, bool kRates>
-DRAPE_INLINE void row_move(int i, int k, const StepCoefficients& c, const RowMove& m, L force) {
-  double* r = coordinate(m.r, k);
-  if (!r) {
-    if (double* out = coordinate(m.force, k)) L::store(out + i, force);
-    return;
+// v <- keep v + kick (F/m + g),  r <- r + drift v. A node without mass stays.
+template <class L>
+struct MoveLanes {
+  L keep, kick, drift, gravity[3];
+  L inverse_mass, kick_here;  // at the nodes of begin()
+
+  DRAPE_INLINE explicit MoveLanes(const StepCoefficients& c)
+      : keep(c.keep), kick(c.kick), drift(c.drift), gravity{c.gravity[0], c.gravity[1], c.gravity[2]} {}
+  DRAPE_INLINE void begin(const double* inverse, int i) {
+    inverse_mass = L::load(inverse + i);
+    kick_here = select(gt(inverse_mass, L(0.0)), kick, L(0.0));
   }
-  double* v = coordinate(m.v, k);
-  const L im = L::load(m.inverse_mass + i), v0 = L::load(v + i);
-  const L kick = select(gt(im, L(0.0)), L(c.kick), L(0.0));
-  L a = fma(force, im, L(c.gravity[std::size_t(k)]));
-  if (m.lightness) a = a * L::load(m.lightness + i);
-  const L v1 = fma(kick, a, L(c.keep) * v0);
-  if constexpr (kRates) L::store(coordinate(m.w, k) + i, v0);
-  L::store(v + i, v1);
-  L::store(r + i, fma(L(c.drift), v1, L::load(r + i)));
-}
+  DRAPE_INLINE L acceleration(int k, L force) const { return fma(force, inverse_mass, gravity[k]); }
+  DRAPE_INLINE void move(int i, L a, double* r, double* v) const {
+    const L v1 = fma(kick_here, a, keep * L::load(v + i));
+    L::store(v + i, v1);
+    L::store(r + i, fma(drift, v1, L::load(r + i)));
+  }
+};
+
+// What becomes of the forces on a row, coordinate by coordinate at the nodes of begin(). It moves;
+template <class L>
+struct MoveSink {
+  MoveLanes<L> lanes;
+  Row r, v;
+  const double* inverse_mass;
+  DRAPE_INLINE void begin(int i) { lanes.begin(inverse_mass, i); }
+  DRAPE_INLINE void take(int i, int k, L force) const {
+    lanes.move(i, lanes.acceleration(k, force), coordinate(r, k), coordinate(v, k));
+  }
+};
+
+// or they are stored;
+template <class L>
+struct StoreSink {
+  PackedRow force;
+  DRAPE_INLINE void begin(int) {}
+  DRAPE_INLINE void take(int i, int k, L f) const { L::store(force.at<L>(i, k), f); }
+};
+
+// or as the row needs: moved, written out, or nothing. In a fit, inertia is m/lightness.
 template <class L, bool kRates>
-DRAPE_INLINE void row_move(int i, const StepCoefficients& c, const RowMove& m, Vec<L> force) {
-  for (int k = 0; k < 3; ++k) row_move<L, kRates>(i, k, c, m, coordinate(force, k));
+struct AnySink {
+  MoveLanes<L> lanes;
+  RowMove m;
+  DRAPE_INLINE void begin(int i) {
+    if (m.r.x) lanes.begin(m.inverse_mass, i);
+  }
+  DRAPE_INLINE void take(int i, int k, L force) const {
+    if (!m.r.x) {
+      if (double* out = coordinate(m.force, k)) L::store(out + i, force);
+      return;
+    }
+    L a = lanes.acceleration(k, force);
+    if (m.lightness) a = a * L::load(m.lightness + i);
+    if constexpr (kRates) L::store(coordinate(m.w, k) + i, L::load(coordinate(m.v, k) + i));
+    lanes.move(i, a, coordinate(m.r, k), coordinate(m.v, k));
+  }
+};
+
+template <class Sink, class L>
+DRAPE_INLINE void sink_take(Sink& sink, int i, Vec<L> force) {
+  sink.begin(i);
+  for (int k = 0; k < 3; ++k) sink.take(i, k, coordinate(force, k));
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ struct SlabRows {
 template <class L, int kFamilies>
 DRAPE_INLINE void slab_edges(const double* here, const double* above, int end, int i, L* edge) {
   const int beyond = i + L::kWidth < end ? i + L::kWidth : i;
-  const L a = L::load(here + i), b = ahead(a, L::load(here + beyond)), c = L::load(above + i);
+  const L a = kept(L::load(here + i)), b = ahead(a, L::load(here + beyond)), c = kept(L::load(above + i));
   stretch_edges(a, b, c, edge);
   if constexpr (kFamilies == 4) shear_edges(a, b, c, ahead(c, L::load(above + beyond)), edge + kRising);
 }
@@ -119,12 +119,12 @@ struct SlabStages {
   }
 };
 
-// `force` holds minus the sums of row j so far; finish(i, k, F) gets coordinate k of the whole ones, and
+// `force` holds minus the sums of row j so far; the sink takes the whole ones, and
 // minus those of row j + 1 go to `force_above`. 1/l of the links along the threads is kept for
 // hinges, where there is room.
-template <class L, class Tension, int kFamilies, bool kDamped, class Finish>
-DRAPE_INLINE void slab_links(const Lattice& l, const SlabRows& in, Row force, Row force_above,
-                             double* inverse_weft, double* inverse_warp, Finish finish) {
+template <class L, class Tension, int kFamilies, bool kDamped, class Sink>
+DRAPE_INLINE void slab_links(const Lattice& l, const SlabRows& in, PackedRow force, PackedRow force_above,
+                             double* inverse_weft, double* inverse_warp, Sink sink) {
   using Stages = SlabStages<L, Tension, kFamilies, kDamped>;
   Stages stages(l, in);
   L right_before[3] = {0.0, 0.0, 0.0}, rising_before[3] = {0.0, 0.0, 0.0};
@@ -132,6 +132,7 @@ DRAPE_INLINE void slab_links(const Lattice& l, const SlabRows& in, Row force, Ro
   // At node a pull weft, warp and rising; at b, one further, falling less weft; at c warp and falling; at d,
   // one further, rising.
   const auto add = [&](int i, const typename Stages::Pulls& pulls) DRAPE_INLINE_LAMBDA {
+    sink.begin(i);
     for (int k = 0; k < 3; ++k) {
       L edge[kFamilies], f[4];
       slab_edges<L, kFamilies>(coordinate(in.here, k), coordinate(in.above, k), in.reach.end, i, edge);
@@ -143,8 +144,8 @@ DRAPE_INLINE void slab_links(const Lattice& l, const SlabRows& in, Row force, Ro
         up = (up + f[kFalling]) + shifted(rising_before[k], f[kRising]);
         rising_before[k] = f[kRising];
       }
-      finish(i, k, (here + shifted(right_before[k], right)) - L::load(coordinate(force, k) + i));
-      L::store(coordinate(force_above, k) + i, up);
+      sink.take(i, k, (here + shifted(right_before[k], right)) - L::load(force.at<L>(i, k)));
+      L::store(force_above.at<L>(i, k), up);
       right_before[k] = right;
     }
     if (inverse_weft) {
@@ -160,7 +161,7 @@ DRAPE_INLINE void slab_links(const Lattice& l, const SlabRows& in, Row force, Ro
   constexpr int kLate = Tension::kTable ? 3 * kWidth : 2 * kWidth;
   const int begin = in.reach.begin, end = in.reach.end;
   for (int i = begin; i < end + kLate; i += kWidth) {
-    if (i >= begin + kLate) add(i - kLate, pulls);
+    const typename Stages::Pulls ready = pulls;
     if constexpr (Tension::kTable) {
       if (i >= begin + 2 * kWidth && i < end + 2 * kWidth) pulls = stages.pulls(i - 2 * kWidth, lengths);
       if (i >= begin + kWidth && i < end + kWidth) lengths = stages.lengths(ends);
@@ -168,6 +169,7 @@ DRAPE_INLINE void slab_links(const Lattice& l, const SlabRows& in, Row force, Ro
       if (i >= begin + kWidth && i < end + kWidth) pulls = stages.pulls(i - kWidth, stages.lengths(ends));
     }
     if (i < end) ends = stages.ends(i);
+    if (i >= begin + kLate) add(i - kLate, ready);
   }
 }
 
