@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/bound.h"
 #include "bench/clock.h"
 #include "bench/cloths.h"
 
@@ -94,6 +95,27 @@ std::vector<Row> feature_rows(const Patience& patience) {
   return rows;
 }
 
+// The share of the port bound that the kernel reaches; both measured in this run.
+std::vector<Row> bound_rows(const Patience& patience) {
+  std::vector<Row> rows;
+  for (Ports (*measure)() : {ports_avx2, ports_avx512}) {
+    const bool wide = measure == ports_avx512;
+    const Kernel* kernel = kernel_named(wide ? "avx512" : "avx2");
+    if (!kernel) continue;
+    for (const auto& [features, operations] :
+         {std::pair{kStretchShear, kStretchShearOperations}, {kHinges, kHingesOperations}}) {
+      const double bound = port_bound(operations, measure());
+      std::vector<Ready> cloths;
+      cloths.push_back(ready(scene_of(features, 129)));
+      cloths[0].motion.kernel = kernel;
+      const double rate = rates_of(cloths, patience)[0];
+      rows.push_back({"bound", features.name, cloths[0].system.particle.size(), kernel->name, rate,
+                      rate / bound, "port bound " + std::to_string(int(bound + 0.5))});
+    }
+  }
+  return rows;
+}
+
 // What tests/bench/peers.py compares others with.
 std::vector<Row> peer_rows(const Patience& patience) {
   std::vector<Ready> cloths;
@@ -123,6 +145,7 @@ const std::vector<Group>& groups() {
   static const std::vector<Group> kGroups = {
       {"kernel", "particle-steps per second by size, laws and instruction set", kernel_rows},
       {"threads", "what a second thread gains; not pinned", thread_rows},
+      {"bound", "the share of what the arithmetic ports could do", bound_rows},
       {"features", "what each feature costs", feature_rows},
       {"peers", "Drape's side of tests/bench/peers.py", peer_rows},
       {"scaling", "particle-steps per second against particles", scaling_rows}};

@@ -1,0 +1,9 @@
+#include "forces/lane_avx2.h"
+
+#include "bench/ports_lane.h"
+
+namespace drape::bench {
+
+Ports ports_avx2() { return ports_of<Avx2Lane>("avx2"); }
+
+}  // namespace drape::bench

@@ -1,0 +1,9 @@
+#include "forces/lane_avx512.h"
+
+#include "bench/ports_lane.h"
+
+namespace drape::bench {
+
+Ports ports_avx512() { return ports_of<Avx512Lane>("avx512"); }
+
+}  // namespace drape::bench
