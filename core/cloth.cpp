@@ -193,6 +193,11 @@ const drape_outputs* drape_outputs_at(drape_cloth* c, int want_nodes) {
   return &c->outputs.shown;
 }
 
+const drape_outputs* drape_places_at(drape_cloth* c) {
+  outputs_places(c->outputs, c->system, c->state);
+  return &c->outputs.shown;
+}
+
 double drape_step_limit(drape_cloth* c, const char** set_by) {
   if (set_by) {
     c->limit_link = step_limit_link(c->system, c->scene, c->state);

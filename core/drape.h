@@ -197,6 +197,8 @@ int drape_stuck(const drape_cloth*);
  * arrays keep their addresses for the cloth's life). `want_nodes` != 0 fills the node arrays too. Reading
  * never changes the motion. */
 const drape_outputs* drape_outputs_at(drape_cloth*, int want_nodes);
+/* The same, but only the positions of probes and nodes are of the present time: costs next to nothing. */
+const drape_outputs* drape_places_at(drape_cloth*);
 
 /* The step limit at the present state, without the safety factor (s), and the name of the link that sets it.
  */

@@ -38,7 +38,7 @@ struct Instance {
   std::vector<std::unique_ptr<Saved>> saved;
   const Saved* initial = nullptr;                 // one of them: the state to reset to
   std::int64_t steps = 0;                         // that the master has made
-  bool outputs_read = false, nodes_read = false;  // the output structs hold the present time
+  unsigned read = kNeedsNothing;  // which of the outputs hold the present time
   LogFn* log = nullptr;
   void* log_user = nullptr;
   LogFilter filter;

@@ -15,7 +15,7 @@ void restore_from(Instance& s, const Saved& saved) {
   drape_restore(s.cloth, saved.cloth);
   s.phase = saved.phase;
   s.stop_time = saved.stop_time;
-  s.outputs_read = s.nodes_read = false;
+  s.read = kNeedsNothing;
 }
 
 auto find_saved(Instance& s, const Saved* saved) {

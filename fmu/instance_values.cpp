@@ -40,21 +40,23 @@ std::string rate_problem(const Instance& s, std::uint32_t reference, int order, 
          "; allowed: any finite number";
 }
 
+void outputs_read(Instance& s, unsigned missing) {
+  if (missing & (kNeedsSummary | kNeedsNodes)) drape_outputs_at(s.cloth, (missing & kNeedsNodes) != 0);
+  if (missing & kNeedsNodes) missing = kNeedsPlaces | kNeedsSummary | kNeedsNodes;
+  else if (missing & kNeedsPlaces) drape_places_at(s.cloth);
+  s.read |= missing;
+}
+
 }  // namespace
 
 drape_status instance_get(Instance& s, const std::uint32_t* references, std::size_t count, double* values) {
-  bool outputs = false, nodes = false;
+  unsigned needs = kNeedsNothing;
   for (std::size_t i = 0; i < count; ++i) {
     const Variable* v = row_of(s, references[i]);
     if (!v) return instance_refuse(s, DRAPE_DISCARD, no_row(s, references[i]));
-    outputs = outputs || v->causality == Causality::kOutput;
-    nodes = nodes || v->node;
+    needs |= v->needs;
   }
-  if ((outputs && !s.outputs_read) || (nodes && !s.nodes_read)) {
-    drape_outputs_at(s.cloth, nodes);
-    s.outputs_read = true;
-    s.nodes_read = nodes;
-  }
+  outputs_read(s, needs & ~s.read);
   for (std::size_t i = 0; i < count; ++i) values[i] = *s.table[references[i] - 1].value;
   return DRAPE_OK;
 }

@@ -39,7 +39,7 @@ constexpr Row output_discrete(const char* unit) {
 void add(Table& table, const std::string& name, double* value, const Row& row,
          const std::string& description) {
   table.push_back({name, "", description, "", row.causality, row.variability, row.unit, row.range, value,
-                   nullptr, false});
+                   nullptr, row.causality == Causality::kOutput ? kNeedsSummary : kNeedsNothing});
 }
 
 // name[1] to name[3], along x, y and z.
@@ -154,6 +154,7 @@ void add_outputs(Table& table, drape_outputs& o) {
   for (int i = 0; i < o.probe_count; ++i) {
     const std::string name = "probe." + name_part(o.probe[i].name);
     add_vector(table, name + ".position", o.probe[i].position, output("m"), "where the probe is");
+    for (auto v = table.end() - 3; v != table.end(); ++v) v->needs = kNeedsPlaces;
     add_vector(table, name + ".velocity", o.probe[i].velocity, output("m/s"), "how fast the probe moves");
   }
   for (int i = 0; i < o.pin_count; ++i) {
@@ -209,13 +210,13 @@ std::vector<int> nodes_wanted(const drape_cloth* cloth, Nodes nodes, int node_co
 }
 
 void add_nodes(Table& table, const std::vector<int>& wanted, const char* name, double* value,
-               const char* unit, const char* description) {
+               const char* unit, Needs needs, const char* description) {
   for (const int n : wanted)
     for (int k = 0; k < 3; ++k) {
       add(table, name, value + 3 * std::size_t(n) + k, output(unit), description);
       table.back().index = "[" + std::to_string(n + 1) + "," + std::to_string(k + 1) + "]";
       table.back().detail = "particle " + std::to_string(n + 1) + ", " + "xyz"[k];
-      table.back().node = true;
+      table.back().needs = needs;
     }
 }
 
@@ -230,8 +231,9 @@ std::vector<Variable> variables_of(drape_cloth* cloth, Nodes nodes) {
   add_inputs(table, *drape_inputs_of(cloth), *drape_input_rates_of(cloth));
   add_outputs(table, outputs);
   const std::vector<int> wanted = nodes_wanted(cloth, nodes, outputs.node_count);
-  add_nodes(table, wanted, "node.position", outputs.node_position, "m", "where a particle is");
-  add_nodes(table, wanted, "node.velocity", outputs.node_velocity, "m/s", "how fast a particle moves");
+  add_nodes(table, wanted, "node.position", outputs.node_position, "m", kNeedsPlaces, "where a particle is");
+  add_nodes(table, wanted, "node.velocity", outputs.node_velocity, "m/s", kNeedsNodes,
+            "how fast a particle moves");
   return table;
 }
 

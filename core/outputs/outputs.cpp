@@ -8,19 +8,16 @@
 namespace drape {
 namespace {
 
-void probes_fill(Outputs& o, const System& system, const State& s) {
-  const Array* r[] = {&s.x, &s.y, &s.z};
-  const Array* v[] = {&o.vx, &o.vy, &o.vz};
+// A field at each probe, by coordinate.
+void probes_fill(Outputs& o, const System& system, double (drape_probe::*to)[3], const Array& x,
+                 const Array& y, const Array& z) {
+  const Array* field[] = {&x, &y, &z};
   for (std::size_t p = 0; p < o.probes.size(); ++p) {
     const Probe& probe = system.probes[p];
     for (int k = 0; k < 3; ++k) {
-      double at = 0, speed = 0;
-      for (int n = 0; n < 4; ++n) {
-        at += probe.weight[n] * (*r[k])[probe.node[n]];
-        speed += probe.weight[n] * (*v[k])[probe.node[n]];
-      }
-      o.probes[p].position[k] = at;
-      o.probes[p].velocity[k] = speed;
+      double sum = 0;
+      for (int n = 0; n < 4; ++n) sum += probe.weight[n] * (*field[k])[probe.node[n]];
+      (o.probes[p].*to)[k] = sum;
     }
   }
 }
@@ -40,15 +37,13 @@ void pins_fill(Outputs& o, const System& system, const State& s) {
   }
 }
 
-void nodes_fill(Outputs& o, const System& system, const State& s) {
-  for (std::size_t p = 0; p < system.particle.size(); ++p) {
-    const std::size_t n = system.particle[p];
-    o.node_position[3 * p] = s.x[n];
-    o.node_position[3 * p + 1] = s.y[n];
-    o.node_position[3 * p + 2] = s.z[n];
-    o.node_velocity[3 * p] = o.vx[n];
-    o.node_velocity[3 * p + 1] = o.vy[n];
-    o.node_velocity[3 * p + 2] = o.vz[n];
+void nodes_fill(std::vector<double>& to, const System& system, const Array& x, const Array& y,
+                const Array& z) {
+  double* at = to.data();
+  for (std::size_t n : system.particle) {
+    *at++ = x[n];
+    *at++ = y[n];
+    *at++ = z[n];
   }
 }
 
@@ -83,9 +78,15 @@ void outputs_make(Outputs& o, const Scene& scene, const System& system) {
   o.shown.node_velocity = o.node_velocity.data();
 }
 
+void outputs_places(Outputs& o, const System& system, const State& s) {
+  probes_fill(o, system, &drape_probe::position, s.x, s.y, s.z);
+  nodes_fill(o.node_position, system, s.x, s.y, s.z);
+}
+
 void outputs_fill(Outputs& o, const System& system, Motion& motion, const State& s, bool nodes) {
   leapfrog_synchronous(system, motion, s, o.vx.data(), o.vy.data(), o.vz.data(), o.pin_load);
-  probes_fill(o, system, s);
+  probes_fill(o, system, &drape_probe::position, s.x, s.y, s.z);
+  probes_fill(o, system, &drape_probe::velocity, o.vx, o.vy, o.vz);
   pins_fill(o, system, s);
   const StrainSummary strain = strain_summary(system, s);
   o.shown.strain_warp = strain.warp;
@@ -98,7 +99,9 @@ void outputs_fill(Outputs& o, const System& system, Motion& motion, const State&
   o.shown.step_stability = o.shown.step_size * std::sqrt(s.omega2) / 2;
   o.shown.fit_residual = s.fit.residual;
   if (o.shown.has_energy) energy_fill(o, system, motion, s);
-  if (nodes) nodes_fill(o, system, s);
+  if (!nodes) return;
+  nodes_fill(o.node_position, system, s.x, s.y, s.z);
+  nodes_fill(o.node_velocity, system, o.vx, o.vy, o.vz);
 }
 
 }  // namespace drape
