@@ -1,0 +1,76 @@
+// One hash for every instruction set with fused multiply-add and every number of threads; and for every
+// machine.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdio>
+
+#include "cloth_fixture.h"
+#include "cut_pieces.h"
+
+namespace drape {
+namespace {
+
+constexpr int kSteps = 200;
+constexpr double kStep = 1e-5;  // s
+constexpr std::uint64_t kGolden = 1263720844775631442;
+
+// Curved laws, different rigidities, slits, air, damping along the springs: every stage of the kernel. No
+// sine and no power on the way, which libraries round differently.
+Assembled cloth_of(const char* kernel, int threads) {
+  FabricSpec fabric = reference::curved_fabric();
+  fabric.damping = 1e-5;
+  Scene scene = cut_piece(fabric, Shape::kSlits);
+  scene.clamp_correction = false;
+  scene.has_air = true;
+  scene.air_normal = 1.2;
+  scene.air_tangential = 0.1;
+  scene.damping = 2;
+  Assembled a = assemble(scene);
+  a.motion.kernel = kernel_named(kernel);
+  a.motion.workspace = workspace_make(a.system, threads);
+  std::uint64_t random = 1;
+  for (std::size_t n : a.system.particle)
+    for (Array* r : {&a.state.x, &a.state.y, &a.state.z}) {
+      random = 6364136223846793005u * random + 1442695040888963407u;
+      (*r)[n] += 0.003 * (double(random >> 11) * 0x1p-53 - 0.5);
+    }
+  return a;
+}
+
+Eigen::VectorXd moved(const char* kernel, int threads) {
+  Assembled a = cloth_of(kernel, threads);
+  for (int k = 0; k < kSteps; ++k) leapfrog_step(a.system, a.motion, a.state, kStep);
+  return positions(a);
+}
+
+std::uint64_t hash(const Eigen::VectorXd& v) {  // Fowler, Noll and Vo's, by number
+  std::uint64_t h = 14695981039346656037u;
+  for (double x : v) h = (h ^ std::bit_cast<std::uint64_t>(x)) * 1099511628211u;
+  return h;
+}
+
+TEST(Golden, one_hash_for_all_fused_kernels_and_threads) {
+  int seen = 0;
+  for (const char* kernel : {"scalar", "avx2", "avx512"}) {
+    if (!kernel_named(kernel)) continue;
+    for (int threads = 1; threads <= 3; ++threads, ++seen)
+      EXPECT_EQ(hash(moved(kernel, threads)), kGolden) << kernel << ", " << threads << " threads";
+  }
+  if (!seen) GTEST_SKIP() << "this processor has no AVX2 with FMA";
+}
+
+// Each step rounds coordinates of 0.1 m, 1e-17 m, and the laws some ten times as much; 200 steps of the
+// stiffest motion add that up, and let it grow by the square of their number at most: 200^2/2 x 1e-16 m =
+// 2e-12 m.
+TEST(Golden, the_portable_kernel_is_within_rounding) {
+  if (!kernel_named("scalar")) GTEST_SKIP() << "this processor has no AVX2 with FMA";
+  const double off = (moved("portable", 1) - moved("scalar", 1)).lpNorm<Eigen::Infinity>();
+  std::printf("portable: %.1e m off after %d steps\n", off, kSteps);
+  EXPECT_LE(off, 2e-12);
+  EXPECT_GT(off, 0);
+}
+
+}  // namespace
+}  // namespace drape
