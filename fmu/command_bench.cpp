@@ -8,7 +8,7 @@ namespace drape {
 namespace {
 
 struct Options {
-  std::vector<std::string> groups;
+  std::vector<std::string> groups, scenes;
   std::string csv_file;
   bool quick = false;
 };
@@ -30,7 +30,9 @@ bool rows_write(const std::string& file, const std::vector<bench::Row>& rows) {
 }
 
 int run_bench(const Options& options) {
-  const bench::Patience patience = options.quick ? bench::Patience{1, 0.002} : bench::Patience{};
+  bench::Patience patience;
+  if (options.quick) patience = {1, 0.002, {}};
+  patience.scenes = options.scenes;
   std::vector<bench::Row> rows;
   for (const bench::Group& group : bench::groups()) {
     bool wanted = options.groups.empty();
@@ -57,6 +59,8 @@ void command_bench(CLI::App& app, int& exit_code) {
   for (const bench::Group& group : bench::groups()) names.push_back(group.name);
   command->add_option("GROUP", options->groups, "groups to run; default: all")->check(CLI::IsMember(names));
   command->add_option("--csv", options->csv_file, "also writes the rows to a file")->type_name("FILE.csv");
+  command->add_option("--scene", options->scenes, "of the group `scenes`; may be given again")
+      ->type_name("SCENE");
   command->add_flag("--quick", options->quick, "seconds in all, no figures to rely on");
   command->callback([options, &exit_code] { exit_code = run_bench(*options); });
 }

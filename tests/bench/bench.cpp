@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "bench/bound.h"
 #include "bench/clock.h"
 #include "bench/cloths.h"
+#include "scene/read.h"
 
 namespace drape::bench {
 namespace {
@@ -129,6 +131,40 @@ std::vector<Row> peer_rows(const Patience& patience) {
   return rows;
 }
 
+// A scene as it is: the time of a simulated second, and how much of a step the pass takes.
+void scene_rows_add(const std::string& file, const Patience& patience, std::vector<Row>& rows) {
+  std::vector<Problem> problems;
+  const Scene scene = scene_read(file, problems);
+  for (const Problem& p : problems) throw std::runtime_error(problem_text(p));
+  Ready r = ready_at_start(scene);
+  const double q = scene.communication;
+  std::string event;
+  long intervals = 0;
+  const auto advance = [&](long n) {
+    for (long k = 0; k < n; ++k, ++intervals)
+      if (leapfrog_advance(r.system, r.motion, r.state, q, event) != Advance::kDone)
+        throw std::runtime_error(file + " does not run to the end of the measurement");
+  };
+  advance(10);
+  State still = r.state;
+  const StepCoefficients at_rest{1, 0, 0, {0, 0, 0}, 0};
+  const auto pass = [&](long n) {
+    for (long k = 0; k < n; ++k) kernel_step(*r.motion.kernel, r.system, at_rest, r.motion.workspace, still);
+  };
+  const std::vector<double> seconds = race({advance, pass}, patience.turns, patience.seconds);
+  const double particles = double(r.system.particle.size()),
+               steps = double(r.state.steps) / double(intervals);
+  rows.push_back({"scenes", scene.name, r.system.particle.size(), r.motion.kernel->name,
+                  particles * steps / seconds[0] / 1e6, seconds[0] / q, "the simulated time"});
+  rows.push_back({"scenes", scene.name + ": its pass", r.system.particle.size(), r.motion.kernel->name,
+                  particles / seconds[1] / 1e6, seconds[1] * steps / seconds[0], "the step"});
+}
+std::vector<Row> scene_rows(const Patience& patience) {
+  std::vector<Row> rows;
+  for (const std::string& file : patience.scenes) scene_rows_add(file, patience, rows);
+  return rows;
+}
+
 // The full model by size, against 129 squared.
 std::vector<Row> scaling_rows(const Patience& patience) {
   std::vector<Ready> cloths;
@@ -145,6 +181,7 @@ const std::vector<Group>& groups() {
   static const std::vector<Group> kGroups = {
       {"kernel", "particle-steps per second by size, laws and instruction set", kernel_rows},
       {"threads", "what a second thread gains; not pinned", thread_rows},
+      {"scenes", "the scenes of --scene: time of a simulated second, share of the pass", scene_rows},
       {"bound", "the share of what the arithmetic ports could do", bound_rows},
       {"features", "what each feature costs", feature_rows},
       {"peers", "Drape's side of tests/bench/peers.py", peer_rows},

@@ -15,10 +15,11 @@ struct Row {
   std::string against;
 };
 
-// How long each figure is measured: `turns` times `seconds`.
+// How long each figure is measured: `turns` times `seconds`; and the scenes of the group of that name.
 struct Patience {
   int turns = 7;
   double seconds = 0.1;
+  std::vector<std::string> scenes;  // files
 };
 
 struct Group {

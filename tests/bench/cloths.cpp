@@ -66,13 +66,19 @@ Scene scene_of(const Features& features, int side) {
   return scene;
 }
 
-Ready ready(const Scene& scene, int threads) {
+Ready ready_at_start(const Scene& scene, int threads) {
   Ready r;
   std::vector<Problem> problems;
   r.system = system_assemble(scene, r.state, problems);
   for (const Problem& p : problems) throw std::runtime_error(problem_text(p));
   r.system.threads = threads;
   r.motion = motion_make(r.system);
+  leapfrog_begin(r.system, r.motion, r.state);
+  return r;
+}
+
+Ready ready(const Scene& scene, int threads) {
+  Ready r = ready_at_start(scene, threads);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> shift(-kCrumple * kCell, kCrumple * kCell);
   for (std::size_t n : r.system.particle)

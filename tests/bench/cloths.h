@@ -25,13 +25,16 @@ inline constexpr Features kFull{"full model", 16, true, true, 2};
 // About `side` squared particles in cells of 1 cm.
 Scene scene_of(const Features& features, int side);
 
-// Ready to step, a little crumpled.
+// Ready to step.
 struct Ready {
   System system;
   State state;
   Motion motion;
   double step = 0;  // s
 };
+Ready ready_at_start(const Scene& scene, int threads = 1);  // as the scene says; its step is automatic
+
+// A little crumpled, in steps of a fixed size.
 Ready ready(const Scene& scene, int threads = 1);
 
 }  // namespace drape::bench
