@@ -38,7 +38,7 @@ int run_bench(const Options& options) {
   if (!sound) return kBadInput;
   std::vector<bench::Row> rows;
   for (const bench::Group& group : bench::groups()) {
-    bool wanted = options.groups.empty();
+    bool wanted = options.groups.empty() && group.by_default;
     for (const std::string& name : options.groups) wanted = wanted || name == group.name;
     if (!wanted) continue;
     std::printf("%s: %s\n%-34s %9s  %-9s %9s  %s\n", group.name, group.description, "", "particles", "kernel",
@@ -60,7 +60,8 @@ void command_bench(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
   std::vector<std::string> names;
   for (const bench::Group& group : bench::groups()) names.push_back(group.name);
-  command->add_option("GROUP", options->groups, "groups to run; default: all")->check(CLI::IsMember(names));
+  command->add_option("GROUP", options->groups, "groups to run; default: all but threads and scenes")
+      ->check(CLI::IsMember(names));
   command->add_option("--csv", options->csv_file, "also writes the rows to a file")->type_name("FILE.csv");
   command->add_option("--scene", options->scenes, "of the group `scenes`; may be given again")
       ->type_name("SCENE");

@@ -122,10 +122,10 @@ drape_status instance_setup(Instance& s, double start_time, double stop_time) {
 }
 
 drape_status instance_exit_initialization(Instance& s) {
+  s.read = kNeedsNothing;
   const drape_status status = log_flush(s, drape_commit(s.cloth));
   if (status != DRAPE_OK) return status;
   s.phase = Phase::kStepComplete;
-  s.read = kNeedsNothing;
   if (s.filter.stability) {
     const char* set_by = "";
     const double limit = drape_step_limit(s.cloth, &set_by);

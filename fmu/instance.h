@@ -36,9 +36,9 @@ struct Instance {
   Phase phase = Phase::kInstantiated;
   double stop_time = std::numeric_limits<double>::infinity();  // infinity: none
   std::vector<std::unique_ptr<Saved>> saved;
-  const Saved* initial = nullptr;                 // one of them: the state to reset to
-  std::int64_t steps = 0;                         // that the master has made
-  unsigned read = kNeedsNothing;  // which of the outputs hold the present time
+  const Saved* initial = nullptr;  // one of them: the state to reset to
+  std::int64_t steps = 0;          // that the master has made
+  unsigned read = kNeedsNothing;   // which of the outputs hold the present time
   LogFn* log = nullptr;
   void* log_user = nullptr;
   LogFilter filter;

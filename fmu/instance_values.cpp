@@ -69,7 +69,10 @@ drape_status instance_set(Instance& s, const std::uint32_t* references, std::siz
       status = instance_refuse(s, DRAPE_DISCARD, problem);
   if (status != DRAPE_OK) return status;
   for (std::size_t i = 0; i < count; ++i) *s.table[references[i] - 1].value = values[i];
-  if (s.phase == Phase::kInstantiated || s.phase == Phase::kInitialization) drape_inputs_start(s.cloth);
+  if (s.phase == Phase::kInstantiated || s.phase == Phase::kInitialization) {
+    drape_inputs_start(s.cloth);
+    s.read = kNeedsNothing;
+  }
   return DRAPE_OK;
 }
 

@@ -40,8 +40,10 @@ std::string range_text(const Range& r) {
   if (!from && !to) return "any finite number";
   if (!to) return r.min_open ? "above " + decimal_text(r.min) : decimal_text(r.min) + " or more";
   if (!from) return r.max_open ? "below " + decimal_text(r.max) : decimal_text(r.max) + " or less";
-  return (r.min_open ? "above " : r.whole ? "a whole number from " : "") + decimal_text(r.min) + (r.max_open ? " to below " : " to ") +
-         decimal_text(r.max);
+  return (r.min_open ? "above "
+          : r.whole  ? "a whole number from "
+                     : "") +
+         decimal_text(r.min) + (r.max_open ? " to below " : " to ") + decimal_text(r.max);
 }
 
 std::string range_problem(const Variable& v, double value) {

@@ -26,7 +26,6 @@ inline constexpr int kCurveBins = 256;
 // rounded to the nearest.
 template <int kSize>
 struct CurveStart {
-  static constexpr int kBins = kSize;
   double low = 0, limit = std::numeric_limits<double>::infinity(), scale = 0, shift = 0;
   alignas(64) double end[kSize]{};          // the end in the bin, or what nothing reaches
   alignas(64) std::int64_t first[kSize]{};  // the segment that the bin begins in

@@ -12,6 +12,8 @@ struct Law {
   double damping = 0;                         // beta, s
 };
 
+inline bool law_bends(const Law& law) { return law.bending_warp > 0 || law.bending_weft > 0; }
+
 // The choices of a scene that shape every law.
 struct LawOptions {
   Scaling scaling = Scaling::kWidth;

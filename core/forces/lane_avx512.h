@@ -56,10 +56,11 @@ struct Avx512Lane {
   struct Places {
     __m512i v;
   };
-  // a, from 0 to 2^51, rounded to the nearest
+  // a, above -1/2 and below 2^51, rounded to the nearest whatever the processor's mode
   static DRAPE_INLINE Places places(Avx512Lane a) {
     constexpr double kWhole = 0x1.8p52;  // beyond it doubles have no fractions
-    return {_mm512_castpd_si512(_mm512_add_pd(a.v, _mm512_set1_pd(kWhole)))};
+    return {_mm512_castpd_si512(
+        _mm512_add_round_pd(a.v, _mm512_set1_pd(kWhole), _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC))};
   }
   // m ? a + 1 : a
   static DRAPE_INLINE Places next(Places a, Mask m) {

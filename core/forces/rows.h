@@ -9,7 +9,6 @@ namespace drape {
 
 struct ConstRow {
   const double *x, *y, *z;
-  DRAPE_INLINE ConstRow at(long offset) const { return {x + offset, y + offset, z + offset}; }
 };
 
 struct Row {

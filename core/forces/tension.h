@@ -124,16 +124,5 @@ struct CurveTension {
   }
 };
 
-// The same where the segments have been found before.
-template <class L>
-struct FoundTension {
-  const Curve* curve;
-  const double* const* rows;  // [kWidth] segments
-  DRAPE_INLINE L operator()(L e) const {
-    return segments_value(segments_load<L>(rows), strain_read(*curve, e));
-  }
-  DRAPE_INLINE L slope(L e) const { return segments_slope(segments_load<L>(rows), strain_read(*curve, e)); }
-};
-
 }  // namespace
 }  // namespace drape

@@ -52,10 +52,10 @@ int threads_wanted(const System& system) {
 
 Workspace workspace_make(const System& system, int threads) {
   Workspace w;
-  for (const Lattice& l : system.lattices) w.stride = std::max(w.stride, l.stride);
+  int longest = 0;
+  for (const Lattice& l : system.lattices) longest = std::max(longest, l.stride);
   w.threads.resize(std::size_t(threads));
-  for (ThreadRoom& room : w.threads)
-    room.rows.assign(kRowUnit + std::size_t(kScratchRows) * std::size_t(w.stride + kRowUnit), 0.0);
+  for (ThreadRoom& room : w.threads) room.rows.assign(std::size_t(kScratchRows) * std::size_t(longest), 0.0);
   blocks_share_out(system, w.threads);
   if (threads > 1) w.workers = workers_start(threads);
   for (Array* a : {&w.side_x, &w.side_y, &w.side_z}) a->assign(system.side.node.size(), 0.0);
@@ -72,7 +72,8 @@ void blocks_copy(const System& system, const State& s, Workspace& w) {
       const Lattice& l = system.lattices[std::size_t(block.lattice)];
       if (block.begin == 0 && block.end == l.rows) continue;
       block.copies.resize(4 * std::size_t(block_coordinates(s)) * std::size_t(l.stride));
-      for (int slot = 0; slot < 4; ++slot) {
+      const int deep = law_bends(l.law) ? 2 : 1;  // rows that the hinges of a row's neighbours reach
+      for (int slot = 2 - deep; slot < 2 + deep; ++slot) {
         const int j = slot < 2 ? block.begin - 2 + slot : block.end + slot - 2;
         if (j >= 0 && j < l.rows) row_copy(l, s, j, slot, block.copies);
       }

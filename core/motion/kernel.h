@@ -33,8 +33,7 @@ struct ThreadRoom {
 // Room of all threads, and the forces beside the rows; made once.
 struct Workspace {
   std::vector<ThreadRoom> threads;
-  WorkersHandle workers;  // of more threads than one
-  int stride = 0;
+  WorkersHandle workers;         // of more threads than one
   Array side_x, side_y, side_z;  // [slots] N
 };
 Workspace workspace_make(const System& system, int threads);

@@ -27,7 +27,7 @@
 namespace drape {
 namespace {
 
-// The scratch rows of a thread by their use. Each is preceded and followed by a register of zeros.
+// The scratch rows of a thread by their use.
 struct PassRows {
   double *weft, *warp[2];  // 1/l of links, for hinges
   PackedRow force[3];
@@ -39,7 +39,7 @@ struct ScratchRows {
   int stride;
   DRAPE_INLINE double* one() {
     double* row = next;
-    next += stride + kRowUnit;
+    next += stride;
     return row;
   }
   DRAPE_INLINE Row vector() {
@@ -48,7 +48,7 @@ struct ScratchRows {
   }
 };
 DRAPE_INLINE PassRows pass_rows(double* scratch, int stride) {
-  ScratchRows take{scratch + kRowUnit, stride};
+  ScratchRows take{scratch, stride};
   PassRows p;
   p.weft = take.one();
   for (double*& row : p.warp) row = take.one();
@@ -99,7 +99,7 @@ struct PassRun {
   DRAPE_INLINE std::size_t first(int j) const {
     return std::size_t(std::ptrdiff_t(l.first) + std::ptrdiff_t(j) * l.stride);
   }
-  // A row of three arrays, which are the copies' k-th to third from there.
+  // Row j of three arrays; of a neighbour from the copies, whose coordinates k to k + 2 they are.
   DRAPE_INLINE ConstRow row(const Array& x, const Array& y, const Array& z, int k, int j) const {
     if (mine(j) || j < 0 || j >= l.rows) return const_row(x, y, z, first(j));
     const int slot = j < block.begin ? j - block.begin + 2 : j - block.end + 2;
@@ -206,9 +206,7 @@ void pass_run(const PassRun& run) {
 // The loop for the laws of a lattice.
 template <class L, bool kRates, class Tension, int kFamilies, bool kDamped>
 void pass_bent(const PassRun& run) {
-  const Law& law = run.l.law;
-  if (law.bending_warp > 0 || law.bending_weft > 0)
-    pass_run<L, kRates, Tension, kFamilies, kDamped, true>(run);
+  if (law_bends(run.l.law)) pass_run<L, kRates, Tension, kFamilies, kDamped, true>(run);
   else pass_run<L, kRates, Tension, kFamilies, kDamped, false>(run);
 }
 template <class L, bool kRates, class Tension, int kFamilies>

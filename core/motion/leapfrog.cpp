@@ -303,7 +303,7 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
     s.tick = 0;
   }
   if (result == Advance::kDone && !all_finite(system, s)) result = Advance::kNotFinite;
-  if (result == Advance::kNotFinite) workspace_clear(motion.workspace);
+  if (result != Advance::kDone) workspace_clear(motion.workspace);
   return result;
 }
 

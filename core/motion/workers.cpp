@@ -1,6 +1,9 @@
 #include "motion/workers.h"
 
+#include <unistd.h>
+
 #include <atomic>
+#include <cfenv>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -13,13 +16,13 @@ namespace drape {
 namespace {
 
 #if defined(__SSE2__)
-void pause() { _mm_pause(); }
+void spin() { _mm_pause(); }
 unsigned rounding_read() { return _mm_getcsr(); }
 void rounding_write(unsigned mode) { _mm_setcsr(mode); }
 #else
-void pause() {}
-unsigned rounding_read() { return 0; }
-void rounding_write(unsigned) {}
+void spin() {}
+unsigned rounding_read() { return unsigned(std::fegetround()); }
+void rounding_write(unsigned mode) { std::fesetround(int(mode)); }
 #endif
 
 constexpr int kSpins = 2000, kYields = 100;
@@ -27,7 +30,7 @@ constexpr int kSpins = 2000, kYields = 100;
 // Until done(): spins, then lets others run; false when that did not help either.
 template <class Done>
 bool await(Done done, int yields) {
-  for (int k = 0; k < kSpins; ++k, pause())
+  for (int k = 0; k < kSpins; ++k, spin())
     if (done()) return true;
   for (int k = 0; yields < 0 || k < yields; ++k, std::this_thread::yield())
     if (done()) return true;
@@ -41,6 +44,7 @@ struct Workers {
   void (*task)(void*, int) = nullptr;  // null: the end
   void* context = nullptr;
   unsigned rounding = 0;
+  pid_t process = getpid();       // that the threads belong to: a fork has none of them
   std::atomic<unsigned> call{0};  // counts the tasks
   std::atomic<int> busy{0};
 };
@@ -76,6 +80,7 @@ WorkersHandle workers_start(int threads) {
 }
 
 void WorkersEnd::operator()(Workers* w) const {
+  if (getpid() != w->process) return;  // nobody to wait for; the room stays with the fork
   w->task = nullptr;
   workers_call(*w);
   for (std::thread& t : w->threads) t.join();
@@ -83,6 +88,10 @@ void WorkersEnd::operator()(Workers* w) const {
 }
 
 void workers_run(Workers& w, void (*task)(void*, int), void* context) {
+  if (getpid() != w.process) {
+    for (int k = 0; k <= int(w.threads.size()); ++k) task(context, k);
+    return;
+  }
   w.task = task;
   w.context = context;
   w.rounding = rounding_read();

@@ -1,7 +1,8 @@
 // Threads that share the work of a step.
 //
 // A step of a small cloth lasts microseconds, so between two of them a worker spins; after some tens of
-// microseconds it gives way to others, and sleeps until it is called.
+// microseconds it gives way to others, and sleeps until it is called. In a fork of the process, where there
+// are no workers, the caller does all.
 #pragma once
 #include <memory>
 

@@ -28,8 +28,8 @@ void parameters_make(Parameters& parameters, const Scene& scene, double step_max
 ParameterValues parameters_read(const Parameters& parameters);
 void parameters_write(Parameters& parameters, const ParameterValues& values);
 
-// True where two sets of values move the cloth otherwise: they differ in more than parameter_ramp, threads and
-// friction, which nothing meets yet.
+// True where two sets of values move the cloth otherwise: they differ in more than parameter_ramp, threads
+// and friction, which nothing meets yet.
 bool parameters_move_otherwise(const Parameters& parameters, const ParameterValues& a,
                                const ParameterValues& b);
 

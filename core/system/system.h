@@ -73,7 +73,7 @@ struct System {
   double damping = 0;           // c, 1/s
   Vec3 gravity{0, 0, 0};        // m/s^2
   Air air;
-  int threads = 1;        // that share a step, at most
+  int threads = 1;      // that share a step, at most
   bool energy = false;  // the balance is kept
   bool fit = false;     // mode "fit"
   LawOptions options;

@@ -26,6 +26,7 @@ struct Group {
   const char* name;
   const char* description;
   std::vector<Row> (*rows)(const Patience&);
+  bool by_default = true;  // false: runs when it is named
 };
 const std::vector<Group>& groups();
 

@@ -12,6 +12,7 @@ namespace drape::bench {
 //     lengths, and their inverses two at a time: 1/l0 = l1/(l0 l1)     sqrt 4, division 2, fma 6
 //     strain, law, width and inverse, one product each                              fma 16
 //     pulls 12; added up at both ends of 4 links, but the first           fma 12,   add 21
+//   loads: place and velocity of the particle, its mass and share; shares of hinges              load 8 + 2
 //   motion: F/m + g, v, r, by coordinate                                            fma 9
 //   hinges, 2: units of 2 links                                                     fma 6
 //     cosine 3, series 15, moment and arms 4; forces on two ends 6 + 6        2 x   fma 34

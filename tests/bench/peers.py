@@ -565,9 +565,9 @@ def main():
             print("{laws:20} drape {drape:7.1f}   {peer:26} {peer_rate:7.2f} million/s   {ratio:6.1f} x".format(**rows[-1]))
     if options.csv:
         with open(options.csv, "w", newline="") as file:
-            table = csv.DictWriter(file, rows[0].keys())
+            table = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
             table.writeheader()
-            table.writerows(rows)
+            table.writerows([{k: f"{v:.6g}" if isinstance(v, float) else v for k, v in row.items()} for row in rows])
 
 
 if __name__ == "__main__":

@@ -1,7 +1,6 @@
 // Throughput of a lane's operations: independent ones in a row, as many as hide their latency; the best of
 // many short runs.
 #pragma once
-#include <algorithm>
 #include <chrono>
 
 #include "bench/ports.h"
@@ -21,12 +20,13 @@ double seconds_per_op(Op op) {
     L chain[kChains];
     for (L& a : chain) a = L(1.5);
     const Clock::time_point start = Clock::now();
-    std::fill_n(numbers, kChains * L::kWidth, 1.5);
+    for (double& x : numbers) x = 1.5;
     for (int round = 0; round < kRounds; ++round)
       for (int k = 0; k < kChains; ++k) chain[k] = kept(op(chain[k], numbers + k * L::kWidth));
     for (int k = 0; k < kChains; ++k) L::store(numbers + k * L::kWidth, chain[k]);
     asm volatile("" : : "r"(numbers) : "memory");  // somebody may look at them
-    best = std::min(best, std::chrono::duration<double>(Clock::now() - start).count());
+    const double spent = std::chrono::duration<double>(Clock::now() - start).count();
+    if (spent < best) best = spent;
   }
   return best / (kRounds * kChains);
 }

@@ -13,7 +13,7 @@ def run(*arguments):
 
 def test_whole(tmp_path):
     run(BENCH / "whole.py", "--quick", "--csv", tmp_path / "whole.csv")
-    assert (tmp_path / "whole.csv").read_text().count("\n") == 7
+    assert (tmp_path / "whole.csv").read_text().count("\n") == 8
 
 
 def test_scenes(drape, tmp_path):

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cfenv>
 #include <cmath>
 #include <cstdio>
 
@@ -39,9 +40,11 @@ Assembled cloth_of(const char* kernel, int threads) {
   return a;
 }
 
-Eigen::VectorXd moved(const char* kernel, int threads) {
+Eigen::VectorXd moved(const char* kernel, int threads, int rounding = FE_TONEAREST) {
   Assembled a = cloth_of(kernel, threads);
+  std::fesetround(rounding);
   for (int k = 0; k < kSteps; ++k) leapfrog_step(a.system, a.motion, a.state, kStep);
+  std::fesetround(FE_TONEAREST);
   return positions(a);
 }
 
@@ -59,6 +62,21 @@ TEST(Golden, one_hash_for_all_fused_kernels_and_threads) {
       EXPECT_EQ(hash(moved(kernel, threads)), kGolden) << kernel << ", " << threads << " threads";
   }
   if (!seen) GTEST_SKIP() << "this processor has no AVX2 with FMA";
+}
+
+// A master may have set another rounding: every lane and thread follows it alike.
+TEST(Golden, lanes_and_threads_round_alike_in_every_mode) {
+  if (!kernel_named("scalar")) GTEST_SKIP() << "this processor has no AVX2 with FMA";
+  const std::uint64_t nearest = hash(moved("scalar", 1));
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    const std::uint64_t expected = hash(moved("scalar", 1, mode));
+    EXPECT_NE(expected, nearest);
+    for (const char* kernel : {"avx2", "avx512"}) {
+      if (!kernel_named(kernel)) continue;
+      for (int threads : {1, 3})
+        EXPECT_EQ(hash(moved(kernel, threads, mode)), expected) << kernel << ", mode " << mode;
+    }
+  }
 }
 
 // Each step rounds coordinates of 0.1 m, 1e-17 m, and the laws some ten times as much; 200 steps of the

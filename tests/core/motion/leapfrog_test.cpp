@@ -242,8 +242,6 @@ TEST(Leapfrog, GivesTheSameBitsHoweverAMasterGroupsItsSteps) {
   }
 }
 
-// The mean force of a pin times the time is the momentum that gravity brought in less what the cloth still
-// has.
 // A run that leaves the finite numbers leaves nothing behind in the room it works in: brought back to the
 // state before, the cloth goes on as if nothing had been. A disc, whose rows reach differently far.
 TEST(Leapfrog, GoesOnFromAGoodStateAfterABadOne) {
@@ -267,6 +265,8 @@ TEST(Leapfrog, GoesOnFromAGoodStateAfterABadOne) {
   }
 }
 
+// The mean force of a pin times the time is the momentum that gravity brought in less what the cloth still
+// has.
 TEST(Leapfrog, PinsTakeOutExactlyTheMomentumThatIsMissing) {
   // 0.05 m: corners on nodes; 0.044 m: one corner inside a cut cell, a row on two nodes.
   for (const auto& [integrator, width] : {std::pair{Integrator::kLeapfrog, 0.05},
