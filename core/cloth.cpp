@@ -189,12 +189,12 @@ drape_status drape_advance(drape_cloth* c, double length) {
 int drape_stuck(const drape_cloth* c) { return c->stuck; }
 
 const drape_outputs* drape_outputs_at(drape_cloth* c, int want_nodes) {
-  outputs_fill(c->outputs, c->system, c->motion, c->state, want_nodes != 0);
-  return &c->outputs.shown;
+  const int nodes = want_nodes ? DRAPE_NODE_PLACES | DRAPE_NODE_MOTION : 0;
+  return drape_outputs_of(c, DRAPE_PLACES | DRAPE_MOTION | DRAPE_STRAIN | DRAPE_ENERGY | nodes);
 }
 
-const drape_outputs* drape_places_at(drape_cloth* c) {
-  outputs_places(c->outputs, c->system, c->state);
+const drape_outputs* drape_outputs_of(drape_cloth* c, int what) {
+  outputs_fill(c->outputs, c->system, c->motion, c->state, what);
   return &c->outputs.shown;
 }
 

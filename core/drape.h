@@ -197,8 +197,17 @@ int drape_stuck(const drape_cloth*);
  * arrays keep their addresses for the cloth's life). `want_nodes` != 0 fills the node arrays too. Reading
  * never changes the motion. */
 const drape_outputs* drape_outputs_at(drape_cloth*, int want_nodes);
-/* The same, but only the positions of probes and nodes are of the present time: costs next to nothing. */
-const drape_outputs* drape_places_at(drape_cloth*);
+/* The same of some of them; the rest stays what it was. Motion and energy need the forces of the present
+ * time, about a step's work; places cost next to nothing. */
+enum {
+  DRAPE_PLACES = 1, /* of probes */
+  DRAPE_MOTION = 2, /* velocities of probes, loads of pins */
+  DRAPE_STRAIN = 4, /* strains, tension, the step, how a fit stands */
+  DRAPE_ENERGY = 8,
+  DRAPE_NODE_PLACES = 16,
+  DRAPE_NODE_MOTION = 32
+};
+const drape_outputs* drape_outputs_of(drape_cloth*, int what);
 
 /* The step limit at the present state, without the safety factor (s), and the name of the link that sets it.
  */

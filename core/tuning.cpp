@@ -118,7 +118,7 @@ bool parameters_try(drape_cloth& c, const ParameterValues& before, std::vector<P
 // The error of the energy balance. What a change of the system adds to it is the work of the change.
 double balance_error(drape_cloth& c) {
   if (!c.system.energy || c.state.steps == 0) return 0;
-  outputs_fill(c.outputs, c.system, c.motion, c.state, false);
+  outputs_fill(c.outputs, c.system, c.motion, c.state, DRAPE_ENERGY);
   return c.outputs.shown.energy.balance_error;
 }
 

@@ -117,12 +117,12 @@ drape_status instance_setup(Instance& s, double start_time, double stop_time) {
                                " s; allowed: above the start time, " + decimal_text(start_time) + " s");
   const drape_status status = log_flush(s, drape_start(s.cloth, start_time));
   if (status == DRAPE_OK) s.stop_time = stop_time;
-  s.read = kNeedsNothing;
+  s.read = 0;
   return status;
 }
 
 drape_status instance_exit_initialization(Instance& s) {
-  s.read = kNeedsNothing;
+  s.read = 0;
   const drape_status status = log_flush(s, drape_commit(s.cloth));
   if (status != DRAPE_OK) return status;
   s.phase = Phase::kStepComplete;
@@ -141,7 +141,7 @@ drape_status instance_step(Instance& s, double time, double length) {
   const drape_status status = log_flush(s, drape_advance(s.cloth, length));
   if (status == DRAPE_ERROR) s.phase = Phase::kError;
   if (status == DRAPE_OK) ++s.steps;
-  s.read = kNeedsNothing;
+  s.read = 0;
   return status;
 }
 

@@ -15,7 +15,7 @@ void restore_from(Instance& s, const Saved& saved) {
   drape_restore(s.cloth, saved.cloth);
   s.phase = saved.phase;
   s.stop_time = saved.stop_time;
-  s.read = kNeedsNothing;
+  s.read = 0;
 }
 
 auto find_saved(Instance& s, const Saved* saved) {

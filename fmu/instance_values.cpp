@@ -40,23 +40,17 @@ std::string rate_problem(const Instance& s, std::uint32_t reference, int order, 
          "; allowed: any finite number";
 }
 
-void outputs_read(Instance& s, unsigned missing) {
-  if (missing & (kNeedsSummary | kNeedsNodes)) drape_outputs_at(s.cloth, (missing & kNeedsNodes) != 0);
-  if (missing & kNeedsNodes) missing = kNeedsPlaces | kNeedsSummary | kNeedsNodes;
-  else if (missing & kNeedsPlaces) drape_places_at(s.cloth);
-  s.read |= missing;
-}
-
 }  // namespace
 
 drape_status instance_get(Instance& s, const std::uint32_t* references, std::size_t count, double* values) {
-  unsigned needs = kNeedsNothing;
+  int needs = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const Variable* v = row_of(s, references[i]);
     if (!v) return instance_refuse(s, DRAPE_DISCARD, no_row(s, references[i]));
     needs |= v->needs;
   }
-  outputs_read(s, needs & ~s.read);
+  if (const int missing = needs & ~s.read) drape_outputs_of(s.cloth, missing);
+  s.read |= needs;
   for (std::size_t i = 0; i < count; ++i) values[i] = *s.table[references[i] - 1].value;
   return DRAPE_OK;
 }
@@ -71,7 +65,7 @@ drape_status instance_set(Instance& s, const std::uint32_t* references, std::siz
   for (std::size_t i = 0; i < count; ++i) *s.table[references[i] - 1].value = values[i];
   if (s.phase == Phase::kInstantiated || s.phase == Phase::kInitialization) {
     drape_inputs_start(s.cloth);
-    s.read = kNeedsNothing;
+    s.read = 0;
   }
   return DRAPE_OK;
 }

@@ -17,6 +17,7 @@ struct Row {
   Variability variability;
   const char* unit;
   Range range;
+  int needs = 0;
 };
 
 constexpr Range kAny{};
@@ -31,15 +32,17 @@ constexpr Row fixed(const Quantity& l) {
 constexpr Row input(const Quantity& l) {
   return {Causality::kInput, Variability::kContinuous, l.unit, range_of(l)};
 }
-constexpr Row output(const char* unit) { return {Causality::kOutput, Variability::kContinuous, unit, kAny}; }
-constexpr Row output_discrete(const char* unit) {
-  return {Causality::kOutput, Variability::kDiscrete, unit, kAny};
+constexpr Row output(int needs, const char* unit) {
+  return {Causality::kOutput, Variability::kContinuous, unit, kAny, needs};
+}
+constexpr Row output_discrete(int needs, const char* unit) {
+  return {Causality::kOutput, Variability::kDiscrete, unit, kAny, needs};
 }
 
 void add(Table& table, const std::string& name, double* value, const Row& row,
          const std::string& description) {
   table.push_back({name, "", description, "", row.causality, row.variability, row.unit, row.range, value,
-                   nullptr, row.causality == Causality::kOutput ? kNeedsSummary : kNeedsNothing});
+                   nullptr, row.needs});
 }
 
 // name[1] to name[3], along x, y and z.
@@ -75,9 +78,11 @@ void add_diagram(Table& table, const std::string& name, const drape_diagram& dia
 }
 
 void add_strain(Table& table, const std::string& name, drape_strain& strain, const std::string& direction) {
-  add(table, name + ".min", &strain.min, output("1"), "smallest strain of the cloth " + direction);
-  add(table, name + ".max", &strain.max, output("1"), "largest strain of the cloth " + direction);
-  add(table, name + ".mean", &strain.mean, output("1"),
+  add(table, name + ".min", &strain.min, output(DRAPE_STRAIN, "1"),
+      "smallest strain of the cloth " + direction);
+  add(table, name + ".max", &strain.max, output(DRAPE_STRAIN, "1"),
+      "largest strain of the cloth " + direction);
+  add(table, name + ".mean", &strain.mean, output(DRAPE_STRAIN, "1"),
       "mean strain of the cloth " + direction + ", weighted by area");
 }
 
@@ -153,41 +158,45 @@ void add_inputs(Table& table, drape_inputs& u, drape_inputs& rates) {
 void add_outputs(Table& table, drape_outputs& o) {
   for (int i = 0; i < o.probe_count; ++i) {
     const std::string name = "probe." + name_part(o.probe[i].name);
-    add_vector(table, name + ".position", o.probe[i].position, output("m"), "where the probe is");
-    for (auto v = table.end() - 3; v != table.end(); ++v) v->needs = kNeedsPlaces;
-    add_vector(table, name + ".velocity", o.probe[i].velocity, output("m/s"), "how fast the probe moves");
+    add_vector(table, name + ".position", o.probe[i].position, output(DRAPE_PLACES, "m"),
+               "where the probe is");
+    add_vector(table, name + ".velocity", o.probe[i].velocity, output(DRAPE_MOTION, "m/s"),
+               "how fast the probe moves");
   }
   for (int i = 0; i < o.pin_count; ++i) {
     const std::string name = "pin." + name_part(o.pin[i].name);
-    add_vector(table, name + ".force", o.pin[i].force, output("N"),
+    add_vector(table, name + ".force", o.pin[i].force, output(DRAPE_MOTION, "N"),
                "mean force of the cloth on the pin over the last communication step");
-    add_vector(table, name + ".torque", o.pin[i].torque, output("N.m"),
+    add_vector(table, name + ".torque", o.pin[i].torque, output(DRAPE_MOTION, "N.m"),
                "mean torque of the cloth on the pin likewise, about the pin's position");
   }
   add_strain(table, "strain.warp", o.strain_warp, "along the warp");
   add_strain(table, "strain.weft", o.strain_weft, "along the weft");
   add_strain(table, "strain.bias", o.strain_bias, "along the diagonals");
-  add(table, "tension.max", &o.tension_max, output("N/m"), "largest tension per width");
-  add(table, "strain.beyond_test.count", &o.strain_beyond_test_count, output_discrete("1"),
+  add(table, "tension.max", &o.tension_max, output(DRAPE_STRAIN, "N/m"), "largest tension per width");
+  add(table, "strain.beyond_test.count", &o.strain_beyond_test_count, output_discrete(DRAPE_STRAIN, "1"),
       "links strained beyond the last point of their diagram");
-  add(table, "step.size", &o.step_size, output_discrete("s"), "present time step");
-  add(table, "step.count", &o.step_count, output_discrete("1"), "time steps since the start");
-  add(table, "step.stability", &o.step_stability, output("1"), "h omega_max/2: the motion is stable below 1");
+  add(table, "step.size", &o.step_size, output_discrete(DRAPE_STRAIN, "s"), "present time step");
+  add(table, "step.count", &o.step_count, output_discrete(DRAPE_STRAIN, "1"), "time steps since the start");
+  add(table, "step.stability", &o.step_stability, output(DRAPE_STRAIN, "1"),
+      "h omega_max/2: the motion is stable below 1");
   if (o.has_fit)
-    add(table, "fit.residual", &o.fit_residual, output("1"),
+    add(table, "fit.residual", &o.fit_residual, output(DRAPE_STRAIN, "1"),
         "largest force left on a particle over the larger of total weight and total pin force");
   if (!o.has_energy) return;
-  add(table, "energy.kinetic", &o.energy.kinetic, output("J"), "energy of motion");
-  add(table, "energy.stretch", &o.energy.stretch, output("J"),
+  add(table, "energy.kinetic", &o.energy.kinetic, output(DRAPE_ENERGY, "J"), "energy of motion");
+  add(table, "energy.stretch", &o.energy.stretch, output(DRAPE_ENERGY, "J"),
       "energy of the threads in tension and compression");
-  add(table, "energy.shear", &o.energy.shear, output("J"), "energy of the diagonals");
-  add(table, "energy.bending", &o.energy.bending, output("J"), "energy of the hinges");
-  add(table, "energy.gravity", &o.energy.gravity, output("J"), "potential energy of the weight");
+  add(table, "energy.shear", &o.energy.shear, output(DRAPE_ENERGY, "J"), "energy of the diagonals");
+  add(table, "energy.bending", &o.energy.bending, output(DRAPE_ENERGY, "J"), "energy of the hinges");
+  add(table, "energy.gravity", &o.energy.gravity, output(DRAPE_ENERGY, "J"),
+      "potential energy of the weight");
   if (!o.has_balance) return;
-  add(table, "energy.dissipated", &o.energy.dissipated, output("J"),
+  add(table, "energy.dissipated", &o.energy.dissipated, output(DRAPE_ENERGY, "J"),
       "energy that damping and air have taken");
-  add(table, "energy.input", &o.energy.input, output("J"), "work of pins, wind and tuning on the cloth");
-  add(table, "energy.balance_error", &o.energy.balance_error, output("J"),
+  add(table, "energy.input", &o.energy.input, output(DRAPE_ENERGY, "J"),
+      "work of pins, wind and tuning on the cloth");
+  add(table, "energy.balance_error", &o.energy.balance_error, output(DRAPE_ENERGY, "J"),
       "growth of all energies since the start, minus input, plus dissipated");
 }
 
@@ -210,13 +219,12 @@ std::vector<int> nodes_wanted(const drape_cloth* cloth, Nodes nodes, int node_co
 }
 
 void add_nodes(Table& table, const std::vector<int>& wanted, const char* name, double* value,
-               const char* unit, Needs needs, const char* description) {
+               const char* unit, int needs, const char* description) {
   for (const int n : wanted)
     for (int k = 0; k < 3; ++k) {
-      add(table, name, value + 3 * std::size_t(n) + k, output(unit), description);
+      add(table, name, value + 3 * std::size_t(n) + k, output(needs, unit), description);
       table.back().index = "[" + std::to_string(n + 1) + "," + std::to_string(k + 1) + "]";
       table.back().detail = "particle " + std::to_string(n + 1) + ", " + "xyz"[k];
-      table.back().needs = needs;
     }
 }
 
@@ -231,8 +239,9 @@ std::vector<Variable> variables_of(drape_cloth* cloth, Nodes nodes) {
   add_inputs(table, *drape_inputs_of(cloth), *drape_input_rates_of(cloth));
   add_outputs(table, outputs);
   const std::vector<int> wanted = nodes_wanted(cloth, nodes, outputs.node_count);
-  add_nodes(table, wanted, "node.position", outputs.node_position, "m", kNeedsPlaces, "where a particle is");
-  add_nodes(table, wanted, "node.velocity", outputs.node_velocity, "m/s", kNeedsNodes,
+  add_nodes(table, wanted, "node.position", outputs.node_position, "m", DRAPE_NODE_PLACES,
+            "where a particle is");
+  add_nodes(table, wanted, "node.velocity", outputs.node_velocity, "m/s", DRAPE_NODE_MOTION,
             "how fast a particle moves");
   return table;
 }

@@ -18,14 +18,6 @@ enum class Variability { kFixed, kTunable, kDiscrete, kContinuous };
 enum class Nodes { kNone, kOutline, kAll };
 inline constexpr const char* kNodesNames[] = {"none", "outline", "all"};
 
-// What of a cloth's outputs must be filled before a variable is read; bits.
-enum Needs : unsigned {
-  kNeedsNothing = 0,
-  kNeedsPlaces = 1,   // drape_places_at
-  kNeedsSummary = 2,  // drape_outputs_at
-  kNeedsNodes = 4     // drape_outputs_at with nodes
-};
-
 // Finite numbers from min to max; an open end is itself not allowed.
 struct Range {
   double min = -std::numeric_limits<double>::infinity(), max = std::numeric_limits<double>::infinity();
@@ -44,7 +36,7 @@ struct Variable {
   Range range;
   double* value;  // in the cloth's drape_parameters, drape_inputs or drape_outputs
   double* rate;   // of an input: its time derivative, in the cloth's input rates; else null
-  unsigned needs;
+  int needs;      // of an output: what drape_outputs_of must have filled, bits; else 0
 
   std::string name() const { return family + index; }
 };

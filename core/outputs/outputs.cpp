@@ -47,6 +47,19 @@ void nodes_fill(std::vector<double>& to, const System& system, const Array& x, c
   }
 }
 
+void summary_fill(Outputs& o, const System& system, const State& s) {
+  const StrainSummary strain = strain_summary(system, s);
+  o.shown.strain_warp = strain.warp;
+  o.shown.strain_weft = strain.weft;
+  o.shown.strain_bias = strain.bias;
+  o.shown.tension_max = strain.tension_max;
+  o.shown.strain_beyond_test_count = strain.beyond_test_count;
+  o.shown.step_size = s.h_old > 0 ? s.h_old : system.communication / double(s.subs);
+  o.shown.step_count = double(s.steps);
+  o.shown.step_stability = o.shown.step_size * std::sqrt(s.omega2) / 2;
+  o.shown.fit_residual = s.fit.residual;
+}
+
 void energy_fill(Outputs& o, const System& system, Motion& motion, const State& s) {
   drape_energy& e = o.shown.energy;
   e = energy_potential(system, s);
@@ -78,30 +91,18 @@ void outputs_make(Outputs& o, const Scene& scene, const System& system) {
   o.shown.node_velocity = o.node_velocity.data();
 }
 
-void outputs_places(Outputs& o, const System& system, const State& s) {
-  probes_fill(o, system, &drape_probe::position, s.x, s.y, s.z);
-  nodes_fill(o.node_position, system, s.x, s.y, s.z);
-}
-
-void outputs_fill(Outputs& o, const System& system, Motion& motion, const State& s, bool nodes) {
-  leapfrog_synchronous(system, motion, s, o.vx.data(), o.vy.data(), o.vz.data(), o.pin_load);
-  probes_fill(o, system, &drape_probe::position, s.x, s.y, s.z);
-  probes_fill(o, system, &drape_probe::velocity, o.vx, o.vy, o.vz);
-  pins_fill(o, system, s);
-  const StrainSummary strain = strain_summary(system, s);
-  o.shown.strain_warp = strain.warp;
-  o.shown.strain_weft = strain.weft;
-  o.shown.strain_bias = strain.bias;
-  o.shown.tension_max = strain.tension_max;
-  o.shown.strain_beyond_test_count = strain.beyond_test_count;
-  o.shown.step_size = s.h_old > 0 ? s.h_old : system.communication / double(s.subs);
-  o.shown.step_count = double(s.steps);
-  o.shown.step_stability = o.shown.step_size * std::sqrt(s.omega2) / 2;
-  o.shown.fit_residual = s.fit.residual;
-  if (o.shown.has_energy) energy_fill(o, system, motion, s);
-  if (!nodes) return;
-  nodes_fill(o.node_position, system, s.x, s.y, s.z);
-  nodes_fill(o.node_velocity, system, o.vx, o.vy, o.vz);
+void outputs_fill(Outputs& o, const System& system, Motion& motion, const State& s, int what) {
+  if (what & (DRAPE_MOTION | DRAPE_ENERGY | DRAPE_NODE_MOTION))
+    leapfrog_synchronous(system, motion, s, o.vx.data(), o.vy.data(), o.vz.data(), o.pin_load);
+  if (what & DRAPE_PLACES) probes_fill(o, system, &drape_probe::position, s.x, s.y, s.z);
+  if (what & DRAPE_MOTION) {
+    probes_fill(o, system, &drape_probe::velocity, o.vx, o.vy, o.vz);
+    pins_fill(o, system, s);
+  }
+  if (what & DRAPE_STRAIN) summary_fill(o, system, s);
+  if ((what & DRAPE_ENERGY) && o.shown.has_energy) energy_fill(o, system, motion, s);
+  if (what & DRAPE_NODE_PLACES) nodes_fill(o.node_position, system, s.x, s.y, s.z);
+  if (what & DRAPE_NODE_MOTION) nodes_fill(o.node_velocity, system, o.vx, o.vy, o.vz);
 }
 
 }  // namespace drape

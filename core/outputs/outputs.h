@@ -19,10 +19,7 @@ struct Outputs {
 // Room and names; the scene's names must outlive the result, which must not move afterwards.
 void outputs_make(Outputs& outputs, const Scene& scene, const System& system);
 
-// The positions of probes and nodes.
-void outputs_places(Outputs& outputs, const System& system, const State& state);
-
-// All; of the nodes only where wanted.
-void outputs_fill(Outputs& outputs, const System& system, Motion& motion, const State& state, bool nodes);
+// What is wanted of them: bits DRAPE_PLACES and so on.
+void outputs_fill(Outputs& outputs, const System& system, Motion& motion, const State& state, int what);
 
 }  // namespace drape

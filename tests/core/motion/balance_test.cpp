@@ -30,7 +30,7 @@ drape_energy energy_after(const Scene& scene, double h, int steps) {
   for (int k = 0; k < steps; ++k) leapfrog_step(a.system, a.motion, a.state, h);
   Outputs o;
   outputs_make(o, a.scene, a.system);
-  outputs_fill(o, a.system, a.motion, a.state, false);
+  outputs_fill(o, a.system, a.motion, a.state, DRAPE_ENERGY);
   return o.shown.energy;
 }
 
