@@ -133,6 +133,11 @@ void start_set(const Curve& c, CurveStart<kSize>& s) {
   }
 }
 
+void starts_set(Curve& c) {
+  start_set(c, c.start8);
+  start_set(c, c.start16);
+}
+
 }  // namespace
 
 Curve curve_make(const std::vector<double>& e, const std::vector<double>& f, const Continuation& below) {
@@ -153,8 +158,7 @@ Curve curve_make(const std::vector<double>& e, const std::vector<double>& f, con
       std::all_of(s.begin(), s.end(), [&](double v) { return std::abs(v - s[0]) <= 1e-14 * std::abs(s[0]); });
   if (straight && (below.odd || r == 1)) {
     line_add(c, 0, 0, 0, k[0]);
-    start_set(c, c.start8);
-    start_set(c, c.start16);
+    starts_set(c);
     return c;
   }
   if (!below.odd && r != 1) {
@@ -169,8 +173,7 @@ Curve curve_make(const std::vector<double>& e, const std::vector<double>& f, con
   line_add(c, e.back(), e.back(), f.back(), k.back());
   energies_set(c, zero);
   bins_set(c);
-  start_set(c, c.start8);
-  start_set(c, c.start16);
+  starts_set(c);
   return c;
 }
 

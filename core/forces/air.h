@@ -42,7 +42,7 @@ DRAPE_INLINE void air_cells(Columns reach, const Air& air, const Vec3& wind, Con
                             PackedRow force_above) {
   Vec<L> before{L(0.0), L(0.0), L(0.0)};
   for (int i = reach.begin; i < reach.end; i += L::kWidth) {
-    const int beyond = i + L::kWidth < reach.end ? i + L::kWidth : i;
+    const int beyond = lane_after<L>(i, reach.end);
     const auto right = [&](ConstRow row) DRAPE_INLINE_LAMBDA {
       return ahead(vec_load<L>(row, i), vec_load<L>(row, beyond));
     };

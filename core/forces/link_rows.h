@@ -18,6 +18,7 @@ namespace {
 // Where the ends of a link are in one place, as some that are left out by the outline, it has no direction:
 // the root of kTiny (m^2), which adds nothing to any other length, keeps its numbers finite.
 inline constexpr double kTiny = 1e-200;
+
 template <class L>
 struct LinkLane {
   L inverse;  // 1/m

@@ -65,6 +65,12 @@ DRAPE_INLINE Vec<L> ahead(Vec<L> a, Vec<L> b) {
   return {ahead(a.x, b.x), ahead(a.y, b.y), ahead(a.z, b.z)};
 }
 
+// The lane to the right of that at i; at the end of a row the same again, of which nothing is asked.
+template <class L>
+DRAPE_INLINE int lane_after(int i, int end) {
+  return i + L::kWidth < end ? i + L::kWidth : i;
+}
+
 // x, y and z of kRowUnit nodes one after another: one address for three coordinates.
 struct PackedRow {
   double* p;

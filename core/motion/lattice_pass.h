@@ -136,14 +136,14 @@ DRAPE_INLINE void slab_hinges(const PassRun& run, const SlabRows& in, int j) {
   AnySink<L, kRates> sink{MoveLanes<L>(run.c), run.move(j - 1)};
   const int begin = in.reach.begin, end = in.reach.end;
   const auto weft_link = [&](int i) DRAPE_INLINE_LAMBDA {
-    const int beyond = i + L::kWidth < end ? i + L::kWidth : i;
+    const int beyond = lane_after<L>(i, end);
     const Vec<L> at = vec_load<L>(in.here, i);
     return hinge_link(at, ahead(at, vec_load<L>(in.here, beyond)), L::load(p.weft + i));
   };
   const Vec<L> none{L(0.0), L(0.0), L(0.0)};
   WeftHinges<L> weft{weft_link(begin), none, none};
   for (int i = begin; i < end; i += L::kWidth) {
-    const int next = i + L::kWidth < end ? i + L::kWidth : i;
+    const int next = lane_after<L>(i, end);
     const Vec<L> along =
         bending_weft(weft_link(next), L(law.bending_weft) * L::loadu(in.hinge_weft + i + 1), weft);
     const Vec<L> at = vec_load<L>(in.here, i);

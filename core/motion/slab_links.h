@@ -27,7 +27,7 @@ struct SlabRows {
 // above. The last node of the reach begins no link: what lies beyond it is not looked at.
 template <class L, int kFamilies>
 DRAPE_INLINE void slab_edges(const double* here, const double* above, int end, int i, L* edge) {
-  const int beyond = i + L::kWidth < end ? i + L::kWidth : i;
+  const int beyond = lane_after<L>(i, end);
   const L a = kept(L::load(here + i)), b = ahead(a, L::load(here + beyond)), c = kept(L::load(above + i));
   stretch_edges(a, b, c, edge);
   if constexpr (kFamilies == 4) shear_edges(a, b, c, ahead(c, L::load(above + beyond)), edge + kRising);
@@ -119,9 +119,8 @@ struct SlabStages {
   }
 };
 
-// `force` holds minus the sums of row j so far; the sink takes the whole ones, and
-// minus those of row j + 1 go to `force_above`. 1/l of the links along the threads is kept for
-// hinges, where there is room.
+// `force` holds minus the sums of row j so far; the sink takes the whole ones, and minus those of row j + 1
+// go to `force_above`. 1/l of the links along the threads is kept for hinges, where there is room.
 template <class L, class Tension, int kFamilies, bool kDamped, class Sink>
 DRAPE_INLINE void slab_links(const Lattice& l, const SlabRows& in, PackedRow force, PackedRow force_above,
                              double* inverse_weft, double* inverse_warp, Sink sink) {
