@@ -105,12 +105,15 @@ struct SlabStages {
     Pulls to;
     for (int q = 0; q < kFamilies; ++q) {
       const LinkLane<L>& link = from.link[q];
+      // Nodes that the outline leaves out stay behind a cloth that moves: their links would look far beyond
+      // the tables' start.
+      const L strain = Tension::kTable ? select(gt(w[q], L(0.0)), link.strain, L(0.0)) : link.strain;
       L tense;
       if constexpr (kDamped) {
         const L rate = from.along[q] * (link.inverse * (q < kRising ? inverse_rest : inverse_diagonal));
-        tense = damped_tension(tension(q), link.strain, rate, damping);
+        tense = damped_tension(tension(q), strain, rate, damping);
       } else {
-        tense = tension(q)(link.strain);
+        tense = tension(q)(strain);
       }
       to.scale[q] = link.inverse * (w[q] * tense);
     }
