@@ -48,7 +48,6 @@ void cloth_assemble(drape_cloth& c, std::vector<Problem>& problems) {
   tuning_begin(c);
   inputs_make(c);
   outputs_make(c.outputs, c.scene, c.system);
-  pieces_describe(c);
 }
 
 // Where a run left the finite numbers, and the likely reason.

@@ -41,7 +41,7 @@ struct drape_cloth {
     int cut = 0, merged = 0, twins = 0;
     double area = 0;
   };
-  std::vector<Piece> pieces;
+  std::vector<Piece> pieces;  // empty until one is asked for
   std::string limit_link;
   bool stuck = false;  // the last advance met a step limit below the given step
 };

@@ -56,7 +56,8 @@ void pieces_describe(drape_cloth& c) {
 
 int drape_piece_count(const drape_cloth* c) { return int(c->system.lattices.size()); }
 
-drape_piece drape_piece_at(const drape_cloth* c, int index) {
+drape_piece drape_piece_at(drape_cloth* c, int index) {
+  if (c->pieces.empty()) drape::pieces_describe(*c);
   const drape::Lattice& l = c->system.lattices[std::size_t(index)];
   const drape_cloth::Piece& p = c->pieces[std::size_t(index)];
   return {c->scene.pieces[std::size_t(l.piece)].name.c_str(),

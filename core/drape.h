@@ -118,8 +118,8 @@ typedef struct drape_outputs {
   int pin_count;
   drape_pin* pin;        /* [pin_count] */
   int node_count;        /* particles of all pieces in order, row by row */
-  double* node_position; /* [node_count x 3] m */
-  double* node_velocity; /* [node_count x 3] m/s, synchronous */
+  double* node_position; /* [node_count x 3] m; NULL until first asked for */
+  double* node_velocity; /* [node_count x 3] m/s, synchronous; likewise */
 } drape_outputs;
 
 /* A piece as its particles and the cells between them, and as polygons that follow its outline. The corners
@@ -161,7 +161,7 @@ const char* drape_scene_text(const drape_cloth*);
 double drape_duration(const drape_cloth*);      /* s, scene.duration */
 double drape_communication(const drape_cloth*); /* s, scene.communication */
 int drape_piece_count(const drape_cloth*);
-drape_piece drape_piece_at(const drape_cloth*, int index);
+drape_piece drape_piece_at(drape_cloth*, int index);
 
 /* Parameters: write into the returned struct (it and its arrays keep their addresses for the cloth's life),
  * then commit. A commit checks all of them (single values and their combinations); on DRAPE_DISCARD each

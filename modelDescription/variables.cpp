@@ -201,7 +201,7 @@ void add_outputs(Table& table, drape_outputs& o) {
 }
 
 // Particles that have a variable: all, or those at fewer than four cells.
-std::vector<int> nodes_wanted(const drape_cloth* cloth, Nodes nodes, int node_count) {
+std::vector<int> nodes_wanted(drape_cloth* cloth, Nodes nodes, int node_count) {
   std::vector<int> wanted;
   if (nodes == Nodes::kAll) {
     wanted.resize(std::size_t(node_count));

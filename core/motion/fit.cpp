@@ -87,7 +87,7 @@ void velocities_lead(const System& system, State& s, double time) {
 double power(const System& system, const Motion& motion, const State& s) {
   double sum = 0;
   for (std::size_t n : system.particle)
-    sum += motion.ax[n] * s.vx[n] + motion.ay[n] * s.vy[n] + motion.az[n] * s.vz[n];
+    sum += motion.now_x[n] * s.vx[n] + motion.now_y[n] * s.vy[n] + motion.now_z[n] * s.vz[n];
   return sum;
 }
 
@@ -97,8 +97,8 @@ double omega_moving(const System& system, Motion& motion, State& s, double h) {
   if (!(moving > 0)) return 0;
   const Array keep[] = {s.x, s.y, s.z};
   const auto forces = [&] {
-    kernel_forces(*motion.kernel, system, s, motion.workspace, motion.ax.data(), motion.ay.data(),
-                  motion.az.data());
+    kernel_forces(*motion.kernel, system, s, motion.workspace, motion.now_x.data(), motion.now_y.data(),
+                  motion.now_z.data());
     return power(system, motion, s);
   };
   const double before = forces();
@@ -121,19 +121,19 @@ struct Left {
   double sum = 0, pins = 0;
 };
 Left forces_left(const System& system, Motion& motion, const State& s) {
-  kernel_forces(*motion.kernel, system, s, motion.workspace, motion.ax.data(), motion.ay.data(),
-                motion.az.data());
-  Array* a[] = {&motion.ax, &motion.ay, &motion.az};
+  kernel_forces(*motion.kernel, system, s, motion.workspace, motion.now_x.data(), motion.now_y.data(),
+                motion.now_z.data());
+  Array* a[] = {&motion.now_x, &motion.now_y, &motion.now_z};
   for (std::size_t n : system.particle)
     for (std::size_t k = 0; k < 3; ++k) (*a[k])[n] = (*a[k])[n] * system.inverse_mass[n] + system.gravity[k];
   std::vector<PinLoad> load(s.pin_impulse.size());
   held_refresh(system.constraints, s, motion.held);
   held_rates(system.constraints, s, Rate::kAcceleration, motion.held);
-  constraints_project(system, motion.held, {motion.ax.data(), motion.ay.data(), motion.az.data()}, &load);
+  constraints_project(system, motion.held, {motion.now_x.data(), motion.now_y.data(), motion.now_z.data()}, &load);
   Left left;
   for (const PinLoad& l : load) left.pins += norm(l.force);
   for (std::size_t n : system.particle)
-    left.sum += system.mass[n] * norm({motion.ax[n], motion.ay[n], motion.az[n]});
+    left.sum += system.mass[n] * norm({motion.now_x[n], motion.now_y[n], motion.now_z[n]});
   return left;
 }
 

@@ -203,7 +203,7 @@ Motion motion_make(const System& system) {
   m.held = held_make(system.constraints);
   m.balance = balance_make(system);
   m.torque.resize(system.constraints.pins.size());
-  for (Array* a : {&m.ax, &m.ay, &m.az, &m.vx, &m.vy, &m.vz}) a->assign(system.nodes, 0.0);
+  for (Array* a : {&m.now_x, &m.now_y, &m.now_z}) a->assign(system.nodes, 0.0);
   return m;
 }
 
@@ -254,9 +254,9 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
   if (s.h_old == 0 || system.integrator == Integrator::kPaper) return;
   std::vector<PinLoad> told;
   const double lead = velocity_lead(system, s);
-  leapfrog_synchronous(system, motion, s, motion.vx.data(), motion.vy.data(), motion.vz.data(), told);
+  leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(), motion.now_z.data(), told);
   if (system.energy) {
-    const BalanceNow now = balance_now(system, motion.balance, s, lead, motion.vx, motion.vy, motion.vz);
+    const BalanceNow now = balance_now(system, motion.balance, s, lead, motion.now_x, motion.now_y, motion.now_z);
     s.dissipated = now.dissipated;
     s.input = now.input + motion.held.work;
   }
@@ -265,9 +265,9 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
     s.pin_impulse[p].torque += s.h_old / 2 * told[p].torque;
   }
   for (std::size_t n : system.particle) {
-    s.vx[n] = motion.vx[n];
-    s.vy[n] = motion.vy[n];
-    s.vz[n] = motion.vz[n];
+    s.vx[n] = motion.now_x[n];
+    s.vy[n] = motion.now_y[n];
+    s.vz[n] = motion.now_z[n];
   }
   s.h_old = s.h_older = 0;
 }
@@ -307,39 +307,47 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
   return result;
 }
 
-// v_n = (v_{n-1/2} + h_old a_n / 2) / (1 + c h_old / 2); the paper's scheme holds v_n itself.
+// v_n = (v_{n-1/2} + (h_old/2) f)/(1 + c h_old/2) with the free acceleration f = F/m + g; the paper's scheme
+// holds v_n itself. Loads are what a projection takes out of that half kick; where there was none, and in a
+// fit, whose steps have another inertia, of the accelerations f - c v_n, from which v_n then follows again.
 void leapfrog_synchronous(const System& system, Motion& motion, const State& s, double* vx, double* vy,
                           double* vz, std::vector<PinLoad>& load) {
   const bool paper = system.integrator == Integrator::kPaper;
   const double half = paper ? 0 : s.h_old / 2, damping = damping_of(system, s), centred = 1 + damping * half;
-  kernel_forces(*motion.kernel, system, s, motion.workspace, motion.ax.data(), motion.ay.data(),
-                motion.az.data());
-
+  const bool step = half > 0 && !system.fit;
   const Array* staggered[] = {&s.vx, &s.vy, &s.vz};
-  Array* acceleration[] = {&motion.ax, &motion.ay, &motion.az};
-  double* velocity[] = {vx, vy, vz};
-  for (int k = 0; k < 3; ++k) {
-    for (std::size_t n : system.particle) {
-      const double free = (*acceleration[k])[n] * system.inverse_mass[n] + system.gravity[std::size_t(k)];
-      const double light = s.lightness.empty() ? 1 : s.lightness[n];
-      const double v = ((*staggered[k])[n] + half * light * free) / centred;
-      velocity[k][n] = v;
-      (*acceleration[k])[n] = free - damping * v;
-    }
-  }
+  double* now[] = {vx, vy, vz};
+  const auto each = [&](auto value) {  // from what it is, v_{n-1/2}, h_old/2, 1/m, g
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t n : system.particle)
+        now[k][n] = value(now[k][n], (*staggered[k])[n], s.lightness.empty() ? half : half * s.lightness[n],
+                          system.inverse_mass[n], system.gravity[k]);
+  };
   HeldMotion& held = motion.held;
   load.assign(s.pin_impulse.size(), PinLoad{});
   held_refresh(system.constraints, s, held);
+  kernel_forces(*motion.kernel, system, s, motion.workspace, vx, vy, vz);
+  held.work = 0;
+  if (step) {
+    each([&](double force, double v, double kick, double inverse_mass, double g) {
+      return (v + kick * (force * inverse_mass + g)) / centred;
+    });
+  } else {
+    each([&](double force, double v, double kick, double inverse_mass, double g) {
+      const double free = force * inverse_mass + g;
+      return free - damping * ((v + kick * free) / centred);
+    });
+    held_rates(system.constraints, s, Rate::kAcceleration, held);
+    constraints_project(system, held, {vx, vy, vz}, &load);
+    each([&](double acceleration, double v, double kick, double, double) {
+      return (v + kick * acceleration) / (centred - kick * damping);
+    });
+  }
   held_rates(system.constraints, s, Rate::kVelocity, held);
-  const bool step = half > 0 && !system.fit;  // a fit tells the forces of now: its steps have another inertia
   constraints_project(system, held, {vx, vy, vz}, step ? &load : nullptr);
   if (step) {
-    held.work = system.energy ? held_work(system, s, centred, held) : 0;
+    if (system.energy) held.work = held_work(system, s, centred, held);
     for (PinLoad& l : load) l = {(centred / half) * l.force, (centred / half) * l.torque};
-  } else {
-    held.work = 0;
-    held_rates(system.constraints, s, Rate::kAcceleration, held);
-    constraints_project(system, held, {motion.ax.data(), motion.ay.data(), motion.az.data()}, &load);
   }
   motion.torque.assign(load.size(), Vec3{0, 0, 0});
   side_clamp_torques(system, s, motion.torque);

@@ -17,8 +17,7 @@ struct Motion {
   HeldMotion held;
   Inputs inputs;             // where the next advance goes
   Path path;                 // of the present advance
-  Array ax, ay, az;          // [nodes] m/s^2, accelerations for output
-  Array vx, vy, vz;          // [nodes] m/s, synchronous velocities where a pin's velocity jumps
+  Array now_x, now_y, now_z; // [nodes] a field of t_n while somebody works with it: velocities or forces
   std::vector<Vec3> torque;  // [pins] N m, of the slopes that clamps hold
   Balance balance;
 };

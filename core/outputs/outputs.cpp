@@ -37,14 +37,16 @@ void pins_fill(Outputs& o, const System& system, const State& s) {
   }
 }
 
-void nodes_fill(std::vector<double>& to, const System& system, const Array& x, const Array& y,
-                const Array& z) {
+double* nodes_fill(std::vector<double>& to, const System& system, const Array& x, const Array& y,
+                   const Array& z) {
+  to.resize(3 * system.particle.size());
   double* at = to.data();
   for (std::size_t n : system.particle) {
     *at++ = x[n];
     *at++ = y[n];
     *at++ = z[n];
   }
+  return to.data();
 }
 
 void summary_fill(Outputs& o, const System& system, const State& s) {
@@ -63,9 +65,9 @@ void summary_fill(Outputs& o, const System& system, const State& s) {
 void energy_fill(Outputs& o, const System& system, Motion& motion, const State& s) {
   drape_energy& e = o.shown.energy;
   e = energy_potential(system, s);
-  e.kinetic = energy_kinetic(system, o.vx, o.vy, o.vz);
+  e.kinetic = energy_kinetic(system, motion.now_x, motion.now_y, motion.now_z);
   if (!o.shown.has_balance) return;
-  const BalanceNow now = balance_now(system, motion.balance, s, velocity_lead(system, s), o.vx, o.vy, o.vz);
+  const BalanceNow now = balance_now(system, motion.balance, s, velocity_lead(system, s), motion.now_x, motion.now_y, motion.now_z);
   e.dissipated = now.dissipated;
   e.input = now.input + motion.held.work;
   e.balance_error = energy_sum(e) - s.energy_start - e.input + e.dissipated;
@@ -76,9 +78,6 @@ void energy_fill(Outputs& o, const System& system, Motion& motion, const State& 
 void outputs_make(Outputs& o, const Scene& scene, const System& system) {
   for (const ProbeSpec& probe : scene.probes) o.probes.push_back({probe.name.c_str(), {}, {}});
   for (const PinSpec& pin : scene.pins) o.pins.push_back({pin.name.c_str(), {}, {}});
-  o.node_position.assign(3 * system.particle.size(), 0.0);
-  o.node_velocity.assign(3 * system.particle.size(), 0.0);
-  for (Array* a : {&o.vx, &o.vy, &o.vz}) a->assign(system.nodes, 0.0);
   o.shown.has_energy = scene.energy;
   o.shown.has_balance = system.energy;
   o.shown.has_fit = scene.mode == Mode::kFit;
@@ -87,22 +86,23 @@ void outputs_make(Outputs& o, const Scene& scene, const System& system) {
   o.shown.pin_count = int(o.pins.size());
   o.shown.pin = o.pins.data();
   o.shown.node_count = int(system.particle.size());
-  o.shown.node_position = o.node_position.data();
-  o.shown.node_velocity = o.node_velocity.data();
 }
 
 void outputs_fill(Outputs& o, const System& system, Motion& motion, const State& s, int what) {
   if (what & (DRAPE_MOTION | DRAPE_ENERGY | DRAPE_NODE_MOTION))
-    leapfrog_synchronous(system, motion, s, o.vx.data(), o.vy.data(), o.vz.data(), o.pin_load);
+    leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(), motion.now_z.data(),
+                         o.pin_load);
   if (what & DRAPE_PLACES) probes_fill(o, system, &drape_probe::position, s.x, s.y, s.z);
   if (what & DRAPE_MOTION) {
-    probes_fill(o, system, &drape_probe::velocity, o.vx, o.vy, o.vz);
+    probes_fill(o, system, &drape_probe::velocity, motion.now_x, motion.now_y, motion.now_z);
     pins_fill(o, system, s);
   }
   if (what & DRAPE_STRAIN) summary_fill(o, system, s);
   if ((what & DRAPE_ENERGY) && o.shown.has_energy) energy_fill(o, system, motion, s);
-  if (what & DRAPE_NODE_PLACES) nodes_fill(o.node_position, system, s.x, s.y, s.z);
-  if (what & DRAPE_NODE_MOTION) nodes_fill(o.node_velocity, system, o.vx, o.vy, o.vz);
+  if (what & DRAPE_NODE_PLACES) o.shown.node_position = nodes_fill(o.node_position, system, s.x, s.y, s.z);
+  if (what & DRAPE_NODE_MOTION) 
+    o.shown.node_velocity =
+        nodes_fill(o.node_velocity, system, motion.now_x, motion.now_y, motion.now_z);
 }
 
 }  // namespace drape

@@ -4,7 +4,9 @@
 //
 //   n0 ---w_0--- n1 ---w_1--- n2        kappa/B = 2 w_0 w_1/[b (q_0 W_1 + q_1 W_0)]
 //
-// Rows of nodes hold the hinges whose two links come from regular cells; all others go to the side.
+// Rows of nodes hold the hinges whose two links come from regular cells; all others go to the side. Most
+// nodes have regular cells and no clamp about them, and their hinges follow from the shares of these cells;
+// only the others, *odd* ones, are looked at link by link.
 #include "system/threads.h"
 
 #include <algorithm>
@@ -22,14 +24,29 @@ struct Span {
   double clamps = 0;               // sum of y
 };
 
-std::vector<Span> spans_of(const Grid& grid, bool warp) {
+using Odd = std::vector<char>;  // [nodes of Grid]
+
+Odd odd_nodes(const Grid& grid, const std::vector<ClampSlopes>& clamps) {
+  Odd odd(std::size_t(grid.nodes()), false);
+  for (std::size_t c = std::size_t(grid.regular); c < grid.cells.size(); ++c)
+    for (int n : grid.cells[c].node) odd[std::size_t(n)] = true;
+  for (const ClampSlopes& clamp : clamps)
+    for (const HeldSlope& slope : clamp.slopes)
+      odd[std::size_t(slope.from)] = odd[std::size_t(slope.to)] = true;
+  return odd;
+}
+
+// Of the links with an odd end.
+std::vector<Span> spans_of(const Grid& grid, const Odd& odd, bool warp) {
   std::vector<Span> all;
   for (int c = 0; c < int(grid.cells.size()); ++c) {
     const GridCell& cell = grid.cells[std::size_t(c)];
     const double half = grid.cell * cell.share / 2;
     const auto [a, b, up, opposite] = cell.node;
     const int low[2] = {a, warp ? b : up}, high[2] = {warp ? up : b, opposite};
-    for (int k = 0; k < 2; ++k) all.push_back({{low[k], high[k]}, half, c < grid.regular ? half : 0});
+    for (int k = 0; k < 2; ++k)
+      if (odd[std::size_t(low[k])] || odd[std::size_t(high[k])])
+        all.push_back({{low[k], high[k]}, half, c < grid.regular ? half : 0});
   }
   std::stable_sort(all.begin(), all.end(), [](const Span& p, const Span& q) {
     return p.node[0] != q.node[0] ? p.node[0] < q.node[0] : p.node[1] < q.node[1];
@@ -98,10 +115,29 @@ void clamps_lay(System& system, int lattice, std::vector<Span>& spans, bool warp
   }
 }
 
-void hinges_lay(System& system, int lattice, const std::vector<Span>& spans, bool warp) {
+// Of all nodes that are not odd.
+void hinges_fill(System& system, int lattice, const Odd& odd, bool warp) {
+  const Lattice& l = system.lattices[std::size_t(lattice)];
+  const std::ptrdiff_t along = warp ? l.stride : 1, across = warp ? 1 : l.stride;
+  Array& rows = warp ? system.hinge_warp : system.hinge_weft;
+  for (int j = 0; j < l.rows; ++j)
+    for (int i = 0; i < l.columns; ++i) {
+      if (odd[std::size_t(j * l.columns + i)]) continue;
+      const std::size_t n = l.node(i, j);
+      const auto width = [&](std::ptrdiff_t cell) {
+        return l.cell * system.share[std::size_t(std::ptrdiff_t(n) + cell)] / 2;
+      };
+      const double before = width(-along - across) + width(-along), after = width(-across) + width(0);
+      if (before > 0 && after > 0) rows[n] = 2 * before * after / (l.cell * (after + before));
+    }
+}
+
+// Of the odd nodes.
+void hinges_lay(System& system, int lattice, const std::vector<Span>& spans, const Odd& odd, bool warp) {
   const Lattice& l = system.lattices[std::size_t(lattice)];
   std::vector<const Span*> ending;  // by their upper node
-  for (const Span& s : spans) ending.push_back(&s);
+  for (const Span& s : spans)
+    if (odd[std::size_t(s.node[1])]) ending.push_back(&s);
   std::stable_sort(ending.begin(), ending.end(),
                    [](const Span* p, const Span* q) { return p->node[1] < q->node[1]; });
   Array& rows = warp ? system.hinge_warp : system.hinge_weft;
@@ -160,10 +196,12 @@ void cells_lay(System& system, int lattice, const Grid& grid) {
 
 void threads_lay(System& system, int lattice, const Grid& grid, const std::vector<ClampSlopes>& clamps,
                  const State& start) {
+  const Odd odd = odd_nodes(grid, clamps);
   for (bool warp : {true, false}) {
-    std::vector<Span> spans = spans_of(grid, warp);
+    hinges_fill(system, lattice, odd, warp);
+    std::vector<Span> spans = spans_of(grid, odd, warp);
     clamps_lay(system, lattice, spans, warp, clamps, start);
-    hinges_lay(system, lattice, spans, warp);
+    hinges_lay(system, lattice, spans, odd, warp);
     links_lay(system, lattice, spans, warp ? Thread::kWarp : Thread::kWeft);
   }
   cells_lay(system, lattice, grid);
