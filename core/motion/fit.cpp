@@ -129,7 +129,8 @@ Left forces_left(const System& system, Motion& motion, const State& s) {
   std::vector<PinLoad> load(s.pin_impulse.size());
   held_refresh(system.constraints, s, motion.held);
   held_rates(system.constraints, s, Rate::kAcceleration, motion.held);
-  constraints_project(system, motion.held, {motion.now_x.data(), motion.now_y.data(), motion.now_z.data()}, &load);
+  constraints_project(system, motion.held, {motion.now_x.data(), motion.now_y.data(), motion.now_z.data()},
+                      &load);
   Left left;
   for (const PinLoad& l : load) left.pins += norm(l.force);
   for (std::size_t n : system.particle)

@@ -254,9 +254,11 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
   if (s.h_old == 0 || system.integrator == Integrator::kPaper) return;
   std::vector<PinLoad> told;
   const double lead = velocity_lead(system, s);
-  leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(), motion.now_z.data(), told);
+  leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(), motion.now_z.data(),
+                       told);
   if (system.energy) {
-    const BalanceNow now = balance_now(system, motion.balance, s, lead, motion.now_x, motion.now_y, motion.now_z);
+    const BalanceNow now =
+        balance_now(system, motion.balance, s, lead, motion.now_x, motion.now_y, motion.now_z);
     s.dissipated = now.dissipated;
     s.input = now.input + motion.held.work;
   }
@@ -317,11 +319,14 @@ void leapfrog_synchronous(const System& system, Motion& motion, const State& s, 
   const bool step = half > 0 && !system.fit;
   const Array* staggered[] = {&s.vx, &s.vy, &s.vz};
   double* now[] = {vx, vy, vz};
-  const auto each = [&](auto value) {  // from what it is, v_{n-1/2}, h_old/2, 1/m, g
-    for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t n : system.particle)
-        now[k][n] = value(now[k][n], (*staggered[k])[n], s.lightness.empty() ? half : half * s.lightness[n],
-                          system.inverse_mass[n], system.gravity[k]);
+  const double* lightness = s.lightness.empty() ? nullptr : s.lightness.data();
+  const auto each = [&](auto value) {  // from what it is, v_{n-1/2}, h_old/2, 1/m, g; unused nodes too
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double *v = staggered[k]->data(), *inverse_mass = system.inverse_mass.data();
+      const double g = system.gravity[k];
+      for (std::size_t n = 0; n < system.nodes; ++n)
+        now[k][n] = value(now[k][n], v[n], lightness ? half * lightness[n] : half, inverse_mass[n], g);
+    }
   };
   HeldMotion& held = motion.held;
   load.assign(s.pin_impulse.size(), PinLoad{});

@@ -15,10 +15,10 @@ struct Motion {
   const Kernel* kernel = nullptr;
   Workspace workspace;
   HeldMotion held;
-  Inputs inputs;             // where the next advance goes
-  Path path;                 // of the present advance
-  Array now_x, now_y, now_z; // [nodes] a field of t_n while somebody works with it: velocities or forces
-  std::vector<Vec3> torque;  // [pins] N m, of the slopes that clamps hold
+  Inputs inputs;              // where the next advance goes
+  Path path;                  // of the present advance
+  Array now_x, now_y, now_z;  // [nodes] a field of t_n while somebody works with it: velocities or forces
+  std::vector<Vec3> torque;   // [pins] N m, of the slopes that clamps hold
   Balance balance;
 };
 Motion motion_make(const System& system);

@@ -67,7 +67,8 @@ void energy_fill(Outputs& o, const System& system, Motion& motion, const State& 
   e = energy_potential(system, s);
   e.kinetic = energy_kinetic(system, motion.now_x, motion.now_y, motion.now_z);
   if (!o.shown.has_balance) return;
-  const BalanceNow now = balance_now(system, motion.balance, s, velocity_lead(system, s), motion.now_x, motion.now_y, motion.now_z);
+  const BalanceNow now = balance_now(system, motion.balance, s, velocity_lead(system, s), motion.now_x,
+                                     motion.now_y, motion.now_z);
   e.dissipated = now.dissipated;
   e.input = now.input + motion.held.work;
   e.balance_error = energy_sum(e) - s.energy_start - e.input + e.dissipated;
@@ -100,9 +101,8 @@ void outputs_fill(Outputs& o, const System& system, Motion& motion, const State&
   if (what & DRAPE_STRAIN) summary_fill(o, system, s);
   if ((what & DRAPE_ENERGY) && o.shown.has_energy) energy_fill(o, system, motion, s);
   if (what & DRAPE_NODE_PLACES) o.shown.node_position = nodes_fill(o.node_position, system, s.x, s.y, s.z);
-  if (what & DRAPE_NODE_MOTION) 
-    o.shown.node_velocity =
-        nodes_fill(o.node_velocity, system, motion.now_x, motion.now_y, motion.now_z);
+  if (what & DRAPE_NODE_MOTION)
+    o.shown.node_velocity = nodes_fill(o.node_velocity, system, motion.now_x, motion.now_y, motion.now_z);
 }
 
 }  // namespace drape

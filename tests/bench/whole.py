@@ -103,7 +103,7 @@ def main():
     arguments.add_argument("--quick", action="store_true", help="seconds in all, no figures to rely on")
     arguments.add_argument("--csv", type=Path, help="also writes the rows to a file")
     options = arguments.parse_args()
-    turns, simulated = (1, 0.002) if options.quick else (7, 0.1)
+    turns, simulated = (1, 0.002) if options.quick else (5, 0.4)
     with tempfile.TemporaryDirectory() as folder:
         rows = start_up(Path(folder), turns)
         cost = fmi_cost(Path(folder), turns, simulated)
