@@ -120,7 +120,7 @@ std::vector<Row> bound_rows(const Patience& patience) {
   return rows;
 }
 
-// What tests/bench/peers.py compares others with.
+// What tests/bench/peers/run.py compares others with.
 std::vector<Row> peer_rows(const Patience& patience) {
   std::vector<Ready> cloths;
   std::vector<std::string> names;
@@ -186,7 +186,7 @@ const std::vector<Group>& groups() {
       {"scenes", "the scenes of --scene: time of a simulated second, share of the pass", scene_rows, false},
       {"bound", "the share of what the arithmetic ports could do", bound_rows},
       {"features", "what each feature costs", feature_rows},
-      {"peers", "Drape's side of tests/bench/peers.py", peer_rows},
+      {"peers", "Drape's side of tests/bench/peers/run.py", peer_rows},
       {"scaling", "particle-steps per second against particles", scaling_rows}};
   return kGroups;
 }
