@@ -6,6 +6,7 @@
 
 #include "cloth.h"
 #include "motion/step_limit.h"
+#include "motion/weld.h"
 #include "outputs/energy.h"
 #include "scene/read.h"
 #include "system/assemble.h"
@@ -170,8 +171,10 @@ drape_status drape_advance(drape_cloth* c, double length) {
   c->good = c->state;
   c->tuning_good = c->tuning;
   std::string event;
-  const Advance how = leapfrog_advance(c->system, c->motion, c->state, length, event,
-                                       [c](double intervals) { return tuning_go(*c, intervals); });
+  const Advance how = leapfrog_advance(c->system, c->motion, c->state, length, event, [c](double intervals) {
+    const bool tuned = tuning_go(*c, intervals);
+    return sewing_go(*c) || tuned;
+  });
   if (!event.empty())
     say(*c, DRAPE_LOG_STABILITY, event + ", set by the " + step_limit_link(c->system, c->scene, c->state));
   if (how == Advance::kDone) {
@@ -180,6 +183,7 @@ drape_status drape_advance(drape_cloth* c, double length) {
   }
   say_trouble(*c, how, length);
   c->state = c->good;
+  seams_restore(c->system, c->motion, c->state);
   tuning_restore(*c, c->tuning_good);
   c->stuck = how == Advance::kStepAboveLimit;
   return c->stuck ? DRAPE_DISCARD : DRAPE_ERROR;
@@ -218,6 +222,7 @@ drape_snapshot* drape_save(drape_cloth* c, drape_snapshot* into) {
 void drape_restore(drape_cloth* c, const drape_snapshot* from) {
   c->stuck = false;
   c->state = from->state;
+  seams_restore(c->system, c->motion, c->state);
   workspace_clear(c->motion.workspace);  // what the state before may have left there
   tuning_restore(*c, from->tuning);
   parameters_write(c->parameters, from->shown);

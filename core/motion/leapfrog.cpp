@@ -6,9 +6,11 @@
 #include <limits>
 
 #include "constraint/vector3.h"
+#include "forces/pull.h"
 #include "forces/side.h"
 #include "motion/fit.h"
 #include "motion/step_limit.h"
+#include "motion/weld.h"
 
 namespace drape {
 namespace {
@@ -173,21 +175,21 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   const bool jumps = path_jumps(motion.path, s) && system.integrator == Integrator::kLeapfrog;
   if (jumps) leapfrog_complete(system, motion, s);
   path_follow(motion.path, 0, s);
-  held_refresh(system.constraints, s, motion.held);
-  held_rates(system.constraints, s, Rate::kVelocity, motion.held);
+  held_refresh(motion.constraints, s, motion.held);
+  held_rates(motion.constraints, s, Rate::kVelocity, motion.held);
   if (!jumps) return;
   const double before = system.energy ? kinetic_energy(system, s) : 0;
-  constraints_project(system, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()}, &s.pin_impulse);
+  constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
+                      &s.pin_impulse);
   if (!s.wx.empty()) s.wx = s.vx, s.wy = s.vy, s.wz = s.vz;
   if (system.energy) s.input += kinetic_energy(system, s) - before;
 }
 
 // Lets the system change before an interval; where it has, looks again at what is held.
-void interval_open(const System& system, Motion& motion, State& s, double intervals,
-                   const IntervalBegins& begins) {
+void interval_open(Motion& motion, State& s, double intervals, const IntervalBegins& begins) {
   if (!begins || !begins(intervals)) return;
-  held_refresh(system.constraints, s, motion.held);
-  held_rates(system.constraints, s, Rate::kVelocity, motion.held);
+  held_refresh(motion.constraints, s, motion.held);
+  held_rates(motion.constraints, s, Rate::kVelocity, motion.held);
 }
 
 }  // namespace
@@ -200,7 +202,8 @@ Motion motion_make(const System& system) {
   Motion m;
   m.kernel = &kernel_pick();
   m.workspace = workspace_make(system, threads_wanted(system));
-  m.held = held_make(system.constraints);
+  m.constraints = system.constraints;
+  m.held = held_make(m.constraints);
   m.balance = balance_make(system);
   m.torque.resize(system.constraints.pins.size());
   for (Array* a : {&m.now_x, &m.now_y, &m.now_z}) a->assign(system.nodes, 0.0);
@@ -210,9 +213,10 @@ Motion motion_make(const System& system) {
 void leapfrog_begin(const System& system, Motion& motion, State& s) {
   motion.inputs = inputs_at(s);
   motion.path.wind_from = motion.path.wind_to = s.wind;
-  held_refresh(system.constraints, s, motion.held);
-  held_rates(system.constraints, s, Rate::kVelocity, motion.held);
-  constraints_project(system, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()}, nullptr);
+  held_refresh(motion.constraints, s, motion.held);
+  held_rates(motion.constraints, s, Rate::kVelocity, motion.held);
+  constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
+                      nullptr);
   rates_begin(system, s);
   subs_begin(system, motion, s);
 }
@@ -230,9 +234,11 @@ void leapfrog_step(const System& system, Motion& motion, State& s, double h, dou
   const StepCoefficients c = coefficients(system, s, h);
   const bool begins = s.advance_begins && !paper;
   if (system.energy) balance_begin(system, motion.balance, s, c.lead);
-  if (begins || system.energy) held_keep(system.constraints, s, motion.held);
+  if (begins || system.energy) held_keep(motion.constraints, s, motion.held);
   clamp_torques_add(system, motion, s, paper ? h : (begins ? h : s.h_old + h) / 2);
+  if (!s.sewn.empty()) seams_rates(system, s, motion.gap_rate);
   kernel_step(*motion.kernel, system, c, motion.workspace, s);
+  if (!s.sewn.empty()) s.gap_rate.swap(motion.gap_rate);
   path_follow(motion.path, u, s);
   const double half = begins ? s.h_old / 2 : 0;
   const HeldStep step{h,
@@ -242,7 +248,7 @@ void leapfrog_step(const System& system, Motion& motion, State& s, double h, dou
                       begins,
                       half,
                       1 + damping_of(system, s) * half};
-  constraints_apply(system, step, motion.held, s);
+  constraints_apply(system, motion.constraints, step, motion.held, s);
   if (system.energy) balance_end(system, motion.balance, s, s.h_old, h);
   s.advance_begins = false;
   s.h_older = s.h_old;
@@ -289,7 +295,7 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
   Advance result = Advance::kDone;
   if (on_grid) {
     for (std::int64_t k = 0; k < std::int64_t(whole) && result == Advance::kDone; ++k) {
-      interval_open(system, motion, s, 1, interval_begins);
+      interval_open(motion, s, 1, interval_begins);
       subs_relax(system, s, event);
       path_interval(motion.path, s, k, q);
       result = interval_run(system, motion, s, q, s.subs, event);
@@ -297,7 +303,7 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
       ++s.calm;
     }
   } else {
-    interval_open(system, motion, s, length / q, interval_begins);
+    interval_open(motion, s, length / q, interval_begins);
     subs_relax(system, s, event);
     result = interval_run(system, motion, s, length, subs_for(length, q / double(s.subs)), event);
     s.calm += std::max<std::int64_t>(1, std::int64_t(length / q));
@@ -330,7 +336,7 @@ void leapfrog_synchronous(const System& system, Motion& motion, const State& s, 
   };
   HeldMotion& held = motion.held;
   load.assign(s.pin_impulse.size(), PinLoad{});
-  held_refresh(system.constraints, s, held);
+  held_refresh(motion.constraints, s, held);
   kernel_forces(*motion.kernel, system, s, motion.workspace, vx, vy, vz);
   held.work = 0;
   if (step) {
@@ -342,16 +348,16 @@ void leapfrog_synchronous(const System& system, Motion& motion, const State& s, 
       const double free = force * inverse_mass + g;
       return free - damping * ((v + kick * free) / centred);
     });
-    held_rates(system.constraints, s, Rate::kAcceleration, held);
-    constraints_project(system, held, {vx, vy, vz}, &load);
+    held_rates(motion.constraints, s, Rate::kAcceleration, held);
+    constraints_project(system, motion.constraints, held, {vx, vy, vz}, &load);
     each([&](double acceleration, double v, double kick, double, double) {
       return (v + kick * acceleration) / (centred - kick * damping);
     });
   }
-  held_rates(system.constraints, s, Rate::kVelocity, held);
-  constraints_project(system, held, {vx, vy, vz}, step ? &load : nullptr);
+  held_rates(motion.constraints, s, Rate::kVelocity, held);
+  constraints_project(system, motion.constraints, held, {vx, vy, vz}, step ? &load : nullptr);
   if (step) {
-    if (system.energy) held.work = held_work(system, s, centred, held);
+    if (system.energy) held.work = held_work(motion.constraints, s, centred, held);
     for (PinLoad& l : load) l = {(centred / half) * l.force, (centred / half) * l.torque};
   }
   motion.torque.assign(load.size(), Vec3{0, 0, 0});

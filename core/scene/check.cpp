@@ -42,6 +42,7 @@ void scene_check(const Scene& scene, std::vector<Problem>& problems) {
     sound.push_back(!piece.outline.empty() && (of_cell || (piece.cell > 0 && found.empty())));
     problems.insert(problems.end(), found.begin(), found.end());
   }
+  seams_check(scene, sound, problems);
   pins_check(scene, sound, problems);
 }
 

@@ -25,6 +25,9 @@ inline std::string entry(const std::string& path, std::size_t i) {
 // Diagrams, and what they are worked up from.
 void fabric_check(const Scene& scene, const FabricSpec& fabric, Problems& problems);
 
+// Seams against their pieces and each other; `sound` as below.
+void seams_check(const Scene& scene, const std::vector<bool>& sound, Problems& problems);
+
 // Pins and probes against their pieces and each other; `sound[p]`: piece p has an outline without fault.
 void pins_check(const Scene& scene, const std::vector<bool>& sound, Problems& problems);
 

@@ -219,6 +219,8 @@ void side_number(System& system) {
       for (int k = 0; k < 4; ++k) visit(s.node[k], s.slot[k]);
     for (SideClamp& s : side.clamps)
       for (int k = 0; k < 2; ++k) visit(s.node[k], s.slot[k]);
+    for (SeamPair& s : system.seams.pair)
+      for (int k = 0; k < s.count; ++k) visit(s.node[k], s.slot[k]);
   };
   each_node([&](std::size_t node, int&) { touched.push_back(node); });
   std::sort(touched.begin(), touched.end());

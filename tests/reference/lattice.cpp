@@ -9,6 +9,7 @@
 
 #include "piece/hold.h"
 #include "piece/place.h"
+#include "seam/layout.h"
 
 namespace drape::reference {
 namespace {
@@ -157,6 +158,35 @@ void measure_start(Lattice& lattice) {
         (lattice.position.segment<3>(3 * clamp.j) - lattice.position.segment<3>(3 * clamp.i)).normalized();
 }
 
+// omega of a piece at rest.
+double omega_at_rest(const Net& net, const Lattice& lattice) {
+  const double b = net.grid.cell, nu = net.fabric().poisson;
+  const auto slope = [&](int law) {
+    return curve_slope(lattice.laws[std::size_t(3 * net.index + law)].curve, 0);
+  };
+  const double B = (net.fabric().bending_warp + net.fabric().bending_weft) / (1 - nu * nu);
+  return std::sqrt((4 * std::max(slope(0), slope(1)) + 8 * slope(2) / 2 + 16 * B / (b * b)) /
+                   (net.fabric().areal_density * b * b));
+}
+
+void add_seam(const std::vector<Net>& nets, const SeamSpec& spec, double omega, Lattice& lattice) {
+  const SeamLayout layout = seam_layout(nets[0].scene, spec);
+  Seam seam{spec.name,          {},         spec.closed_at,
+            spec.gap_tolerance, spec.speed, spec.pull > 0 ? spec.pull : omega / 10};
+  for (std::size_t n = 0; n < layout.point[0].size(); ++n) {
+    std::array<Point, 2> pair;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Net& net = nets[std::size_t(spec.side[k].piece)];
+      const Vec2 p = layout.point[k][n], in = layout.inward[k][n];
+      const double d = 1e-6 * net.grid.cell;
+      const int cell = grid_cell_of(net.grid, {p[0] + d * in[0], p[1] + d * in[1]});
+      pair[k] = point_at(net, grid_point(net.grid, cell, grid_coordinates(net.grid, p)));
+    }
+    seam.pairs.push_back(pair);
+  }
+  lattice.seams.push_back(std::move(seam));
+}
+
 Net net_make(const Scene& scene, int piece) {
   Net net{scene, piece, grid_make(scene, piece), {}, {}, {}, {}};
   for (const PinSpec& pin : scene.pins)
@@ -184,6 +214,9 @@ Lattice lattice_make(const Scene& scene) {
     const Net& net = nets[std::size_t(probe.piece)];
     lattice.probes.push_back(point_at(net, grid_locate(net.grid, probe.at)));
   }
+  double omega = 0;
+  for (const Net& net : nets) omega = std::max(omega, omega_at_rest(net, lattice));
+  for (const SeamSpec& seam : scene.seams) add_seam(nets, seam, omega, lattice);
   lattice.position = Eigen::Map<Eigen::VectorXd>(r.data(), Eigen::Index(r.size()));
   lattice.velocity = Eigen::Map<Eigen::VectorXd>(v.data(), Eigen::Index(v.size()));
   measure_start(lattice);

@@ -57,6 +57,14 @@ struct Pin {
   bool clamp;
 };
 
+// Pairs of particles on two outlines.
+struct Seam {
+  std::string name;
+  std::vector<std::array<Point, 2>> pairs;
+  double closed_at, gap_tolerance, speed;  // s, m, m/s
+  double pull;                             // w, 1/s
+};
+
 struct Lattice {
   int count = 0;                       // N
   std::vector<double> mass;            // [N] kg
@@ -69,6 +77,7 @@ struct Lattice {
   std::vector<Row> rows;
   std::vector<Pin> pins;
   std::vector<Point> probes;
+  std::vector<Seam> seams;
   double cell = 0;  // m, the smallest of all pieces
 };
 

@@ -2,6 +2,8 @@
 // and T being its force and torque on the outside world: every held point moves with v + w x arm.
 #include "reference/motion.h"
 
+#include "reference/sewing.h"
+
 namespace drape::reference {
 namespace {
 
@@ -26,7 +28,7 @@ Free free_motion(const Motion& motion, const Outside& outside, const VectorXd& r
   free.taken = add_link_damping(lattice, r, v, F);
   const AirPower air = add_air(lattice, motion.air, outside.wind, r, v, F);
   free.taken += air.taken;
-  free.given = air.given;
+  free.given = air.given + add_pulls(lattice, motion.sewing, r, v, F);
   for (int n = 0; n < lattice.count; ++n) {
     const double m = lattice.mass[std::size_t(n)];
     const Vector3d speed = v.segment<3>(3 * n);
@@ -63,7 +65,8 @@ std::vector<Vector3d> each(const std::vector<Target>& targets, Vector3d Target::
 Motion motion_make(const Scene& scene) {
   Motion motion;
   motion.lattice = lattice_make(scene);
-  motion.held = held_make(motion.lattice);
+  motion.sewing = sewing_start(motion.lattice);
+  motion.held = held_make(motion.lattice, motion.sewing);
   motion.gravity = {scene.gravity[0], scene.gravity[1], scene.gravity[2]};
   motion.damping = scene.damping;
   if (scene.has_air) motion.air = {scene.air_density, scene.air_normal, scene.air_tangential};

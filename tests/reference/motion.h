@@ -18,6 +18,7 @@ namespace drape::reference {
 
 struct Motion {
   Lattice lattice;
+  Sewing sewing;
   Held held;
   Eigen::Vector3d gravity;  // m/s^2
   double damping = 0;       // 1/s
@@ -70,7 +71,7 @@ using SolverHandle = std::unique_ptr<Solver, SolverClose>;
 
 // All of these throw std::runtime_error with one sentence that names the time and ARKODE's flag. The motion
 // must outlive the solver.
-SolverHandle solver_open(const Motion& motion, const Eigen::VectorXd& y, const Accuracy& accuracy);
+SolverHandle solver_open(Motion& motion, const Eigen::VectorXd& y, const Accuracy& accuracy);
 // The state at that time, with the inputs on their way to `to`; one step ends exactly there.
 Eigen::VectorXd solver_advance(Solver& solver, double time, const Outside& to);
 Eigen::VectorXd solver_advance(Solver& solver, double time);  // with the inputs staying where they are

@@ -9,11 +9,12 @@
 #include <stdexcept>
 
 #include "reference/motion.h"
+#include "reference/sewing.h"
 
 namespace drape::reference {
 
 struct Solver {
-  const Motion* motion = nullptr;
+  Motion* motion = nullptr;
   SUNContext context = nullptr;
   N_Vector y = nullptr, tolerance = nullptr;
   void* arkode = nullptr;
@@ -92,7 +93,7 @@ void SolverClose::operator()(Solver* solver) const {
   delete solver;
 }
 
-SolverHandle solver_open(const Motion& motion, const VectorXd& y, const Accuracy& accuracy) {
+SolverHandle solver_open(Motion& motion, const VectorXd& y, const Accuracy& accuracy) {
   SolverHandle handle(new Solver);
   Solver& s = *handle;
   s.motion = &motion;
@@ -118,6 +119,7 @@ SolverHandle solver_open(const Motion& motion, const VectorXd& y, const Accuracy
 VectorXd solver_advance(Solver& s, double time, const Outside& to) {
   s.course = course_make(s.motion->lattice, s.outside, to, time - s.time);
   VectorXd y = view(s.y);
+  motion_sew(*s.motion, s.time, s.outside, y);
   motion_begin(*s.motion, s.course, y);
   view(s.y) = y;
   demand(s, ERKStepReset(s.arkode, s.time, s.y), "ERKStepReset");

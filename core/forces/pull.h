@@ -1,0 +1,30 @@
+// What pulls an open seam together [P section 5].
+//
+//      a o- - ->   <- - -o b      d = r_b - r_a,  n = d/|d|,  1/mu = A M^-1 A^T of the gap's row A
+//
+//   F = mu [w^2 min(|d|, 2 speed/w) + 2 w d'.n]     on a along n, on b its opposite
+//
+// Along the gap only: no net force, no torque. Two free particles close as |d| = d0 (1 + w t) e^{-w t}, the
+// critical damping; from farther off than 2 speed/w the force stays what it is there, and they come at
+// `speed`.
+#pragma once
+#include "forces/side.h"
+#include "system/system.h"
+
+namespace drape {
+
+double seam_mass(const System& system, const SeamPair& pair);  // mu, kg
+
+// r_b - r_a of a field; of the positions, the gap.
+Vec3 seam_gap(const SeamPair& pair, const Array& x, const Array& y, const Array& z);
+
+// The pull on side b of a pair, N, at the velocity led on by `lead`; 0 where it is not pulled.
+Vec3 seam_pull(const System& system, const Seam& seam, std::size_t pair, const State& state, double lead);
+
+// Adds it for all pairs to the slots.
+void seams_pull(const System& system, const State& state, double lead, SideForces to);
+
+// The rates of all gaps (m/s, [pairs x 3]) at v_{n-1/2}.
+void seams_rates(const System& system, const State& state, Array& rates);
+
+}  // namespace drape

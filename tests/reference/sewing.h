@@ -1,0 +1,17 @@
+// Seams: the pull on their pairs, and the welds. Equations: core/README.md, section 5.
+#pragma once
+#include "reference/motion.h"
+
+namespace drape::reference {
+
+Sewing sewing_start(const Lattice& lattice);
+
+// Adds the pull of all pulled pairs to F [3 N] and returns its power on the cloth, W.
+double add_pulls(const Lattice& lattice, const Sewing& sewing, const Eigen::VectorXd& r,
+                 const Eigen::VectorXd& v, Eigen::VectorXd& F);
+
+// The beginning of an interval at a time: pulling begins, and pairs that have come together are welded, y
+// with them. True where pairs have been welded.
+bool motion_sew(Motion& motion, double time, const Outside& outside, Eigen::VectorXd& y);
+
+}  // namespace drape::reference
