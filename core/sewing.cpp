@@ -1,7 +1,6 @@
 // Seams at the beginning of a communication interval: pulling begins, and what has come together is welded.
 // Either changes the system in an instant; what that adds to the energies is work of the seams.
 #include "cloth.h"
-#include "forces/pull.h"
 #include "motion/weld.h"
 
 namespace drape {
@@ -11,7 +10,7 @@ namespace {
 void closed_tell(const drape_cloth& c, const std::vector<std::size_t>& due) {
   const std::vector<Seam>& seams = c.system.seams.seam;
   for (std::size_t k = 0; k < seams.size(); ++k) {
-    const auto first = std::size_t(seams[k].first), end = first + std::size_t(seams[k].count);
+    const std::size_t first = seams[k].first, end = first + seams[k].count;
     bool closed = true, now = false;
     for (std::size_t p = first; p < end; ++p) closed = closed && c.state.sewn[p] == Sewn::kWelded;
     for (std::size_t p : due) now = now || (p >= first && p < end);

@@ -15,9 +15,6 @@ namespace drape {
 
 double seam_mass(const System& system, const SeamPair& pair);  // mu, kg
 
-// r_b - r_a of a field; of the positions, the gap.
-Vec3 seam_gap(const SeamPair& pair, const Array& x, const Array& y, const Array& z);
-
 // The pull on side b of a pair, N, at the velocity led on by `lead`; 0 where it is not pulled.
 Vec3 seam_pull(const System& system, const Seam& seam, std::size_t pair, const State& state, double lead);
 

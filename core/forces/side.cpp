@@ -8,6 +8,7 @@
 #include "forces/damping.h"
 #include "forces/node_lane.h"
 #include "forces/pull.h"
+#include "forces/seam.h"
 #include "forces/tension.h"
 #include "system/links.h"
 
@@ -89,6 +90,7 @@ void side_forces(const System& system, const State& s, bool rates, double lead, 
   clamps_add(system, s, f);
   if (rates && system_has_air(system)) air_add(system, s, lead, f);
   seams_pull(system, s, lead, out);
+  seams_bond(system, s, out);
 }
 
 void side_clamp_torques(const System& system, const State& s, std::vector<Vec3>& torque) {

@@ -12,11 +12,11 @@
 // Between kicks the potential energy's growth is F.dr, which the kicks meet to O(h^2).
 #include "motion/balance.h"
 
-#include "constraint/vector3.h"
 #include "forces/hinge_energy.h"
 #include "forces/pull.h"
 #include "forces/rates.h"
 #include "forces/side.h"
+#include "seam/row.h"
 #include "system/links.h"
 
 namespace drape {
@@ -72,9 +72,9 @@ namespace {
 
 void pull_set(const System& system, Balance& b, const State& s, double lead) {
   for (const Seam& seam : system.seams.seam)
-    for (auto p = std::size_t(seam.first); p < std::size_t(seam.first + seam.count); ++p) {
+    for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
       b.pull[p] = seam_pull(system, seam, p, s, lead);
-      b.rate[p] = seam_gap(system.seams.pair[p], s.vx, s.vy, s.vz);
+      b.rate[p] = row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz);
     }
 }
 
@@ -82,7 +82,7 @@ void pull_set(const System& system, Balance& b, const State& s, double lead) {
 double pull_power(const System& system, const Balance& b, const Array& vx, const Array& vy, const Array& vz) {
   double sum = 0;
   for (std::size_t p = 0; p < b.pull.size(); ++p)
-    sum += dot(b.pull[p], seam_gap(system.seams.pair[p], vx, vy, vz));
+    sum += dot(b.pull[p], row_value(system.seams.pair[p].gap, vx, vy, vz));
   return sum;
 }
 
@@ -119,7 +119,7 @@ void balance_end(const System& system, const Balance& b, State& s, double h_old,
   s.dissipated += system.damping * damped - (rates - wind);
   double pulled = 0;
   for (std::size_t p = 0; p < b.pull.size(); ++p)
-    pulled += dot(b.pull[p], b.rate[p] + seam_gap(system.seams.pair[p], s.vx, s.vy, s.vz));
+    pulled += dot(b.pull[p], b.rate[p] + row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz));
   s.input += wind + clamps_work(system, b, s) + span / 2 * pulled;
 }
 

@@ -60,7 +60,8 @@ void fit_scale(const System& system, const Constraints& constraints, State& s, d
   for (const Lattice& l : system.lattices) {
     const double clamps = step_limit_clamps(system, l, s, kScaleEvery * h);
     each_cell(system, l, [&](const std::size_t* corner, double share) {
-      const double bare = step_limit_cell(l, s, corner, kScaleEvery * h) + clamps;
+      const double bare =
+          step_limit_cell(l, s, corner, kScaleEvery * h) + clamps + system.seams.omega2_welded;
       const double omega2 = step_limit_rated(system, l, bare, drag, pulls);
       const double ratio = h / (kSafetyDamped * step_limit_of(system, omega2));
       const double quarter = share * l.cell * l.cell / 4 * std::max(1.0, ratio * ratio);

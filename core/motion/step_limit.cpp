@@ -130,7 +130,7 @@ double step_limit_lattice(const System& system, const Kernel& kernel, const Latt
   double most = 0;
   for (int j = 0; j + 1 < l.rows; ++j) most = most_of(kernel.omega2(system, l, state, j, ahead), most);
   most = most_of(side_bound(system, l, state, ahead) / (l.law.areal_density * l.cell * l.cell), most);
-  return most + step_limit_clamps(system, l, state, ahead);
+  return most + step_limit_clamps(system, l, state, ahead) + system.seams.omega2_welded;
 }
 
 double step_limit_drag(const System& system, const State& state) {
@@ -146,7 +146,7 @@ bool step_limit_pulls(const State& s) {
 double step_limit_rated(const System& system, const Lattice& l, double omega2, double drag, bool pulls) {
   const double d = l.law.damping * omega2 + drag / l.law.areal_density;
   if (!pulls) return omega2_with(system, omega2, d);
-  return omega2_with(system, omega2 + system.seams.omega2, d + system.seams.damping);
+  return omega2_with(system, omega2 + system.seams.omega2_pull, d + system.seams.damping);
 }
 
 double step_limit_omega2(const System& system, const Kernel& kernel, const State& state, double ahead) {

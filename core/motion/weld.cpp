@@ -2,18 +2,17 @@
 
 #include <algorithm>
 
-#include "constraint/vector3.h"
-#include "forces/pull.h"
+#include "seam/row.h"
 
 namespace drape {
 namespace {
 
-ConstraintRow weld_row(const SeamPair& pair) {
+ConstraintRow weld_row(const SeamRow& gap) {
   ConstraintRow row{-1, {}, {}, {0, 0, 0}};
-  for (int k = 0; k < pair.count; ++k) {
-    if (pair.weight[k] == 0) continue;
-    row.node.push_back(pair.node[k]);
-    row.weight.push_back(pair.weight[k]);
+  for (int k = 0; k < gap.count; ++k) {
+    if (gap.weight[k] == 0) continue;
+    row.node.push_back(gap.node[k]);
+    row.weight.push_back(gap.weight[k]);
   }
   return row;
 }
@@ -27,10 +26,10 @@ bool seams_pull_begin(const System& system, State& s) {
   bool begins = false;
   for (const Seam& seam : system.seams.seam) {
     if (!seam.close && time < seam.closed_at - rounding) continue;
-    for (auto p = std::size_t(seam.first); p < std::size_t(seam.first + seam.count); ++p) {
+    for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
       if (s.sewn[p] != Sewn::kOpen) continue;
       s.sewn[p] = Sewn::kPulled;
-      const Vec3 rate = seam_gap(system.seams.pair[p], s.vx, s.vy, s.vz);
+      const Vec3 rate = row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz);
       std::copy(rate.begin(), rate.end(), &s.gap_rate[3 * p]);
       begins = true;
     }
@@ -41,9 +40,9 @@ bool seams_pull_begin(const System& system, State& s) {
 std::vector<std::size_t> seams_due(const System& system, const State& s) {
   std::vector<std::size_t> due;
   for (const Seam& seam : system.seams.seam)
-    for (auto p = std::size_t(seam.first); p < std::size_t(seam.first + seam.count); ++p)
+    for (std::size_t p = seam.first; p < seam.first + seam.count; ++p)
       if (s.sewn[p] == Sewn::kPulled &&
-          vector3::norm(seam_gap(system.seams.pair[p], s.x, s.y, s.z)) <= seam.gap_tolerance)
+          vector3::norm(row_value(system.seams.pair[p].gap, s)) <= seam.gap_tolerance)
         due.push_back(p);
   return due;
 }
@@ -69,7 +68,7 @@ void seams_restore(const System& system, Motion& motion, const State& s) {
   std::vector<ConstraintRow> rows = system.pin_rows;
   for (std::size_t p = 0; p < pairs; ++p) {
     motion.welded[p] = is_welded(s, p);
-    if (is_welded(s, p)) rows.push_back(weld_row(system.seams.pair[p]));
+    if (is_welded(s, p)) rows.push_back(weld_row(system.seams.pair[p].gap));
   }
   std::vector<Problem> none;  // the pins have been judged when the system was made
   motion.constraints = constraints_make(rows, system.inverse_mass, system.constraints.pins, none);

@@ -55,13 +55,12 @@ void seams_fill(Outputs& o, const System& system, const State& s) {
     shown.gap_max = shown.length = 0;
     shown.closed = 1;
     Vec3 before{};
-    for (int n = 0; n < seam.count; ++n) {
-      const auto p = std::size_t(seam.first + n);
+    for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
       const SeamPair& pair = system.seams.pair[p];
       const Vec3 a = point_now(pair.side[0], s), b = point_now(pair.side[1], s), middle = 0.5 * (a + b);
       if (s.sewn[p] != Sewn::kWelded) shown.closed = 0;
       shown.gap_max = std::max(shown.gap_max, norm(b - a));
-      if (n > 0) shown.length += norm(middle - before);
+      if (p > seam.first) shown.length += norm(middle - before);
       before = middle;
     }
   }

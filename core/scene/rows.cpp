@@ -132,6 +132,7 @@ std::vector<Key> seam_keys(SeamSpec& s, const std::vector<std::string>& pieces) 
       {"gap_tol", &s.gap_tolerance, kOptional, {1e-9, 1}, "m"},
       {"pull", Auto{&s.pull}, kOptional, {0, 1e6, kAbove}, "1/s"},
       {"speed", &s.speed, kOptional, {0, 1e3, kAbove}, "m/s"},
+      {"tape", &s.tape, kOptional, {0, 1e6}, "N"},
   };
   for (int k = 0; k < 2; ++k) {
     SeamSide& side = s.side[k];

@@ -95,6 +95,7 @@ struct SeamSpec {
   double gap_tolerance = 1e-4;  // m
   double pull = 0;              // w, 1/s; 0 = automatic
   double speed = 1;             // m/s, of free points, at most
+  double tape = 0;              // N per strain, of a tape sewn in
 };
 
 struct ProbeSpec {

@@ -89,20 +89,20 @@ SeamLayout seam_layout(const Scene& scene, const SeamSpec& seam) {
   SeamLayout layout;
   std::vector<Vec2> line[2];
   double cell = INFINITY;
-  bool closed = true;
+  layout.closed = true;
   for (std::size_t k = 0; k < 2; ++k) {
     const PieceSpec& piece = scene.pieces[std::size_t(seam.side[k].piece)];
     line[k] = seam_line(piece, seam.side[k]);
     layout.length[k] = seam_length(line[k]);
     cell = std::min(cell, piece.cell);
-    closed = closed && seam.side[k].edges.size() == piece.outline.size();
+    layout.closed = layout.closed && seam.side[k].edges.size() == piece.outline.size();
   }
   const double wanted = std::max(layout.length[0], layout.length[1]) / cell;
   const int n = std::max(1, int(std::ceil(wanted - kWhole)));
   for (std::size_t k = 0; k < 2; ++k) {
     layout.spacing[k] = layout.length[k] / n;
     points_along(line[k], layout.length[k], n, layout.point[k], layout.inward[k]);
-    if (closed) layout.point[k].pop_back(), layout.inward[k].pop_back();
+    if (layout.closed) layout.point[k].pop_back(), layout.inward[k].pop_back();
     const PieceSpec& piece = scene.pieces[std::size_t(seam.side[k].piece)];
     if ((polygon_area(piece.outline) < 0) != seam.side[k].reverse)
       for (Vec2& v : layout.inward[k]) v = {-v[0], -v[1]};

@@ -13,6 +13,7 @@ std::vector<Vec2> seam_line(const PieceSpec& piece, const SeamSide& side);
 double seam_length(const std::vector<Vec2>& line);  // m
 
 struct SeamLayout {
+  bool closed = false;           // both sides are
   double length[2], spacing[2];  // m: l and R of both sides
   std::vector<Vec2> point[2];    // [pairs] in the planes of the pieces; both ends included
   std::vector<Vec2> inward[2];   // [pairs] across the outline there, to the cloth; of length 1

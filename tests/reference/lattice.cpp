@@ -169,10 +169,52 @@ double omega_at_rest(const Net& net, const Lattice& lattice) {
                    (net.fabric().areal_density * b * b));
 }
 
+// kappa = 2 W/(b_a/B_a + b_b/B_b)
+void add_seam_hinge(const std::vector<Net>& nets, const SeamSpec& spec, const SeamLayout& layout,
+                    std::size_t n, Seam& seam) {
+  std::array<Point, 2> inner;
+  double compliance = 0;
+  bool bends = true;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Net& net = nets[std::size_t(spec.side[k].piece)];
+    const double b = net.grid.cell, grain = net.piece().grain;
+    const Vec2 in = layout.inward[k][n], p = layout.point[k][n];
+    inner[k] = point_at(net, grid_locate(net.grid, {p[0] + b * in[0], p[1] + b * in[1]}));
+    const double c = -in[0] * std::sin(grain) + in[1] * std::cos(grain), s2 = 1 - c * c;
+    const double B = b * (link_rigidity(net, true) * c * c * c * c + link_rigidity(net, false) * s2 * s2);
+    bends = bends && B > 0;
+    compliance += b / B;
+  }
+  const bool end = !seam.closed && (n == 0 || n + 1 == layout.point[0].size());
+  seam.inner.push_back(inner);
+  seam.kappa.push_back(bends ? (end ? 1 : 2) * seam.rest / compliance : 0);
+}
+
+void add_seam_links(const std::vector<Net>& nets, const SeamSpec& spec, const SeamLayout& layout,
+                    Seam& seam) {
+  const std::size_t shorter = layout.length[1] < layout.length[0] ? 1 : 0;
+  const Net& net = nets[std::size_t(spec.side[shorter].piece)];
+  const Vec2 from = layout.point[shorter].front(), to = layout.point[shorter].back();
+  const double grain = net.piece().grain, x = to[0] - from[0], y = to[1] - from[1];
+  const bool warp = std::abs(y * std::cos(grain) - x * std::sin(grain)) >=
+                    std::abs(x * std::cos(grain) + y * std::sin(grain));
+  seam.rest = std::min(layout.spacing[0], layout.spacing[1]);
+  seam.closed = layout.closed;
+  seam.linked = std::abs(layout.spacing[0] - layout.spacing[1]) > 1e-6 * seam.rest || spec.tape > 0;
+  seam.width = net.grid.cell;
+  seam.tape = spec.tape;
+  seam.law = 3 * net.index + (warp ? 0 : 1);
+}
+
 void add_seam(const std::vector<Net>& nets, const SeamSpec& spec, double omega, Lattice& lattice) {
   const SeamLayout layout = seam_layout(nets[0].scene, spec);
-  Seam seam{spec.name,          {},         spec.closed_at,
-            spec.gap_tolerance, spec.speed, spec.pull > 0 ? spec.pull : omega / 10};
+  Seam seam{};
+  seam.name = spec.name;
+  seam.closed_at = spec.closed_at;
+  seam.gap_tolerance = spec.gap_tolerance;
+  seam.speed = spec.speed;
+  seam.pull = spec.pull > 0 ? spec.pull : omega / 10;
+  add_seam_links(nets, spec, layout, seam);
   for (std::size_t n = 0; n < layout.point[0].size(); ++n) {
     std::array<Point, 2> pair;
     for (std::size_t k = 0; k < 2; ++k) {
@@ -183,6 +225,7 @@ void add_seam(const std::vector<Net>& nets, const SeamSpec& spec, double omega, 
       pair[k] = point_at(net, grid_point(net.grid, cell, grid_coordinates(net.grid, p)));
     }
     seam.pairs.push_back(pair);
+    add_seam_hinge(nets, spec, layout, n, seam);
   }
   lattice.seams.push_back(std::move(seam));
 }

@@ -61,8 +61,13 @@ struct Pin {
 struct Seam {
   std::string name;
   std::vector<std::array<Point, 2>> pairs;
-  double closed_at, gap_tolerance, speed;  // s, m, m/s
-  double pull;                             // w, 1/s
+  double closed_at, gap_tolerance, speed;   // s, m, m/s
+  double pull;                              // w, 1/s
+  std::vector<std::array<Point, 2>> inner;  // [pairs] of the hinges
+  std::vector<double> kappa;                // [pairs] N m
+  bool linked, closed;                      // along the seam; the last pair is followed by the first
+  double rest, width, tape;                 // m, m, N
+  int law;                                  // of the links
 };
 
 struct Lattice {

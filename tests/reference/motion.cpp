@@ -28,6 +28,7 @@ Free free_motion(const Motion& motion, const Outside& outside, const VectorXd& r
   free.taken = add_link_damping(lattice, r, v, F);
   const AirPower air = add_air(lattice, motion.air, outside.wind, r, v, F);
   free.taken += air.taken;
+  add_bonds(lattice, motion.sewing, r, F);
   free.given = air.given + add_pulls(lattice, motion.sewing, r, v, F);
   for (int n = 0; n < lattice.count; ++n) {
     const double m = lattice.mass[std::size_t(n)];
@@ -139,8 +140,9 @@ Energy motion_energy(const Motion& motion, const Turns& turns, const VectorXd& y
   double gravity = 0;
   for (int k = 0; k < lattice.count; ++k)
     gravity -= lattice.mass[std::size_t(k)] * motion.gravity.dot(r.segment<3>(3 * k));
-  return {kinetic_energy(lattice, v), stretch_energy(lattice, r), shear_energy(lattice, r),
-          bending_energy(lattice, r) + clamp_energy(lattice, turns, r), gravity};
+  const BondEnergy sewn = bond_energy(lattice, motion.sewing, r);
+  return {kinetic_energy(lattice, v), stretch_energy(lattice, r) + sewn.stretch, shear_energy(lattice, r),
+          bending_energy(lattice, r) + clamp_energy(lattice, turns, r) + sewn.bending, gravity};
 }
 
 Residual residual(const Motion& motion, const Outside& outside, const VectorXd& r) {

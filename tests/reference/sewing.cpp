@@ -23,7 +23,76 @@ double closing_mass(const Lattice& lattice, const std::array<Point, 2>& pair) {
   return 1 / sum;
 }
 
+Vector3d middle_of(const std::array<Point, 2>& pair, const VectorXd& r) {
+  return (point_value(pair[0], r) + point_value(pair[1], r)) / 2;
+}
+
+void add_at(const Point& point, const Vector3d& force, VectorXd& F) {
+  for (std::size_t k = 0; k < point.node.size(); ++k)
+    F.segment<3>(3 * point.node[k]) += point.weight[k] * force;
+}
+void add_middle(const std::array<Point, 2>& pair, const Vector3d& force, VectorXd& F) {
+  for (const Point& point : pair) add_at(point, force / 2, F);
+}
+
+// Calls `hinge(pair, inner, kappa)` and `link(seam, pair, next)` for all that is sewn.
+template <class Hinge, class Link>
+void each_bond(const Lattice& lattice, const Sewing& sewing, Hinge hinge, Link link) {
+  for (std::size_t s = 0; s < lattice.seams.size(); ++s) {
+    const Seam& seam = lattice.seams[s];
+    const std::size_t n = seam.pairs.size();
+    for (std::size_t p = 0; p < n; ++p) {
+      if (sewing[s][p] != Stage::kWelded) continue;
+      if (seam.kappa[p] > 0) hinge(seam.pairs[p], seam.inner[p], seam.kappa[p]);
+      const std::size_t next = (p + 1) % n;
+      if (seam.linked && (next > 0 || seam.closed) && sewing[s][next] == Stage::kWelded)
+        link(seam, seam.pairs[p], seam.pairs[next]);
+    }
+  }
+}
+
 }  // namespace
+
+void add_bonds(const Lattice& lattice, const Sewing& sewing, const VectorXd& r, VectorXd& F) {
+  each_bond(
+      lattice, sewing,
+      [&](const auto& pair, const auto& inner, double kappa) {
+        const Vector3d x = middle_of(pair, r), a = x - point_value(inner[0], r),
+                       c = point_value(inner[1], r) - x;
+        const Fold fold = fold_of(a, c);
+        const Vector3d u = a.normalized(), v = c.normalized();
+        const Vector3d F2 = kappa * fold.psi / c.norm() * (u - fold.y * v);
+        const Vector3d F0 = -kappa * fold.psi / a.norm() * (v - fold.y * u);
+        add_at(inner[0], F0, F);
+        add_at(inner[1], F2, F);
+        add_middle(pair, -F0 - F2, F);
+      },
+      [&](const Seam& seam, const auto& pair, const auto& next) {
+        const Vector3d d = middle_of(next, r) - middle_of(pair, r);
+        const double e = d.norm() / seam.rest - 1;
+        const double tension =
+            seam.width * curve_value(lattice.laws[std::size_t(seam.law)].curve, e) + seam.tape * e;
+        add_middle(pair, tension * d.normalized(), F);
+        add_middle(next, -tension * d.normalized(), F);
+      });
+}
+
+BondEnergy bond_energy(const Lattice& lattice, const Sewing& sewing, const VectorXd& r) {
+  BondEnergy energy;
+  each_bond(
+      lattice, sewing,
+      [&](const auto& pair, const auto& inner, double kappa) {
+        const Vector3d x = middle_of(pair, r);
+        energy.bending += kappa * fold_of(x - point_value(inner[0], r), point_value(inner[1], r) - x).energy;
+      },
+      [&](const Seam& seam, const auto& pair, const auto& next) {
+        const double e = (middle_of(next, r) - middle_of(pair, r)).norm() / seam.rest - 1;
+        energy.stretch +=
+            seam.rest *
+            (seam.width * curve_energy(lattice.laws[std::size_t(seam.law)].curve, e) + seam.tape * e * e / 2);
+      });
+  return energy;
+}
 
 Sewing sewing_start(const Lattice& lattice) {
   Sewing sewing;

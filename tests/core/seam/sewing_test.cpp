@@ -4,10 +4,12 @@
 #include <cmath>
 
 #include "cloth_fixture.h"
-#include "constraint/vector3.h"
 #include "forces/pull.h"
+#include "forces/seam.h"
 #include "motion/weld.h"
 #include "reference/run.h"
+#include "reference/sewing.h"
+#include "seam/row.h"
 
 namespace drape {
 namespace {
@@ -53,7 +55,7 @@ void sewn_advance(Assembled& a, double length) {
 }
 
 double gap_norm(const Assembled& a, std::size_t pair) {
-  return vector3::norm(seam_gap(a.system.seams.pair[pair], a.state.x, a.state.y, a.state.z));
+  return vector3::norm(row_value(a.system.seams.pair[pair].gap, a.state));
 }
 
 // Single cells without laws: the nodes of the sewn edges are free particles, and close as
@@ -72,7 +74,8 @@ TEST(Sewing, FreeParticlesCloseCritically) {
     EXPECT_NEAR(gap_norm(a, 1), gap_norm(a, 0), 1e-14);
   }
   std::printf("closing, relative errors: %.2e %.2e %.2e %.2e\n", errors[0], errors[1], errors[2], errors[3]);
-  // The rate led on to t_n is off by (3/8) h^2 of its second derivative, and pulls 2 w times that: 3/4 (h w)^2.
+  // The rate led on to t_n is off by (3/8) h^2 of its second derivative, and pulls 2 w times that: 3/4 (h
+  // w)^2.
   EXPECT_LE(errors[0], 0.75 * 0.1 * 0.1);
   for (std::size_t k = 0; k + 1 < errors.size(); ++k) {
     const double order = std::log2(errors[k] / errors[k + 1]);
@@ -146,8 +149,7 @@ TEST(Sewing, JumpsAtAWeldByWhatTheGapCarries) {
     a.state.vx[n] = 0.1 * double(n % 7), a.state.vy[n] = 0.05 * double(n % 5);
   Vec3 expected{0, 0, 0};
   for (const SeamPair& pair : a.system.seams.pair) {
-    const Vec3 d = seam_gap(pair, a.state.x, a.state.y, a.state.z),
-               v = seam_gap(pair, a.state.vx, a.state.vy, a.state.vz);
+    const Vec3 d = row_value(pair.gap, a.state), v = row_value(pair.gap, a.state.vx, a.state.vy, a.state.vz);
     using namespace vector3;
     expected -= seam_mass(a.system, pair) * cross(d, v);
   }
@@ -182,6 +184,47 @@ TEST(Sewing, MeetsTheJudge) {
     for (std::size_t k = 0; k + 1 < errors.size(); ++k)
       EXPECT_NEAR(std::log2(errors[k] / errors[k + 1]), 2, 0.2) << until;
   }
+}
+
+// Hinges across and links along a seam: the kernel's forces at a crumpled state are the judge's; with no net
+// force or torque.
+TEST(Sewing, BondsAsTheJudgeSays) {
+  Scene scene = pair_of(curved_fabric(), 0.05, 0.01, 1.3, {0, 0, 0});
+  scene.pieces[1].outline = {
+      {0, -0.003}, {0.05, 0}, {0.05, 0.05}, {0.004, 0.058}};  // longer by a fifth, oblique
+  scene.pieces[1].grain = 0.3;
+  scene.seams[0].tape = 3;
+  Assembled a = assemble(scene);
+  a.state.sewn.assign(a.state.sewn.size(), Sewn::kWelded);
+  crumple(a, 5e-4, 7);
+  const Eigen::VectorXd r = positions(a);
+  reference::Motion motion = reference::motion_make(scene);
+  motion.sewing[0].assign(a.state.sewn.size(), reference::Stage::kWelded);
+  Eigen::VectorXd bonds = Eigen::VectorXd::Zero(r.size());
+  reference::add_bonds(motion.lattice, motion.sewing, r, bonds);
+  const Eigen::VectorXd exact = reference::forces(motion.lattice, r) + bonds;
+  const Eigen::VectorXd fast = forces_by(*a.motion.kernel, a);
+  EXPECT_LE((fast - exact).cwiseAbs().maxCoeff(), 1e-12 * exact.cwiseAbs().maxCoeff());
+  EXPECT_GT(bonds.cwiseAbs().maxCoeff(), 1e-3 * exact.cwiseAbs().maxCoeff());
+  Eigen::Vector3d force = Eigen::Vector3d::Zero(), torque = force;
+  for (Eigen::Index n = 0; n < r.size(); n += 3) {
+    force += bonds.segment<3>(n);
+    torque += r.segment<3>(n).cross(bonds.segment<3>(n));
+  }
+  EXPECT_LE(force.norm(), 1e-12 * bonds.norm());
+  EXPECT_LE(torque.norm(), 1e-12 * bonds.norm());
+
+  // dE = -F dr, by central differences over a micrometre
+  Eigen::VectorXd step = Eigen::VectorXd::Random(r.size()) * 1e-6;
+  const auto energy = [&](double sign) {
+    const reference::BondEnergy e = reference::bond_energy(motion.lattice, motion.sewing, r + sign * step);
+    return e.bending + e.stretch;
+  };
+  EXPECT_NEAR(energy(1) - energy(-1), -2 * bonds.dot(step), 1e-5 * bonds.norm() * step.norm());
+  const SeamEnergy told = seams_energy(a.system, a.state);
+  const reference::BondEnergy wanted = reference::bond_energy(motion.lattice, motion.sewing, r);
+  EXPECT_NEAR(told.bending, wanted.bending, 1e-12 * wanted.bending);
+  EXPECT_NEAR(told.stretch, wanted.stretch, 1e-12 * wanted.stretch);
 }
 
 // Pulled pairs stay bounded at 0.99 of the limit and grow at 1.01 (the nodes of single cells share nothing,
