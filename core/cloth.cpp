@@ -36,6 +36,20 @@ void inputs_restore(const drape_snapshot::Inputs& from, drape_inputs& to) {
   std::copy(from.pin.begin(), from.pin.end(), to.pin);
 }
 
+// Sides of very different length are likely to be a mistake.
+void seams_warn(const drape_cloth& c) {
+  constexpr double kUsual = 1.5;
+  for (std::size_t k = 0; k < c.scene.seams.size(); ++k) {
+    const double a = c.system.seams.seam[k].length[0], b = c.system.seams.seam[k].length[1];
+    const double ratio = std::max(a, b) / std::min(a, b);
+    if (ratio > kUsual)
+      say(c, DRAPE_LOG_WARNING,
+          "seam." + c.scene.seams[k].name + " sews " + number(a) + " m to " + number(b) +
+              " m: the longer side is " + number(ratio, 4) +
+              " times the shorter, which it is gathered to; usual: up to " + number(kUsual));
+  }
+}
+
 void cloth_assemble(drape_cloth& c, std::vector<Problem>& problems) {
   c.system = system_assemble(c.scene, c.state, problems);
   if (!problems.empty()) return;
@@ -49,6 +63,7 @@ void cloth_assemble(drape_cloth& c, std::vector<Problem>& problems) {
   tuning_begin(c);
   inputs_make(c);
   outputs_make(c.outputs, c.scene, c.system);
+  seams_warn(c);
 }
 
 // Where a run left the finite numbers, and the likely reason.

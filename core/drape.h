@@ -107,6 +107,8 @@ typedef struct drape_pin {
 
 typedef struct drape_seam {
   const char* name;
+  int pair_count; /* of particles */
+  double side[2]; /* m, lengths of its sides before they are sewn */
   double gap_max; /* m */
   double closed;  /* 1 where all of it is sewn, else 0 */
   double length;  /* m, along the middle of both sides */

@@ -108,7 +108,11 @@ void energy_fill(Outputs& o, const System& system, Motion& motion, const State& 
 void outputs_make(Outputs& o, const Scene& scene, const System& system) {
   for (const ProbeSpec& probe : scene.probes) o.probes.push_back({probe.name.c_str(), {}, {}});
   for (const PinSpec& pin : scene.pins) o.pins.push_back({pin.name.c_str(), {}, {}});
-  for (const SeamSpec& seam : scene.seams) o.seams.push_back({seam.name.c_str(), 0, 0, 0});
+  for (std::size_t k = 0; k < scene.seams.size(); ++k) {
+    const Seam& seam = system.seams.seam[k];
+    o.seams.push_back(
+        {scene.seams[k].name.c_str(), int(seam.count), {seam.length[0], seam.length[1]}, 0, 0, 0});
+  }
   o.shown.has_energy = scene.energy;
   o.shown.has_balance = system.energy;
   o.shown.has_fit = scene.mode == Mode::kFit;
