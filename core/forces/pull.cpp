@@ -23,7 +23,7 @@ Vec3 seam_pull(const System& system, const Seam& seam, std::size_t p, const Stat
   const double w = seam.pull, length = norm(gap);
   if (length == 0 || w == 0) return {0, 0, 0};
   const Vec3 rate = now + lead * (now - Vec3{before[0], before[1], before[2]});
-  const double spring = w * w * std::min(length, 2 * seam.speed / w),
+  const double spring = w * w * (std::min(length, 2 * seam.speed / w) + s.gap_hold[p]),
                damping = 2 * w * dot(rate, gap) / length;
   return (-seam_mass(system, pair) * (spring + damping) / length) * gap;
 }
@@ -33,6 +33,23 @@ void seams_pull(const System& system, const State& s, double lead, SideForces to
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p)
       if (s.sewn[p] == Sewn::kPulled)
         row_force(system.seams.pair[p].gap, seam_pull(system, seam, p, s, lead), to);
+}
+
+void seams_hold(const System& system, State& s, double h) {
+  constexpr double kSlow = 20, kStalled = 0.1;
+  for (const Seam& seam : system.seams.seam) {
+    const double w = seam.pull, reach = 2 * seam.speed / w;
+    for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
+      if (s.sewn[p] != Sewn::kPulled) continue;
+      s.pulled_for[p] += h;
+      if (s.pulled_for[p] * w < kSlow) continue;
+      const SeamRow& row = system.seams.pair[p].gap;
+      const Vec3 rate = row_value(row, s.vx, s.vy, s.vz), gap = row_value(row, s) - (h / 2) * rate;
+      const double length = norm(gap), closing = -dot(rate, gap);
+      if (closing < kStalled * length * std::min(w * length, 2 * seam.speed))
+        s.gap_hold[p] += h * (w / kSlow) * std::min(length, reach);
+    }
+  }
 }
 
 void seams_rates(const System& system, const State& s, Array& rates) {

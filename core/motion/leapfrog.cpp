@@ -249,6 +249,7 @@ void leapfrog_step(const System& system, Motion& motion, State& s, double h, dou
                       half,
                       1 + damping_of(system, s) * half};
   constraints_apply(system, motion.constraints, step, motion.held, s);
+  if (!s.sewn.empty()) seams_hold(system, s, h);
   if (system.energy) balance_end(system, motion.balance, s, s.h_old, h);
   s.advance_begins = false;
   s.h_older = s.h_old;

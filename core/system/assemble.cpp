@@ -164,6 +164,8 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
   side_number(system);
   start.sewn.assign(system.seams.pair.size(), Sewn::kOpen);
   start.gap_rate.assign(3 * system.seams.pair.size(), 0.0);
+  start.gap_hold.assign(system.seams.pair.size(), 0.0);
+  start.pulled_for.assign(system.seams.pair.size(), 0.0);
 
   system_retune(system, scene.fabrics, problems);
   if (!problems.empty()) return system;

@@ -100,19 +100,40 @@ Sewing sewing_start(const Lattice& lattice) {
   return sewing;
 }
 
-double add_pulls(const Lattice& lattice, const Sewing& sewing, const VectorXd& r, const VectorXd& v,
-                 VectorXd& F) {
+VectorXd hold_rates(const Motion& motion, double time, const VectorXd& r, const VectorXd& v) {
+  const Lattice& lattice = motion.lattice;
+  const Layout at = layout_of(lattice);
+  VectorXd rates = VectorXd::Zero(at.time - at.hold);
+  Eigen::Index k = 0;
+  for (std::size_t s = 0; s < lattice.seams.size(); ++s) {
+    const Seam& seam = lattice.seams[s];
+    for (std::size_t p = 0; p < seam.pairs.size(); ++p, ++k) {
+      const double w = seam.pull;
+      if (motion.sewing[s][p] != Stage::kPulled || time - motion.pulled_from[s][p] < 20 / w) continue;
+      const Vector3d d = gap_of(seam.pairs[p], r), rate = gap_of(seam.pairs[p], v);
+      const double length = d.norm();
+      if (-rate.dot(d) < length * std::min(w * length, 2 * seam.speed) / 10)
+        rates[k] = w / 20 * std::min(length, 2 * seam.speed / w);
+    }
+  }
+  return rates;
+}
+
+double add_pulls(const Lattice& lattice, const Sewing& sewing, const VectorXd& hold, const VectorXd& r,
+                 const VectorXd& v, VectorXd& F) {
   double power = 0;
+  Eigen::Index number = -1;
   for (std::size_t s = 0; s < lattice.seams.size(); ++s) {
     const Seam& seam = lattice.seams[s];
     for (std::size_t p = 0; p < seam.pairs.size(); ++p) {
+      ++number;
       if (sewing[s][p] != Stage::kPulled) continue;
       const auto& pair = seam.pairs[p];
       const Vector3d d = gap_of(pair, r), rate = gap_of(pair, v);
       const double length = d.norm(), w = seam.pull;
       if (length == 0) continue;
       const Vector3d n = d / length;
-      const double reach = std::min(length, 2 * seam.speed / w);
+      const double reach = std::min(length, 2 * seam.speed / w) + hold[number];
       const Vector3d on_a = closing_mass(lattice, pair) * (w * w * reach + 2 * w * rate.dot(n)) * n;
       for (std::size_t side = 0; side < 2; ++side)
         for (std::size_t k = 0; k < pair[side].node.size(); ++k)
@@ -128,11 +149,15 @@ bool motion_sew(Motion& motion, double time, const Outside& outside, VectorXd& y
   const Layout at = layout_of(lattice);
   const VectorXd r = y.head(at.velocity);
   bool welds = false;
+  motion.begun = time;
   for (std::size_t s = 0; s < lattice.seams.size(); ++s) {
     const Seam& seam = lattice.seams[s];
     for (std::size_t p = 0; p < seam.pairs.size(); ++p) {
       Stage& stage = motion.sewing[s][p];
-      if (stage == Stage::kOpen && time >= seam.closed_at * (1 - 1e-12)) stage = Stage::kPulled;
+      if (stage == Stage::kOpen && time >= seam.closed_at * (1 - 1e-12)) {
+        stage = Stage::kPulled;
+        motion.pulled_from[s][p] = time;
+      }
       if (stage != Stage::kPulled || gap_of(seam.pairs[p], r).norm() > seam.gap_tolerance) continue;
       stage = Stage::kWelded;
       welds = true;

@@ -6,9 +6,13 @@ namespace drape::reference {
 
 Sewing sewing_start(const Lattice& lattice);
 
-// Adds the pull of all pulled pairs to F [3 N] and returns its power on the cloth, W.
-double add_pulls(const Lattice& lattice, const Sewing& sewing, const Eigen::VectorXd& r,
-                 const Eigen::VectorXd& v, Eigen::VectorXd& F);
+// s' of all pairs.
+Eigen::VectorXd hold_rates(const Motion& motion, double time, const Eigen::VectorXd& r,
+                           const Eigen::VectorXd& v);
+
+// Adds the pull of all pulled pairs to F [3 N] and returns its power on the cloth, W; s of all pairs.
+double add_pulls(const Lattice& lattice, const Sewing& sewing, const Eigen::VectorXd& s,
+                 const Eigen::VectorXd& r, const Eigen::VectorXd& v, Eigen::VectorXd& F);
 
 // The hinges across welded pairs and the links along them: their forces, and their energies, J.
 void add_bonds(const Lattice& lattice, const Sewing& sewing, const Eigen::VectorXd& r, Eigen::VectorXd& F);

@@ -79,6 +79,7 @@ void set_tolerance(Solver& solver, double rtol) {
   tolerance.head(at.velocity).setConstant(rtol * lattice.cell);
   tolerance.segment(at.velocity, at.velocity).setConstant(rtol * 1.0);
   tolerance.segment(at.angular, at.given - at.angular).setConstant(rtol * mass * 1.0 * lattice.cell);
+  tolerance.segment(at.hold, at.time - at.hold).setConstant(rtol * lattice.cell);
   tolerance[at.time] = 1.0;  // exact by every method
   demand(solver, ERKStepSVtolerances(solver.arkode, rtol, solver.tolerance), "ERKStepSVtolerances");
 }
