@@ -63,12 +63,18 @@ void bias_check(const Scene& scene, const FabricSpec& f, const std::string& path
         {path + ".strip", "has gauge/width = " + rounded(ratio) +
                               "; the clamp correction of a bias diagram takes values above 1.25 (or set "
                               "options.clamp_correction = false)"});
-  if (scene.bias_model == BiasModel::kOdd && f.bias.elongation.size() > 1 && f.bias.elongation[1] > kLocking)
-    problems.push_back({entry(path + ".bias." + f.bias.elongation_as.key, 1),
-                        "= " + rounded(100 * f.bias.elongation[1]) +
-                            " percent; bias_model \"odd\" takes at least one point "
-                            "above 0 and below 41.42 percent, where the threads "
-                            "of a strip lie along the pull"});
+  if (scene.bias_model != BiasModel::kOdd || f.bias.elongation.size() < 2 ||
+      !(f.bias.elongation[1] > kLocking))
+    return;
+  const GivenAs& as = f.bias.elongation_as;
+  const std::string percent = rounded(100 * f.bias.elongation[1]) + " percent";
+  const std::string given =
+      as.per_si == 100 ? percent : rounded(as.per_si * f.bias.elongation[1]) + " " + as.unit + ", " + percent;
+  problems.push_back(
+      {entry(path + ".bias." + as.key, 1),
+       "= " + given +
+           "; bias_model \"odd\" takes at least one point above 0 and below 41.42 percent, where the threads "
+           "of a strip lie along the pull"});
 }
 
 }  // namespace

@@ -48,10 +48,15 @@ void level_read(Faults& faults, const toml::table& table, const std::string& pat
     const bool is_table = std::any_of(keys.begin(), keys.end(), [&](const Key& k) {
       return k.name != prefix + name && key_within(k, prefix) == name;
     });
-    if (plain && row != keys.end() && !(is_table && node.is_table())) value_land(faults, at, *row, node);
+    const bool lands =
+        plain && row != keys.end() && (!is_table || node.is_string());  // text: the table's name
+    if (lands) value_land(faults, at, *row, node);
     else if (!is_table) unknown_key(faults, at, name, prefix, keys);
     else if (node.is_table()) level_read(faults, *node.as_table(), at, prefix + name + ".", keys);
-    else fault_add(faults, at, std::string("is ") + node_kind(node) + "; wanted: a table");
+    else
+      fault_add(faults, at,
+                std::string("is ") + node_kind(node) + "; wanted: a table" +
+                    (row != keys.end() ? " or " + key_wanted(*row) : ""));
   }
   for (const Key& key : keys)
     if (key.required && key.name == prefix + key_within(key, prefix) &&

@@ -26,12 +26,17 @@ struct FastText {  // in the units of the sheet; pairs are warp, weft
 };
 
 // Other keys for a diagram's lists.
-inline constexpr GivenAs kExtensions[] = {{"extension_mm", "mm", 1e3}, {"extension_in", "in", 1 / kInch}};
-inline constexpr GivenAs kForces[] = {{"force_cN", "cN", 1e2},
-                                      {"force_daN", "daN", 0.1},
-                                      {"force_gf", "gf", 1 / kGramForce},
-                                      {"force_kgf", "kgf", 1 / kKilogramForce},
-                                      {"force_lbf", "lbf", 1 / kPoundForce}};
+struct OtherUnit {
+  GivenAs as;
+  double high;  // in the unit
+};
+inline constexpr OtherUnit kExtensions[] = {{{"extension_mm", "mm", 1e3}, 1e6},
+                                            {{"extension_in", "in", 1 / kInch}, 1e4}};
+inline constexpr OtherUnit kForces[] = {{{"force_cN", "cN", 1e2}, 1e8},
+                                        {{"force_daN", "daN", 0.1}, 1e5},
+                                        {{"force_gf", "gf", 1 / kGramForce}, 1e8},
+                                        {{"force_kgf", "kgf", 1 / kKilogramForce}, 1e5},
+                                        {{"force_lbf", "lbf", 1 / kPoundForce}, 2e5}};
 inline constexpr const char* kDiagrams[] = {"warp", "weft", "bias"};
 
 struct DiagramText {

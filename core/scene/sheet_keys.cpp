@@ -24,16 +24,12 @@ Key strip_key(FabricText& t) {
   return {"strip", choice};
 }
 
-void diagram_keys(std::vector<Key>& keys, const std::string& name, DiagramText& d) {
-  for (std::size_t u = 0; u < std::size(kExtensions); ++u) {
-    const GivenAs& as = kExtensions[u];
-    keys.push_back(
-        {name + "." + as.key, &d.extension[u], kOptional, {0, 1e3 * as.per_si}, as.unit, as.per_si});
-  }
-  for (std::size_t u = 0; u < std::size(kForces); ++u) {
-    const GivenAs& as = kForces[u];
-    keys.push_back(
-        {name + "." + as.key, &d.force[u], kOptional, {0, kForce.high * as.per_si}, as.unit, as.per_si});
+template <std::size_t N>
+void lists_add(std::vector<Key>& keys, const std::string& name, const OtherUnit (&units)[N],
+               std::vector<double> (&lists)[N]) {
+  for (std::size_t u = 0; u < N; ++u) {
+    const GivenAs& as = units[u].as;
+    keys.push_back({name + "." + as.key, &lists[u], kOptional, {0, units[u].high}, as.unit, as.per_si});
   }
 }
 
@@ -70,7 +66,10 @@ std::vector<Key> sheet_keys(FabricText& t) {
       {"fast.E100", pair(fast.E100), kOptional, kPercents, "percent"},
       {"fast.EB5", &fast.EB5, kOptional, {0.1, 41}, "percent"},
   };
-  for (std::size_t k = 0; k < std::size(kDiagrams); ++k) diagram_keys(keys, kDiagrams[k], t.sheet.diagram[k]);
+  for (std::size_t k = 0; k < std::size(kDiagrams); ++k) {
+    lists_add(keys, kDiagrams[k], kExtensions, t.sheet.diagram[k].extension);
+    lists_add(keys, kDiagrams[k], kForces, t.sheet.diagram[k].force);
+  }
   return keys;
 }
 

@@ -61,7 +61,8 @@ void bending_settle(const Settling& s, FabricText& t) {
   const toml::node* table = stated(s, "bending");
   if (way.empty() && table && table->is_table()) missing(s, t, plain);
   if (way == plain || !sound(s, way)) return;
-  if (stated(s, "bending.width") && way_of(s, "width", {"bending.width", way}) != way) return;
+  if (stated(s, "bending.width") && same_text(s, "bending.width", way))
+    return fault_at(s, "bending.width", "belongs to bending.rigidity_uN_cm2, not to " + way);
   toml::array rigidity;
   for (std::size_t k = 0; k < 2; ++k) rigidity.push_back(bending_of(way, t, k) * kGostWidth * kMicroNcm2);
   t.sheet.plain.insert("bending", toml::table{{"rigidity_uN_cm2", rigidity}, {"width", kGostWidth}});
@@ -104,8 +105,8 @@ void fabric_flatten(toml::table& table, const FabricText& text) {
     for (const char* key : {"gost_10550", "length_mm", "overhang_mm"}) bending->erase(key);
   for (const char* name : kDiagrams)
     if (toml::table* diagram = table[name].as_table()) {
-      for (const GivenAs& as : kExtensions) diagram->erase(as.key);
-      for (const GivenAs& as : kForces) diagram->erase(as.key);
+      for (const OtherUnit& unit : kExtensions) diagram->erase(unit.as.key);
+      for (const OtherUnit& unit : kForces) diagram->erase(unit.as.key);
     }
   for (auto&& [key, node] : text.sheet.plain) {
     toml::table* own = table[key.str()].as_table();

@@ -1,6 +1,7 @@
 // Sheets -> plain keys: warp, weft and bias.
 #include <cmath>
 
+#include "scene/check.h"
 #include "scene/sheet_settle.h"
 #include "sheet/fast.h"
 #include "sheet/kes.h"
@@ -32,10 +33,31 @@ void diagram_insert(FabricText& t, std::size_t k, const SheetDiagram& d, bool ja
 }
 
 template <std::size_t N>
-const GivenAs* given_as(const GivenAs (&units)[N], const std::string& key, std::size_t& u) {
+const GivenAs* given_as(const OtherUnit (&units)[N], const std::string& key, std::size_t& u) {
   for (u = 0; u < N; ++u)
-    if (key == units[u].key) return &units[u];
+    if (key == units[u].as.key) return &units[u].as;
   return nullptr;
+}
+
+toml::array percent_of(const std::vector<double>& extension, double gauge) {
+  toml::array percent;
+  for (const double e : extension) percent.push_back(100 * e / gauge);
+  return percent;
+}
+
+// 1000 percent at most, as elongation_percent.
+bool extension_fits(const Settling& s, const std::string& key, const GivenAs& as,
+                    const std::vector<double>& extension, double gauge) {
+  constexpr double kMost = 10;
+  bool fits = true;
+  for (std::size_t i = 0; i < extension.size(); ++i) {
+    if (100 * extension[i] / gauge <= 100 * kMost) continue;
+    fault_at(s, key, i,
+             "= " + rounded(extension[i] / gauge * as.per_si) + " " + as.unit + "; allowed: from 0 to " +
+                 rounded(kMost * as.per_si) + " " + as.unit + ", ten times the gauge");
+    fits = false;
+  }
+  return fits;
 }
 
 // The diagram's own lists, in whatever unit they are.
@@ -43,8 +65,8 @@ void lists_settle(const Settling& s, FabricText& t, std::size_t k) {
   const std::string name = kDiagrams[k];
   if (const toml::node* table = stated(s, name); !table || !table->is_table()) return;
   std::vector<std::string> ways_e{name + ".elongation_percent"}, ways_f{name + ".force"};
-  for (const GivenAs& as : kExtensions) ways_e.push_back(name + "." + as.key);
-  for (const GivenAs& as : kForces) ways_f.push_back(name + "." + as.key);
+  for (const OtherUnit& unit : kExtensions) ways_e.push_back(name + "." + unit.as.key);
+  for (const OtherUnit& unit : kForces) ways_f.push_back(name + "." + unit.as.key);
   const std::string way_e = way_of(s, "elongation", ways_e), way_f = way_of(s, "force", ways_f);
   if (way_e.empty()) missing(s, t, ways_e[0]);
   if (way_f.empty()) missing(s, t, ways_f[0]);
@@ -53,11 +75,10 @@ void lists_settle(const Settling& s, FabricText& t, std::size_t k) {
   DiagramSpec& d = spec_of(t, k);
   std::size_t u;
   if (const GivenAs* as = given_as(kExtensions, way_e.substr(way_e.find('.') + 1), u)) {
-    const double gauge = t.spec.strip_gauge;
-    d.elongation_as = {as->key, as->unit, as->per_si * gauge};
-    toml::array percent;
-    for (const double extension : t.sheet.diagram[k].extension[u]) percent.push_back(100 * extension / gauge);
-    if (sound(s, way_e)) plain.insert("elongation_percent", percent);
+    d.elongation_as = {as->key, as->unit, as->per_si * t.spec.strip_gauge};
+    const std::vector<double>& extension = t.sheet.diagram[k].extension[u];
+    if (sound(s, way_e) && extension_fits(s, way_e, d.elongation_as, extension, t.spec.strip_gauge))
+      plain.insert("elongation_percent", percent_of(extension, t.spec.strip_gauge));
   }
   if (const GivenAs* as = given_as(kForces, way_f.substr(way_f.find('.') + 1), u)) {
     d.force_as = *as;
@@ -73,7 +94,7 @@ double kes_energy_of(const Settling& s, const KesText& kes, std::size_t k) {
   if (!stated(s, "kes.WT")) return kes_energy(emt, kes.LT[k], fm);
   const double wt = kes.WT[k], lt = kes_linearity(emt, wt, fm);
   if (!(lt >= kKesLinearityLow && lt <= kKesLinearityHigh)) {
-    const auto at = [&](double limit) { return number_text(kes_energy(emt, limit, fm)); };
+    const auto at = [&](double limit) { return rounded(kes_energy(emt, limit, fm)); };
     fault_at(s, "kes.WT", k,
              "= " + number_text(wt) + " gf cm/cm^2 does not go with EMT = " + number_text(emt) +
                  " percent at " + number_text(fm) + " gf/cm; allowed: from " + at(kKesLinearityLow) + " to " +
@@ -83,7 +104,7 @@ double kes_energy_of(const Settling& s, const KesText& kes, std::size_t k) {
   if (stated(s, "kes.LT") && !(std::abs(kes.LT[k] / lt - 1) <= kMeans))
     fault_at(s, "kes.LT", k,
              "= " + number_text(kes.LT[k]) +
-                 " does not go with WT and EMT, which give LT = 2 WT/(Fm EMT) = " + number_text(lt) +
+                 " does not go with WT and EMT, which give LT = 2 WT/(Fm EMT) = " + rounded(lt) +
                  "; allowed: within 5 percent of it");
   return wt;
 }
@@ -102,15 +123,15 @@ void fast_settle(const Settling& s, FabricText& t, std::size_t k) {
     if (!sound(s, key)) return;
   const FastText& fast = t.sheet.fast;
   const double e5 = fast.E5[k], e20 = fast.E20[k], e100 = fast.E100[k];
-  const auto after = [&](const char* key, double e, const char* before, double less) {
-    if (!(e - less >= 1e-6))
-      fault_at(s, key, k,
-               "= " + number_text(e) + " percent after " + before + " = " + number_text(less) +
-                   " percent; wanted: a rise of at least 1e-06 percent");
+  const auto rises = [&](const char* key, double e, const char* before, double less) {
+    if (e - less >= 1e-6) return true;
+    fault_at(s, key, k,
+             "= " + number_text(e) + " percent after " + before + " = " + number_text(less) +
+                 " percent; wanted: a rise of at least 1e-06 percent");
+    return false;
   };
-  after("fast.E20", e20, "E5", e5);
-  after("fast.E100", e100, "E20", e20);
-  if (e20 > e5 && e100 > e20)
+  const bool first = rises("fast.E20", e20, "E5", e5), second = rises("fast.E100", e100, "E20", e20);
+  if (first && second)
     diagram_insert(t, k, {{0, e5, e20, e100}, {std::begin(kFastForce), std::end(kFastForce)}}, true);
 }
 

@@ -33,8 +33,16 @@ void fault_at(const Settling& s, const std::string& key, const std::string& mess
 
 void fault_at(const Settling& s, const std::string& key, std::size_t k, const std::string& message) {
   const toml::node* node = stated(s, key);
-  const bool list = node && node->is_array();
-  fault_at(s, list ? key + "[" + std::to_string(k) + "]" : key, message);
+  const std::string at = node && node->is_array() ? key + "[" + std::to_string(k) + "]" : key;
+  const std::string path = s.path + "." + at;
+  const bool told = std::any_of(s.faults.found.begin(), s.faults.found.end(), [&](const Faults::Found& f) {
+    return f.path == path && f.problem.message == message;
+  });
+  if (!told) fault_at(s, at, message);
+}
+
+bool same_text(const Settling& s, const std::string& a, const std::string& b) {
+  return in_scene(s, a) == in_scene(s, b);
 }
 
 std::string way_of(const Settling& s, const std::string& property, const std::vector<std::string>& keys) {

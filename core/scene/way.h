@@ -22,8 +22,11 @@ bool sound(const Settling& s, const std::string& key);
 
 void fault_at(const Settling& s, const std::string& key, const std::string& message);
 
-// The same at entry k, where the key holds a pair.
+// The same at entry k, where the key holds a pair; once for both, where one number stands for them.
 void fault_at(const Settling& s, const std::string& key, std::size_t k, const std::string& message);
+
+// True if both keys stand in the scene, or both in the fabric's file.
+bool same_text(const Settling& s, const std::string& a, const std::string& b);
 
 // The key that states a property; "" where none does. Keys of the scene go before those of the fabric's file;
 // two in the same text are a fault, reported once and answered by the first.

@@ -90,7 +90,8 @@ TEST(SceneResolve, SheetsBecomePlainKeys) {
   const std::string own = "areal_density = 0.2\nwarp.force = [0, 3, 9]\n", scene = with(kScene, own, "");
   for (const std::string& fabric : {kKes, kFast, kStrips, kPt2}) {
     expect_round_trip(scene, fabric);
-    expect_round_trip(with(scene, "file = \"wool.toml\"\n", "file = \"wool.toml\"\nbending.length_mm = 17.3\n"), fabric);
+    expect_round_trip(
+        with(scene, "file = \"wool.toml\"\n", "file = \"wool.toml\"\nbending.length_mm = 17.3\n"), fabric);
     const SceneFolder folder;
     folder.write("wool.toml", fabric);
     std::vector<Problem> problems;

@@ -12,8 +12,9 @@
 namespace drape {
 namespace {
 
-// A sheet of a plain-woven wool, 168 g/m^2 ("Fabric Assurance by Simple Testing", report of a student's laboratory, majortests.com and
-// bartleby.com): C = 15.00 and 14.50 mm give B = 5.56 and 5.02 uN m, EB5 = 4.7 % gives G = 26.17 N/m.
+// A sheet of a plain-woven wool, 168 g/m^2 ("Fabric Assurance by Simple Testing", report of a student's
+// laboratory, majortests.com and bartleby.com): C = 15.00 and 14.50 mm give B = 5.56 and 5.02 uN m, EB5 = 4.7
+// % gives G = 26.17 N/m.
 TEST(Fast, FormulasOfAPublishedSheet) {
   EXPECT_NEAR(1e6 * fast_bending(168, 15.0), 5.56, 0.005);
   EXPECT_NEAR(1e6 * fast_bending(168, 14.5), 5.02, 0.005);
@@ -21,7 +22,9 @@ TEST(Fast, FormulasOfAPublishedSheet) {
 }
 
 // 5 gf/cm on a strip at 45 degrees, F/width = 4 G e: FAST rounds 122.6 to 123.
-TEST(Fast, ShearIsThatOfTheStrip) { EXPECT_NEAR(fast_shear(1) / (5 * kGramForcePerCm / (4 * 0.01)), 1, 0.5 / 123); }
+TEST(Fast, ShearIsThatOfTheStrip) {
+  EXPECT_NEAR(fast_shear(1) / (5 * kGramForcePerCm / (4 * 0.01)), 1, 0.5 / 123);
+}
 
 FabricSpec sheared(double g) {
   const SheetDiagram d = trellis_bias(g);
@@ -34,8 +37,8 @@ FabricSpec sheared(double g) {
   return fabric;
 }
 
-// The law gives the shear stress back, tau = (cos g/2)[g(e1)/l1 + g(|e2|)/l2] = G g: exactly at the diagram's points, and between
-// them within the x^2/24, x = sin g, by which the law departs from a straight line.
+// The law gives the shear stress back, tau = (cos g/2)[g(e1)/l1 + g(|e2|)/l2] = G g: exactly at the diagram's
+// points, and between them within the x^2/24, x = sin g, by which the law departs from a straight line.
 TEST(Trellis, LawHasTheShearStress) {
   const double shear = 0.9 * kKesShear;
   std::vector<Problem> problems;
