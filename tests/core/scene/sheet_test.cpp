@@ -133,9 +133,9 @@ const Case kSheets[] = {
     {"kes_unknown",
      "EMT",
      "ENT",
-     {"scene.toml:17: fabric.wool.strip is a number; wanted: \"GOST 3813\", \"GOST 3813 wool\", \"GOST 3813 "
-      "small\", \"ISO 13934-1\", \"ISO 13934-1 100 mm\", \"ASTM D5035 1R\", \"ASTM D5035 2R\", \"ASTM D5035 "
-      "1C\", \"ASTM D5035 2C\""}},
+     {"wool.toml:1: fabric.wool.kes.EMT is missing; wanted: a number in percent or a list of two, [warp, "
+      "weft]",
+      "wool.toml:5: fabric.wool.kes.ENT is no known key; the nearest is \"EMT\""}},
     {"kes_no_table",
      "",
      "kes = 5\n",
