@@ -43,9 +43,15 @@ std::shared_ptr<Side> side_make(const Scene& scene, bool moves) {
 void acceleration(const Side& side, std::size_t k, const double* v, double* rate) {
   const System& system = side.cloth.system;
   const double g = system.gravity[k], c = system.damping;
-  for (const Stretch& s : side.stretches)
-    for (std::size_t n = s.node; n < s.node + s.count; ++n)
-      *rate++ = side.f[k][n] * system.inverse_mass[n] + g - c * *v++;
+  for (const Stretch& s : side.stretches) {
+    const double* __restrict pull = side.f[k].data() + s.node, * __restrict lightness =
+                                                                   system.inverse_mass.data() + s.node;
+    double* __restrict to = rate;
+    const double* __restrict speed = v;
+    for (std::size_t n = 0; n < s.count; ++n) to[n] = pull[n] * lightness[n] + g - c * speed[n];
+    rate += s.count;
+    v += s.count;
+  }
 }
 
 void rate_by(Side& side, const double* y, double* rate) {

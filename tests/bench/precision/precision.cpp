@@ -27,11 +27,11 @@ constexpr double kNoAnswer = 1;     // an error that large is none
 
 // How much a sweep may take, in evaluations of forces so that its rows do not depend on the machine.
 struct Budget {
-  long own, kernel, judge;  // of one sweep
-  double tightest;          // relative tolerance
-  double short_run;         // s, below which a run is timed five times
+  long own, kernel, krylov, judge;  // of one sweep; krylov: on the kernel, by methods that solve systems
+  double tightest;                  // relative tolerance
+  double short_run;                 // s, below which a run is timed three times
 };
-constexpr Budget kWhole{400000, 250000, 12000, 1e-12, 0.1}, kQuick{4000, 3000, 300, 1e-6, 0};
+constexpr Budget kWhole{300000, 150000, 30000, 10000, 1e-12, 0.05}, kQuick{4000, 3000, 3000, 300, 1e-6, 0};
 
 struct Exact {
   Eigen::VectorXd r;
@@ -51,7 +51,7 @@ Exact exact_of(const Trial& t) {
 template <class Run>
 double seconds_of(double first, const Budget& budget, Run run) {
   std::vector<double> turns{first};
-  while (first < budget.short_run && turns.size() < 5) turns.push_back(run().seconds);
+  while (first < budget.short_run && turns.size() < 3) turns.push_back(run().seconds);
   std::nth_element(turns.begin(), turns.begin() + std::ptrdiff_t(turns.size() / 2), turns.end());
   return turns[turns.size() / 2];
 }
@@ -88,10 +88,10 @@ void sweep_own(const Sweep& s, const OwnMethod& m) {
   }
 }
 
-// Tolerances down by 10^(1/2) from 1e-2 until the error is there, or the evaluations are used up.
+// Tolerances down by tens from 1e-2 until the error is there, or the evaluations are used up.
 void sweep_solver(const Sweep& s, const Equations& e, const Method& m, const char* forces, long most) {
   long left = most;
-  for (double rtol = 1e-2; rtol > 0.9 * s.budget.tightest && left > 0; rtol /= std::sqrt(10.0)) {
+  for (double rtol = 1e-2; rtol > 0.9 * s.budget.tightest && left > 0; rtol /= 10) {
     const auto run = [&] { return solve(e, m, s.trial.end, rtol, left); };
     const Solved got = run();
     left -= got.evaluations;
@@ -166,7 +166,8 @@ std::vector<PrecisionRow> precision(bool quick) {
     const Sweep sweep{trial, exact, budget, rows};
     for (const OwnMethod& m : kOwn) sweep_own(sweep, m);
     const Equations kernel = equations_of_kernel(trial.scene), judge = equations_of_judge(trial.scene);
-    for (const Method& m : methods()) sweep_solver(sweep, kernel, m, "kernel", budget.kernel);
+    for (const Method& m : methods())
+      sweep_solver(sweep, kernel, m, "kernel", m.krylov() ? budget.krylov : budget.kernel);
     for (const Method& m : methods()) sweep_solver(sweep, judge, m, "judge", budget.judge);
     summary_print(trial.scene.name, rows);
   }

@@ -47,9 +47,14 @@ int evaluate(Session& s, const Rate& rate, N_Vector y, N_Vector ydot) {
   if (++s.evaluations > s.most) return -1;
   double* to = N_VGetArrayPointer(ydot);
   rate(N_VGetArrayPointer(y), to);
-  double sum = 0;
-  for (sunindextype k = 0; k < N_VGetLength(y); ++k) sum += 0 * to[k];
-  return sum == 0 ? 0 : 1;
+  double sum[8] = {};  // side by side, so that the check costs little beside the forces
+  const sunindextype n = N_VGetLength(y);
+  for (sunindextype k = 0; k + 8 <= n; k += 8)
+    for (sunindextype j = 0; j < 8; ++j) sum[j] += 0 * to[k + j];
+  for (sunindextype k = n / 8 * 8; k < n; ++k) sum[0] += 0 * to[k];
+  for (double part : sum)
+    if (part != 0) return 1;  // no number, too
+  return 0;
 }
 Session& of(void* user) { return *static_cast<Session*>(user); }
 int whole(realtype, N_Vector y, N_Vector ydot, void* s) {

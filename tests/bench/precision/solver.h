@@ -12,6 +12,7 @@ struct Method {
   const char* name;
   Family family;
   int order;  // 0: the solver's choice
+  bool krylov() const { return family != Family::kErk && family != Family::kAdams; }
 };
 const std::vector<Method>& methods();
 

@@ -74,8 +74,8 @@ Scene square(const char* name, const FabricSpec& f, int side, int held, bool cor
 }  // namespace
 
 std::vector<Trial> trials(bool quick) {
-  const int side = quick ? 5 : 17;
-  const double share = quick ? 0.05 : 1;
+  const int side = quick ? 5 : 15;
+  const double share = quick ? 0.1 : 1;
   Scene soft = square("soft cotton", cotton(), side, 2, true, false);
   Scene stiff = square("stiff wool", wool(), side, 2, true, false);
   Scene flag = square("flag in wind", cotton(), side, 3, false, true);
@@ -85,7 +85,7 @@ std::vector<Trial> trials(bool quick) {
   flag.wind = {3, 1, 0};
   Scene damped = square("strong damping", cotton(), side, 2, true, false);
   damped.damping = 100;
-  return {{soft, 0.1 * share}, {stiff, 0.05 * share}, {flag, 0.1 * share}, {damped, 0.1 * share}};
+  return {{soft, 0.05 * share}, {stiff, 0.03 * share}, {flag, 0.05 * share}, {damped, 0.05 * share}};
 }
 
 }  // namespace drape::bench
