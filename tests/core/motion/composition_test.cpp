@@ -171,20 +171,20 @@ void expect_order(int order, double damping, bool driven) {
   else EXPECT_LE(errors[1][3], 1.5 * errors[0][3] / std::pow(2, order) + 3e-18);
 }
 
-// Diagrams are C2 at their points, so what passes one there errs by h^4 in a kick's sum: order 4 is left of
-// 6, with a constant that the bends of this diagram set. Both methods keep at least that.
-TEST_P(CompositionOf, KeepsOrder4AcrossPointsOfDiagrams) {
+// Diagrams are C2 at their points, so the step in which a link passes one errs by h^4: order 4 is left of 6,
+// with a small constant.
+TEST_P(CompositionOf, HasOrder4AcrossPointsOfDiagrams) {
   FabricSpec fabric = smooth_fabric();
   fabric.warp = reference::diagram({0, 0.002, 0.005, 0.01, 0.02}, {0, 0.002, 0.008, 0.02, 0.06});
   fabric.weft = reference::diagram({0, 0.003, 0.006, 0.012}, {0, 0.002, 0.006, 0.02});
   const Swung exact = swung(6, 2048, 0, false, fabric);
   double before = 0;
-  for (int n : {64, 128, 256, 512}) {
+  for (int n : {64, 128, 256}) {
     const double error = (swung(GetParam(), n, 0, false, fabric).r - exact.r).lpNorm<Eigen::Infinity>();
     std::printf("order %d across points, %d steps: r %.2e m, slope %.2f\n", GetParam(), n, error,
                 std::log2(before / error));
-    if (n > 128) {
-      EXPECT_GE(std::log2(before / error), 3.0);
+    if (n == 256) {
+      EXPECT_NEAR(std::log2(before / error), 4, 0.4);
     }
     before = error;
   }
