@@ -30,7 +30,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"scene.energy", Flag{&s.energy}},
       {"scene.wind", &s.wind, kOptional, range_of(kWind), "m/s"},
       {"scene.mode", Choice{{"dynamic", "fit"}, [&s](int k) { s.mode = Mode(k); }}},
-      {"scene.order", Only{std::int64_t(2)}},
+      {"scene.order", OneOf{{2, 4, 6}, &s.order}},
       {"scene.self_contact", Only{false}},
       {"scene.imperfection.amplitude", &s.imperfection_amplitude, kRequired, {0, 1, kAbove}, "m"},
       {"scene.imperfection.seed", Whole{&s.imperfection_seed}, kOptional, {0, 1e15}},

@@ -99,6 +99,7 @@ struct Scene {
   double duration = 1;        // s
   Vec3 gravity{0, 0, -9.81};  // m/s^2
   Integrator integrator = Integrator::kLeapfrog;
+  int order = 2;                // 2, 4, 6
   double step = 0;              // s; 0 = automatic
   double communication = 1e-3;  // s
   double damping = 0;           // 1/s

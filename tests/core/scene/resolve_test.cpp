@@ -14,7 +14,8 @@ namespace {
 std::vector<double> numbers_of(const Scene& s) {
   std::vector<double> n{s.duration, s.step,           s.communication,
                         s.damping,  double(s.energy), double(s.clamp_correction)};
-  n.insert(n.end(), {double(s.integrator), double(s.scaling), double(s.bias_model), double(s.outline)});
+  n.insert(n.end(), {double(s.integrator), double(s.scaling), double(s.bias_model), double(s.outline),
+                     double(s.order)});
   n.insert(n.end(), {double(s.mode), double(s.has_air), s.air_density, s.air_normal, s.air_tangential,
                      s.imperfection_amplitude, double(s.imperfection_seed)});
   const auto put = [&](const auto& list) { n.insert(n.end(), list.begin(), list.end()); };
