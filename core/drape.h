@@ -123,7 +123,7 @@ typedef struct drape_outputs {
   drape_strain strain_warp, strain_weft, strain_bias; /* fraction */
   double tension_max;                                 /* N/m */
   double strain_beyond_test_count;                    /* links past the last point of their diagram */
-  double step_size, step_count, step_stability;       /* s, 1, h omega_max / 2 */
+  double step_size, step_count, step_stability;       /* s, 1, h omega_max / its limit (2) */
   int has_fit;                                        /* scene.mode = "fit" */
   double fit_residual;                                /* 1 */
   int has_energy;

@@ -2,10 +2,13 @@
 #include <memory>
 
 #include "bench/bench.h"
+#include "bench/precision/precision.h"
 #include "command.h"
 
 namespace drape {
 namespace {
+
+constexpr const char* kPrecision = "precision";  // a group that is not among the others
 
 struct Options {
   std::vector<std::string> groups, scenes;
@@ -29,7 +32,21 @@ bool rows_write(const std::string& file, const std::vector<bench::Row>& rows) {
   return std::fclose(out) == 0;
 }
 
+// Rows of its own, and a table per scene.
+int run_precision(const Options& options) {
+  const std::vector<bench::PrecisionRow> rows = bench::precision(options.quick);
+  if (options.csv_file.empty()) return kDone;
+  std::FILE* out = std::fopen(options.csv_file.c_str(), "w");
+  if (!out) return fail(kBadInput, options.csv_file + " cannot be written");
+  bench::precision_write(out, rows);
+  return std::fclose(out) == 0 ? kDone : fail(kBadInput, options.csv_file + " cannot be written");
+}
+
 int run_bench(const Options& options) {
+  if (options.groups == std::vector<std::string>{kPrecision}) return run_precision(options);
+  for (const std::string& name : options.groups)
+    if (name == kPrecision)
+      return fail(kBadInput, "the group precision has columns of its own; name it alone");
   bench::Patience patience;
   if (options.quick) patience = {1, 0.002, {}};
   patience.scenes = options.scenes;
@@ -60,7 +77,9 @@ void command_bench(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
   std::vector<std::string> names;
   for (const bench::Group& group : bench::groups()) names.push_back(group.name);
-  command->add_option("GROUP", options->groups, "groups to run; default: all but threads and scenes")
+  names.push_back(kPrecision);
+  command
+      ->add_option("GROUP", options->groups, "groups to run; default: all but threads, scenes and precision")
       ->check(CLI::IsMember(names));
   command->add_option("--csv", options->csv_file, "also writes the rows to a file")->type_name("FILE.csv");
   command->add_option("--scene", options->scenes, "of the group `scenes`; may be given again")

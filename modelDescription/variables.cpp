@@ -194,7 +194,7 @@ void add_outputs(Table& table, drape_outputs& o) {
   add(table, "step.size", &o.step_size, output_discrete(DRAPE_STRAIN, "s"), "present time step");
   add(table, "step.count", &o.step_count, output_discrete(DRAPE_STRAIN, "1"), "time steps since the start");
   add(table, "step.stability", &o.step_stability, output(DRAPE_STRAIN, "1"),
-      "h omega_max/2: the motion is stable below 1");
+      "h omega_max over its limit, 2 for order 2: the motion is stable below 1");
   if (o.has_fit)
     add(table, "fit.residual", &o.fit_residual, output(DRAPE_STRAIN, "1"),
         "largest force left on a particle over the larger of total weight and total pin force");

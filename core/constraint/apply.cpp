@@ -82,7 +82,7 @@ void rows_correct(const System& system, const Constraints& c, const Array& y, do
 
 // m [v_{n-1/2} + h_o a/2 - (1 + c h_o/2) v_n] over m, from what the free step left.
 Vec3 told(const HeldStep& step, const Vec3& old, const Vec3& free, const Vec3& rate) {
-  return old + (step.half / step.kick) * (free - step.keep * old) - step.centred * rate;
+  return step.before * old + (step.half / step.kick) * (free - step.keep * old) - step.centred * rate;
 }
 
 // The work of an impulse on the outside world while what it acts on goes from one velocity to the next.
@@ -95,7 +95,7 @@ void fixed_apply(const System& system, const Constraints& c, const HeldStep& ste
     const std::size_t n = c.fixed[k].node;
     const Vec3 next = at(held.next, k), free = at(v, n), kept = (1 / step.h) * (next - at(held.now, k));
     Vec3 impulse = (system.mass[n] * step.impulse) * (free - kept);
-    if (system.energy) s.input += work(impulse, at(held.old, k), kept);
+    if (system.energy) s.input += work(impulse, step.before * at(held.old, k), kept);
     if (step.begins) impulse -= system.mass[n] * told(step, at(held.old, k), free, at(held.rate, k));
     load_add(c, held.arm, c.fixed[k].target, impulse, s.pin_impulse);
     set(v, n, kept);
@@ -125,7 +125,7 @@ void rows_apply(const System& system, const Constraints& c, const HeldStep& step
   entry = fixed;
   for (std::size_t k = 0; k < c.rows.size(); ++k) {
     Vec3 impulse = (step.impulse / step.h) * at(held.y, k);
-    if (system.energy) s.input += work(impulse, old_of(c.rows[k].on), row_sum(c.rows[k].on, v));
+    if (system.energy) s.input += work(impulse, step.before * old_of(c.rows[k].on), row_sum(c.rows[k].on, v));
     if (step.begins) impulse -= at(held.z, k);
     load_add(c, held.arm, c.rows[k].target, impulse, s.pin_impulse);
   }
@@ -217,18 +217,20 @@ void constraints_project(const System& system, const Constraints& c, HeldMotion&
                 [&](std::size_t k, const Target& t) { load_add(c, held.arm, t, at(held.taken, k), *load); });
 }
 
-double held_work(const Constraints& c, const State& s, double centred, const HeldMotion& held) {
+double held_work(const Constraints& c, const State& s, double before, double centred,
+                 const HeldMotion& held) {
   double sum = 0;
   for (std::size_t k = 0; k < c.fixed.size(); ++k) {
     const std::size_t n = c.fixed[k].node;
-    sum += work(centred * at(held.taken, k), {s.vx[n], s.vy[n], s.vz[n]}, at(held.rate, k));
+    sum += work(centred * at(held.taken, k), before * Vec3{s.vx[n], s.vy[n], s.vz[n]}, at(held.rate, k));
   }
   for (std::size_t r = 0; r < c.rows.size(); ++r) {
     const SparseRow& row = c.rows[r].on;
     Vec3 old{0, 0, 0};
     for (std::size_t k = 0; k < row.node.size(); ++k)
       old += row.weight[k] * Vec3{s.vx[row.node[k]], s.vy[row.node[k]], s.vz[row.node[k]]};
-    sum += work(centred * at(held.taken, c.fixed.size() + r), old, at(held.rate, c.fixed.size() + r));
+    sum +=
+        work(centred * at(held.taken, c.fixed.size() + r), before * old, at(held.rate, c.fixed.size() + r));
   }
   return sum;
 }

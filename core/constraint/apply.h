@@ -32,10 +32,11 @@ void held_keep(const Constraints& constraints, const State& state, HeldMotion& h
 
 // How a step turned v_{n-1/2} into the free velocity: v <- keep v + kick a.
 struct HeldStep {
-  double h, keep, kick;
+  double h, keep, kick;  // h of r <- r + h v
   double impulse;        // over mass and what is taken out of v: 1 + c h/2
   bool begins;           // the first step of an advance: needs held_keep, and held_rates of velocities
-  double half, centred;  // h_o/2 and 1 + c h_o/2
+  double half, centred;  // h_o/2 and 1 + c h_o/2; above order 2, what the kick has of the step before, and 1
+  double before;         // above order 2, what damping has left of v before the kick; else 1
 };
 
 // Puts held nodes where the frames of the state (at t_{n+1}) want them after the free step, and adds to the
@@ -57,7 +58,8 @@ void constraints_project(const System& system, const Constraints& constraints, H
 void constraints_place(const System& system, const Constraints& constraints, HeldMotion& held,
                        Field positions);
 
-// The work of the pins on the cloth while a projection of `centred` m v turned v_{n-1/2} into v_n.
-double held_work(const Constraints& constraints, const State& state, double centred, const HeldMotion& held);
+// The work of the pins on the cloth while a projection of `centred` m v turned `before` v_{n-1/2} into v_n.
+double held_work(const Constraints& constraints, const State& state, double before, double centred,
+                 const HeldMotion& held);
 
 }  // namespace drape

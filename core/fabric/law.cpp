@@ -63,8 +63,8 @@ Curve bias_law(const FabricSpec& fabric, const LawOptions& options, double cell,
   const double scale =
       options.scaling == Scaling::kPaperArea ? std::sqrt(2.0) * cell / fabric.strip_gauge : 1.0;
   const bool corrected = !fabric.bias.correction.empty();
-  const double k =
-      options.clamp_correction && !corrected ? jaw_factor(fabric.strip_gauge / fabric.strip_width) : 1.0;
+  const bool stiffened = options.clamp_correction && fabric.bias.jaws && !corrected;
+  const double k = stiffened ? jaw_factor(fabric.strip_gauge / fabric.strip_width) : 1.0;
   const std::vector<double> p = per_width(fabric.bias, fabric.strip_width, scale / k);
   switch (options.bias_model) {
     case BiasModel::kTension:

@@ -123,9 +123,18 @@ void balance_end(const System& system, const Balance& b, State& s, double h_old,
   s.input += wind + clamps_work(system, b, s) + span / 2 * pulled;
 }
 
+void balance_drifted(const System& system, const Balance& b, State& s, double decay) {
+  double sum = 0;
+  if (system.damping > 0)
+    for (std::size_t n : system.particle)
+      sum += system.mass[n] * (s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n]);
+  s.dissipated += sum * (1 - decay * decay) / 2;
+  s.input += clamps_work(system, b, s);
+}
+
 BalanceNow balance_now(const System& system, Balance& b, const State& s, double lead, const Array& vx,
                        const Array& vy, const Array& vz) {
-  if (system.integrator == Integrator::kPaper) return {s.dissipated, s.input};
+  if (system.integrator == Integrator::kPaper || system.composition) return {s.dissipated, s.input};
   rates_set(system, b, s, lead);
   pull_set(system, b, s, lead);
   double damped = 0;

@@ -20,6 +20,10 @@ Balance balance_make(const System& system);
 void balance_begin(const System& system, Balance& balance, const State& state, double lead);
 void balance_end(const System& system, const Balance& balance, State& state, double h_old, double h);
 
+// After a stage of a composition, whose drift has left the share `decay` of v: what -m c v took is the loss
+// of kinetic energy, sum m v^2 (1 - decay^2)/2.
+void balance_drifted(const System& system, const Balance& balance, State& state, double decay);
+
 // J since the start until t_n, with the half step that the sums of the state lack; v: the synchronous
 // velocities.
 struct BalanceNow {

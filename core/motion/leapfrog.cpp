@@ -5,34 +5,15 @@
 #include <cstdio>
 #include <limits>
 
-#include "constraint/vector3.h"
-#include "forces/pull.h"
-#include "forces/side.h"
 #include "motion/fit.h"
 #include "motion/step_limit.h"
-#include "motion/weld.h"
 
 namespace drape {
 namespace {
 
-using namespace vector3;
-
 constexpr int kWatchLongest = 32;    // steps between two looks at the step limit, at most
 constexpr int kWatchGiven = 8;       // the same where the scene gives the step
 constexpr std::int64_t kCalm = 100;  // intervals before the step may grow
-
-// c of the step: the scene's, in a fit its own.
-double damping_of(const System& system, const State& s) {
-  return system.fit ? s.fit.damping : system.damping;
-}
-
-// v <- keep v + kick a; h_old = 0 is the half kick of the start.
-StepCoefficients coefficients(const System& system, const State& s, double h) {
-  const double c = damping_of(system, s), lead = velocity_lead(system, s);
-  if (system.integrator == Integrator::kPaper) return {1 - c * h, h, h, system.gravity, lead};
-  const double centred = 1 + c * h / 2;
-  return {(1 - c * s.h_old / 2) / centred, (s.h_old + h) / 2 / centred, h, system.gravity, lead};
-}
 
 // Room for v_{n-3/2} where forces depend on velocity; while it is not known, v_{n-1/2} stands for it.
 void rates_begin(const System& system, State& s) {
@@ -138,7 +119,7 @@ Advance interval_run(const System& system, Motion& motion, State& s, double leng
         return how;
       --s.watch_wait;
     }
-    leapfrog_step(system, motion, s, length / double(n), double(done + 1) / double(n));
+    leapfrog_step(system, motion, s, length / double(n), double(done + 1) / double(n), 1 / double(n));
   }
   if (system.fit && !s.fit.at_rest && !path_moves(motion.path)) fit_judge(system, motion, s);
   return Advance::kDone;
@@ -155,15 +136,6 @@ double kinetic_energy(const System& system, const State& s) {
   for (std::size_t n : system.particle)
     sum += system.mass[n] * (s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n]);
   return sum / 2;
-}
-
-// What the slopes that clamps hold pass to the pins beside the forces on held points: their torques now x
-// `span` (s).
-void clamp_torques_add(const System& system, Motion& motion, State& s, double span) {
-  if (system.side.clamps.empty()) return;
-  motion.torque.assign(motion.torque.size(), Vec3{0, 0, 0});
-  side_clamp_torques(system, s, motion.torque);
-  for (std::size_t p = 0; p < motion.torque.size(); ++p) s.pin_impulse[p].torque += span * motion.torque[p];
 }
 
 // Lays the paths of an advance and begins them. Where the velocity of a pin jumps, so do those of the cloth;
@@ -229,58 +201,6 @@ void leapfrog_retuned(const System& system, Motion& motion, State& s) {
   if (s.steps == 0) subs_begin(system, motion, s);
 }
 
-void leapfrog_step(const System& system, Motion& motion, State& s, double h, double u) {
-  const bool paper = system.integrator == Integrator::kPaper;
-  const StepCoefficients c = coefficients(system, s, h);
-  const bool begins = s.advance_begins && !paper;
-  if (system.energy) balance_begin(system, motion.balance, s, c.lead);
-  if (begins || system.energy) held_keep(motion.constraints, s, motion.held);
-  clamp_torques_add(system, motion, s, paper ? h : (begins ? h : s.h_old + h) / 2);
-  if (!s.sewn.empty()) seams_rates(system, s, motion.gap_rate);
-  kernel_step(*motion.kernel, system, c, motion.workspace, s);
-  if (!s.sewn.empty()) s.gap_rate.swap(motion.gap_rate);
-  path_follow(motion.path, u, s);
-  const double half = begins ? s.h_old / 2 : 0;
-  const HeldStep step{h,
-                      c.keep,
-                      c.kick,
-                      paper ? 1 : 1 + damping_of(system, s) * h / 2,
-                      begins,
-                      half,
-                      1 + damping_of(system, s) * half};
-  constraints_apply(system, motion.constraints, step, motion.held, s);
-  if (!s.sewn.empty()) seams_hold(system, s, h);
-  if (system.energy) balance_end(system, motion.balance, s, s.h_old, h);
-  s.advance_begins = false;
-  s.h_older = s.h_old;
-  s.h_old = h;
-  ++s.steps;
-}
-
-void leapfrog_complete(const System& system, Motion& motion, State& s) {
-  if (s.h_old == 0 || system.integrator == Integrator::kPaper) return;
-  std::vector<PinLoad> told;
-  const double lead = velocity_lead(system, s);
-  leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(), motion.now_z.data(),
-                       told);
-  if (system.energy) {
-    const BalanceNow now =
-        balance_now(system, motion.balance, s, lead, motion.now_x, motion.now_y, motion.now_z);
-    s.dissipated = now.dissipated;
-    s.input = now.input + motion.held.work;
-  }
-  for (std::size_t p = 0; !s.advance_begins && p < told.size(); ++p) {
-    s.pin_impulse[p].force += s.h_old / 2 * told[p].force;
-    s.pin_impulse[p].torque += s.h_old / 2 * told[p].torque;
-  }
-  for (std::size_t n : system.particle) {
-    s.vx[n] = motion.now_x[n];
-    s.vy[n] = motion.now_y[n];
-    s.vz[n] = motion.now_z[n];
-  }
-  s.h_old = s.h_older = 0;
-}
-
 Advance leapfrog_advance(const System& system, Motion& motion, State& s, double length, std::string& event,
                          const IntervalBegins& interval_begins) {
   const double q = system.communication;
@@ -314,56 +234,6 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
   if (result == Advance::kDone && !all_finite(system, s)) result = Advance::kNotFinite;
   if (result != Advance::kDone) workspace_clear(motion.workspace);
   return result;
-}
-
-// v_n = (v_{n-1/2} + (h_old/2) f)/(1 + c h_old/2) with the free acceleration f = F/m + g; the paper's scheme
-// holds v_n itself. Loads are what a projection takes out of that half kick; where there was none, and in a
-// fit, whose steps have another inertia, of the accelerations f - c v_n, from which v_n then follows again.
-void leapfrog_synchronous(const System& system, Motion& motion, const State& s, double* vx, double* vy,
-                          double* vz, std::vector<PinLoad>& load) {
-  const bool paper = system.integrator == Integrator::kPaper;
-  const double half = paper ? 0 : s.h_old / 2, damping = damping_of(system, s), centred = 1 + damping * half;
-  const bool step = half > 0 && !system.fit;
-  const Array* staggered[] = {&s.vx, &s.vy, &s.vz};
-  double* now[] = {vx, vy, vz};
-  const double* lightness = s.lightness.empty() ? nullptr : s.lightness.data();
-  const auto each = [&](auto value) {  // from what it is, v_{n-1/2}, h_old/2, 1/m, g; unused nodes too
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double *v = staggered[k]->data(), *inverse_mass = system.inverse_mass.data();
-      const double g = system.gravity[k];
-      for (std::size_t n = 0; n < system.nodes; ++n)
-        now[k][n] = value(now[k][n], v[n], lightness ? half * lightness[n] : half, inverse_mass[n], g);
-    }
-  };
-  HeldMotion& held = motion.held;
-  load.assign(s.pin_impulse.size(), PinLoad{});
-  held_refresh(motion.constraints, s, held);
-  kernel_forces(*motion.kernel, system, s, motion.workspace, vx, vy, vz);
-  held.work = 0;
-  if (step) {
-    each([&](double force, double v, double kick, double inverse_mass, double g) {
-      return (v + kick * (force * inverse_mass + g)) / centred;
-    });
-  } else {
-    each([&](double force, double v, double kick, double inverse_mass, double g) {
-      const double free = force * inverse_mass + g;
-      return free - damping * ((v + kick * free) / centred);
-    });
-    held_rates(motion.constraints, s, Rate::kAcceleration, held);
-    constraints_project(system, motion.constraints, held, {vx, vy, vz}, &load);
-    each([&](double acceleration, double v, double kick, double, double) {
-      return (v + kick * acceleration) / (centred - kick * damping);
-    });
-  }
-  held_rates(motion.constraints, s, Rate::kVelocity, held);
-  constraints_project(system, motion.constraints, held, {vx, vy, vz}, step ? &load : nullptr);
-  if (step) {
-    if (system.energy) held.work = held_work(motion.constraints, s, centred, held);
-    for (PinLoad& l : load) l = {(centred / half) * l.force, (centred / half) * l.torque};
-  }
-  motion.torque.assign(load.size(), Vec3{0, 0, 0});
-  side_clamp_torques(system, s, motion.torque);
-  for (std::size_t p = 0; p < load.size(); ++p) load[p].torque += motion.torque[p];
 }
 
 }  // namespace drape

@@ -45,8 +45,19 @@ void leapfrog_retuned(const System& system, Motion& motion, State& state);
 // the velocity of a pin jumps. Its impulses go to the pins of the advance that it ends.
 void leapfrog_complete(const System& system, Motion& motion, State& state);
 
-// One step of size h, which leads to the share u of the present interval of the inputs' paths.
-void leapfrog_step(const System& system, Motion& motion, State& state, double h, double u = 1);
+// One step of size h, which leads to the share u of the present interval of the inputs' paths; it is the
+// share `share` of that interval.
+void leapfrog_step(const System& system, Motion& motion, State& state, double h, double u = 1,
+                   double share = 0);
+
+// c (1/s) of the step: the scene's, in a fit its own.
+double damping_of(const System& system, const State& state);
+
+// What the state lacks at the end of a step: the time (s) of its last kick (h_old/2 in leapfrog, none in the
+// paper's scheme), and the share of v that -m c v has left before it (1 in leapfrog, whose damping is
+// centred).
+double last_half(const System& system, const State& state);
+double last_decay(const System& system, const State& state);
 
 // What may change the system before an interval, given its length over q; true where it may have done so.
 using IntervalBegins = std::function<bool(double intervals)>;

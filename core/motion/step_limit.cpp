@@ -13,6 +13,7 @@
 
 #include "forces/lane_scalar.h"
 #include "motion/cell_bound.h"
+#include "system/composition.h"
 #include "system/links.h"
 
 namespace drape {
@@ -160,9 +161,13 @@ double step_limit_omega2(const System& system, const Kernel& kernel, const State
   return most;
 }
 
-// Leapfrog with centred damping: h omega < 2. The paper's scheme: (h omega)^2 < 4 - 2 h c. Infinite where
-// nothing acts.
+double step_limit_angle(const System& system) { return system.composition ? system.composition->limit : 2; }
+
+// Leapfrog with centred damping: h omega < 2. Above order 2: h omega < the method's limit, where c h < 10.
+// The paper's scheme: (h omega)^2 < 4 - 2 h c. Infinite where nothing acts.
 double step_limit_of(const System& system, double omega2) {
+  if (system.composition)
+    return std::min(system.composition->limit / std::sqrt(omega2), kDampedStep / system.damping);
   const double c = system.integrator == Integrator::kPaper ? system.damping : 0;
   return 4 / (c + std::sqrt(c * c + 4 * omega2));
 }

@@ -24,6 +24,9 @@ bool step_limit_pulls(const State& state);  // a seam is being pulled together
 // The largest of all lattices, raised to what leads to the same limit where forces depend on velocity.
 double step_limit_omega2(const System& system, const Kernel& kernel, const State& state, double ahead = 0);
 
+// h omega up to which an undamped oscillator is bounded: 2 in leapfrog.
+double step_limit_angle(const System& system);
+
 // The limit that follows from it (s); infinite where nothing oscillates.
 double step_limit_of(const System& system, double omega2);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "constraint/vector3.h"
+#include "motion/step_limit.h"
 #include "outputs/energy.h"
 #include "outputs/strain.h"
 
@@ -26,10 +27,9 @@ void probes_fill(Outputs& o, const System& system, double (drape_probe::*to)[3],
   }
 }
 
-// The impulse of whole steps lacks the half step up to now: load x h_old/2. The paper's scheme kicks whole
-// steps.
+// The impulse of whole steps lacks the last kick up to now: load x its time.
 void pins_fill(Outputs& o, const System& system, const State& s) {
-  const double half = system.integrator == Integrator::kPaper ? 0 : s.h_old / 2;
+  const double half = last_half(system, s);
   for (std::size_t p = 0; p < o.pins.size(); ++p) {
     const PinLoad &done = s.pin_impulse[p], &load = o.pin_load[p];
     for (std::size_t k = 0; k < 3; ++k) {
@@ -87,7 +87,7 @@ void summary_fill(Outputs& o, const System& system, const State& s) {
   o.shown.strain_beyond_test_count = strain.beyond_test_count;
   o.shown.step_size = s.h_old > 0 ? s.h_old : system.communication / double(s.subs);
   o.shown.step_count = double(s.steps);
-  o.shown.step_stability = o.shown.step_size * std::sqrt(s.omega2) / 2;
+  o.shown.step_stability = o.shown.step_size * std::sqrt(s.omega2) / step_limit_angle(system);
   o.shown.fit_residual = s.fit.residual;
 }
 

@@ -25,10 +25,36 @@ void motion_check(const Scene& scene, Problems& problems) {
         {"scene.mode", "= \"fit\" does not go with integrator = \"paper\"; wanted: \"leapfrog\""});
 }
 
+// Steps of higher order go partly back in time, where what brakes the cloth would speed it up.
+void order_check(const Scene& scene, Problems& problems) {
+  if (scene.order == 2) return;
+  const std::string order = "= " + std::to_string(scene.order) + " does not go with ";
+  if (scene.integrator == Integrator::kPaper)
+    problems.push_back({"scene.order", order + "integrator = \"paper\"; wanted: order = 2, or \"leapfrog\""});
+  if (scene.mode == Mode::kFit)
+    problems.push_back({"scene.order", order + "mode = \"fit\"; wanted: order = 2, or \"dynamic\""});
+  if (!scene.seams.empty())
+    problems.push_back({"scene.order", order + "seams, whose pull is damped; wanted: order = 2, or no seam"});
+  const auto braked = [&](const std::string& place, double value, const char* unit) {
+    if (value > 0)
+      problems.push_back(
+          {place, "= " + number_text(value) + unit + "; allowed: " + order_allows(scene.order)});
+  };
+  braked("air.normal", scene.air_normal, "");
+  braked("air.tangential", scene.air_tangential, "");
+  for (const FabricSpec& f : scene.fabrics) braked("fabric." + f.name + ".damping", f.damping, " s");
+}
+
 }  // namespace
+
+std::string order_allows(int order) {
+  return "0 with scene.order = " + std::to_string(order) +
+         ", whose steps go partly back in time, where it would speed the cloth up";
+}
 
 void scene_check(const Scene& scene, std::vector<Problem>& problems) {
   motion_check(scene, problems);
+  order_check(scene, problems);
   for (const FabricSpec& f : scene.fabrics) fabric_check(scene, f, problems);
   std::vector<bool> sound;
   for (const PieceSpec& piece : scene.pieces) {

@@ -12,11 +12,15 @@ constexpr double kLeastRise = 1e-8;   // of a diagram's elongation from point to
 constexpr double kLocking = 0.41421;  // below sqrt(2) - 1, where the trellis of a bias strip locks
 
 void diagram_check(const DiagramSpec& d, const std::string& path, Problems& problems) {
-  const std::string elongation = path + ".elongation_percent", force = path + ".force";
-  const auto percent = [](double e) { return rounded(100 * e) + " percent"; };
+  const GivenAs &e_as = d.elongation_as, &f_as = d.force_as;
+  const std::string elongation = path + "." + e_as.key, force = path + "." + f_as.key;
+  const auto stretch = [&](double e) { return rounded(e_as.per_si * e) + " " + e_as.unit; };
+  const auto pull = [&](double f) {
+    return (f_as.per_si == 1 ? number_text(f) : rounded(f_as.per_si * f)) + " " + f_as.unit;
+  };
   const auto length_check = [&](const std::vector<double>& list, const std::string& name) {
     if (!list.empty() && !d.elongation.empty() && list.size() != d.elongation.size())
-      problems.push_back({name, "has " + entries_text(list.size()) + ", elongation_percent has " +
+      problems.push_back({name, "has " + entries_text(list.size()) + ", " + e_as.key + " has " +
                                     std::to_string(d.elongation.size()) + "; wanted: as many"});
   };
   if (!d.elongation.empty() && (d.elongation.size() < 2 || d.elongation.size() > 64))
@@ -26,19 +30,18 @@ void diagram_check(const DiagramSpec& d, const std::string& path, Problems& prob
 
   if (!d.elongation.empty() && d.elongation[0] != 0)
     problems.push_back(
-        {entry(elongation, 0), "= " + percent(d.elongation[0]) + "; a diagram starts at 0 percent"});
+        {entry(elongation, 0), "= " + stretch(d.elongation[0]) + "; a diagram starts at " + stretch(0)});
   if (!d.force.empty() && d.force[0] != 0)
-    problems.push_back({entry(force, 0), "= " + number_text(d.force[0]) + " N; a diagram starts at 0 N"});
+    problems.push_back({entry(force, 0), "= " + pull(d.force[0]) + "; a diagram starts at " + pull(0)});
   for (std::size_t i = 1; i < d.elongation.size(); ++i)
     if (!(d.elongation[i] - d.elongation[i - 1] >= kLeastRise))
-      problems.push_back({entry(elongation, i), "= " + percent(d.elongation[i]) + " after " +
-                                                    percent(d.elongation[i - 1]) +
-                                                    "; wanted: a rise of at least " + percent(kLeastRise)});
+      problems.push_back({entry(elongation, i), "= " + stretch(d.elongation[i]) + " after " +
+                                                    stretch(d.elongation[i - 1]) +
+                                                    "; wanted: a rise of at least " + stretch(kLeastRise)});
   for (std::size_t i = 1; i < d.force.size(); ++i)
     if (!(d.force[i] >= d.force[i - 1]))
-      problems.push_back({entry(force, i), "= " + number_text(d.force[i]) + " N after " +
-                                               number_text(d.force[i - 1]) +
-                                               " N; the force of a diagram does not fall"});
+      problems.push_back({entry(force, i), "= " + pull(d.force[i]) + " after " + pull(d.force[i - 1]) +
+                                               "; the force of a diagram does not fall"});
   if (d.correction.size() != d.force.size()) return;
   for (std::size_t i = 1; i < d.force.size(); ++i)
     if (const double law = d.force[i] * d.correction[i], last = d.force[i - 1] * d.correction[i - 1];
@@ -55,17 +58,23 @@ void bias_check(const Scene& scene, const FabricSpec& f, const std::string& path
   const bool off = std::all_of(force.begin(), force.end(), [](double v) { return v == 0; });
   if (off || !f.bias.correction.empty()) return;
   const double ratio = f.strip_gauge / f.strip_width;
-  if (scene.clamp_correction && !(ratio > 1.25))
+  if (scene.clamp_correction && f.bias.jaws && !(ratio > 1.25))
     problems.push_back(
         {path + ".strip", "has gauge/width = " + rounded(ratio) +
                               "; the clamp correction of a bias diagram takes values above 1.25 (or set "
                               "options.clamp_correction = false)"});
-  if (scene.bias_model == BiasModel::kOdd && f.bias.elongation.size() > 1 && f.bias.elongation[1] > kLocking)
-    problems.push_back(
-        {path + ".bias.elongation_percent[1]", "= " + rounded(100 * f.bias.elongation[1]) +
-                                                   " percent; bias_model \"odd\" takes at least one point "
-                                                   "above 0 and below 41.42 percent, where the threads "
-                                                   "of a strip lie along the pull"});
+  if (scene.bias_model != BiasModel::kOdd || f.bias.elongation.size() < 2 ||
+      !(f.bias.elongation[1] > kLocking))
+    return;
+  const GivenAs& as = f.bias.elongation_as;
+  const std::string percent = rounded(100 * f.bias.elongation[1]) + " percent";
+  const std::string given =
+      as.per_si == 100 ? percent : rounded(as.per_si * f.bias.elongation[1]) + " " + as.unit + ", " + percent;
+  problems.push_back(
+      {entry(path + ".bias." + as.key, 1),
+       "= " + given +
+           "; bias_model \"odd\" takes at least one point above 0 and below 41.42 percent, where the threads "
+           "of a strip lie along the pull"});
 }
 
 }  // namespace

@@ -41,17 +41,22 @@ void level_read(Faults& faults, const toml::table& table, const std::string& pat
                 const std::vector<Key>& keys) {
   for (auto&& [toml_key, node] : table) {
     const std::string name(toml_key.str()), at = joined(path, name);
-    faults.places[at] = {*toml_key.source().path, toml_key.source().begin.line};
+    if (toml_key.source().path) faults.places[at] = {*toml_key.source().path, toml_key.source().begin.line};
     const bool plain = name.find('.') == std::string::npos;  // a row's dotted name is no key
     const auto row =
         std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == prefix + name; });
     const bool is_table = std::any_of(keys.begin(), keys.end(), [&](const Key& k) {
       return k.name != prefix + name && key_within(k, prefix) == name;
     });
-    if (plain && row != keys.end()) value_land(faults, at, *row, node);
+    const bool lands =
+        plain && row != keys.end() && (!is_table || node.is_string());  // text: the table's name
+    if (lands) value_land(faults, at, *row, node);
     else if (!is_table) unknown_key(faults, at, name, prefix, keys);
     else if (node.is_table()) level_read(faults, *node.as_table(), at, prefix + name + ".", keys);
-    else fault_add(faults, at, std::string("is ") + node_kind(node) + "; wanted: a table");
+    else
+      fault_add(faults, at,
+                std::string("is ") + node_kind(node) + "; wanted: a table" +
+                    (row != keys.end() ? " or " + key_wanted(*row) : ""));
   }
   for (const Key& key : keys)
     if (key.required && key.name == prefix + key_within(key, prefix) &&

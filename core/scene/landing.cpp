@@ -106,16 +106,19 @@ struct Land {
   void operator()(Elsewhere) const {}
   void operator()(Later) const { fault_add(faults, path, "is not supported by this version"); }
   void operator()(const Only& only) const {
-    const auto refuse = [&](const auto& own, const std::string& value) {
-      if (own->get() != std::get<std::decay_t<decltype(own->get())>>(only.value))
-        fault_add(faults, path, "= " + value + "; allowed: " + key_wanted(key) + " in this version");
-    };
-    const bool wants_flag = std::holds_alternative<bool>(only.value);
-    if (const auto* flag = node.as_boolean(); flag && wants_flag)
-      refuse(flag, flag->get() ? "true" : "false");
-    else if (const auto* whole = node.as_integer(); whole && !wants_flag)
-      refuse(whole, std::to_string(whole->get()));
-    else misfit(path, node, key_wanted(key));
+    const auto* flag = node.as_boolean();
+    if (!flag) return misfit(path, node, key_wanted(key));
+    if (flag->get() != only.value)
+      fault_add(faults, path,
+                std::string("= ") + (flag->get() ? "true" : "false") + "; allowed: " + key_wanted(key) +
+                    " in this version");
+  }
+  void operator()(const OneOf& one) const {
+    const auto* whole = node.as_integer();
+    if (!whole) return misfit(path, node, key_wanted(key));
+    const auto it = std::find(one.numbers.begin(), one.numbers.end(), whole->get());
+    if (it != one.numbers.end()) *one.to = static_cast<int>(*it);
+    else fault_add(faults, path, "= " + std::to_string(whole->get()) + "; allowed: " + key_wanted(key));
   }
   void operator()(std::string* to) const {
     word([&](const std::string& text) { *to = text; });

@@ -50,8 +50,12 @@ struct Pair {
   Vec2* to;
   const char* names;
 };  // two numbers, or one that stands for both
+struct OneOf {
+  std::vector<std::int64_t> numbers;
+  int* to;
+};  // one of some whole numbers
 struct Only {
-  std::variant<bool, std::int64_t> value;
+  bool value;
 };  // a key of the contract of which this version builds one value
 struct Tables {
   std::function<std::vector<Key>()> add;  // the rows of one more
@@ -59,9 +63,9 @@ struct Tables {
 struct Elsewhere {};  // a table with rows of its own
 struct Later {};      // a key of the contract that this version does not build
 using Landing =
-    std::variant<Elsewhere, Later, Only, std::string*, Name, double*, Auto, Flag, Choice, Reference, int*,
-                 Whole, Pair, Vec2*, std::optional<Vec2>*, Vec3*, std::vector<double>*, std::vector<int>*,
-                 std::vector<Vec2>*, std::vector<std::vector<Vec2>>*, Tables>;
+    std::variant<Elsewhere, Later, Only, std::string*, Name, double*, Auto, Flag, Choice, OneOf, Reference,
+                 int*, Whole, Pair, Vec2*, std::optional<Vec2>*, Vec3*, std::vector<double>*,
+                 std::vector<int>*, std::vector<Vec2>*, std::vector<std::vector<Vec2>>*, Tables>;
 
 struct Key {
   std::string name;  // within its table; "strip.width" is `width` in the table `strip`

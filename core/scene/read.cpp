@@ -21,15 +21,12 @@ std::vector<FabricSpec> fabrics_read(Faults& faults, const Document& document) {
   for (auto&& [key, entry] : *node->as_table()) {
     const std::string name(key.str()), path = "fabric." + name;
     place_note(faults, path, entry);
-    FabricText text;
-    text.spec.name = name;
+    FabricSpec& fabric = fabrics.emplace_back();
     if (!name_fits(name)) fault_add(faults, path, kNameRule);
     if (!entry.is_table())
       fault_add(faults, path, std::string("is ") + node_kind(entry) + "; wanted: a table [" + path + "]");
-    else if (!document.unread.count(name)) keys_read(faults, *entry.as_table(), path, fabric_keys(text));
-    text.spec.bending_warp = text.rigidity[0] / text.bending_width;
-    text.spec.bending_weft = text.rigidity[1] / text.bending_width;
-    fabrics.push_back(text.spec);
+    else if (!document.unread.count(name)) fabric = fabric_read(faults, *entry.as_table(), path).spec;
+    fabric.name = name;
   }
   return fabrics;
 }

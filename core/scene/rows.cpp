@@ -32,7 +32,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"scene.energy", Flag{&s.energy}},
       {"scene.wind", &s.wind, kOptional, range_of(kWind), "m/s"},
       {"scene.mode", Choice{{"dynamic", "fit"}, [&s](int k) { s.mode = Mode(k); }}},
-      {"scene.order", Only{std::int64_t(2)}},
+      {"scene.order", OneOf{{2, 4, 6}, &s.order}},
       {"scene.self_contact", Only{false}},
       {"scene.imperfection.amplitude", &s.imperfection_amplitude, kRequired, {0, 1, kAbove}, "m"},
       {"scene.imperfection.seed", Whole{&s.imperfection_seed}, kOptional, {0, 1e15}},
@@ -54,16 +54,16 @@ std::vector<Key> scene_keys(Scene& s) {
 }
 
 std::vector<Key> fabric_keys(FabricText& t) {
-  FabricSpec& f = t.spec;
+  FabricSpec& f = t.spec;  // what must be there may come from a sheet: sheet_settle sees to it
   std::vector<Key> keys = {
       {"file", &t.file},
       {"description", &t.description},
       {"source", &t.source},
-      {"areal_density", &f.areal_density, kRequired, range_of(kArealDensity), "kg/m^2"},
-      {"thickness", &f.thickness, kRequired, {1e-6, 0.1}, "m"},
+      {"areal_density", &f.areal_density, kOptional, range_of(kArealDensity), "kg/m^2"},
+      {"thickness", &f.thickness, kOptional, {1e-6, 0.1}, "m"},
       {"strip.width", &f.strip_width, kOptional, {1e-4, 10}, "m"},
       {"strip.gauge", &f.strip_gauge, kOptional, {1e-4, 100}, "m"},
-      {"bending.rigidity_uN_cm2", &t.rigidity, kRequired, range_of(kSpecimenRigidity, kMicroNcm2), "uN cm^2",
+      {"bending.rigidity_uN_cm2", &t.rigidity, kOptional, range_of(kSpecimenRigidity, kMicroNcm2), "uN cm^2",
        kMicroNcm2},
       {"bending.width", &t.bending_width, kOptional, range_of(kSpecimenWidth), "m"},
       {"bending.poisson", &f.poisson, kOptional, range_of(kPoisson)},
@@ -73,13 +73,15 @@ std::vector<Key> fabric_keys(FabricText& t) {
       {"damping", &f.damping, kOptional, range_of(kSpringDamping), "s"},
   };
   const auto diagram = [&](const std::string& name, DiagramSpec& d) {
-    keys.push_back({name + ".elongation_percent", &d.elongation, kRequired, {0, 1e3}, "percent", kPercent});
-    keys.push_back({name + ".force", &d.force, kRequired, range_of(kForce), "N"});
+    keys.push_back({name + ".elongation_percent", &d.elongation, kOptional, {0, 1e3}, "percent", kPercent});
+    keys.push_back({name + ".force", &d.force, kOptional, range_of(kForce), "N"});
     keys.push_back({name + ".correction", &d.correction, kOptional, {1e-3, 1e3}});
   };
   diagram("warp", f.warp);
   diagram("weft", f.weft);
   diagram("bias", f.bias);
+  keys.push_back({"bias.jaws", Flag{&f.bias.jaws}});
+  for (Key& key : sheet_keys(t)) keys.push_back(std::move(key));
   return keys;
 }
 

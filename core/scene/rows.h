@@ -7,6 +7,7 @@
 
 #include "scene/landing.h"
 #include "scene/scene.h"
+#include "scene/sheet.h"
 
 namespace drape {
 
@@ -16,6 +17,7 @@ struct FabricText {
   Vec2 rigidity{0, 0};  // N m^2, EI of the bending specimen, warp and weft
   double bending_width = 0.03;
   std::string file, description, source;
+  SheetText sheet;
 };
 
 std::vector<Key> scene_keys(Scene& scene);  // of the whole file; tables of their own have the rows below

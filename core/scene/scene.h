@@ -20,11 +20,19 @@ enum class OutlineModel { kCutCell, kPaper };
 enum class Mode { kDynamic, kFit };
 enum class Drive { kNone, kPosition, kVelocity, kBoth };
 
+// The key that a list was given by, for messages.
+struct GivenAs {
+  const char *key, *unit;
+  double per_si;  // key units in one SI unit
+};
+
 // A load-elongation diagram of a strip: point k is (elongation[k], force[k]); point 0 is the origin.
 struct DiagramSpec {
   std::vector<double> elongation;  // [n] fraction, rising
   std::vector<double> force;       // [n] N on the strip, not falling
   std::vector<double> correction;  // [n] law = diagram x correction; empty = 1
+  bool jaws = true;                // bias: the strip was held by jaws, which stiffen it
+  GivenAs elongation_as{"elongation_percent", "percent", 100}, force_as{"force", "N", 1};
 };
 
 struct FabricSpec {
@@ -109,6 +117,7 @@ struct Scene {
   double duration = 1;        // s
   Vec3 gravity{0, 0, -9.81};  // m/s^2
   Integrator integrator = Integrator::kLeapfrog;
+  int order = 2;                // 2, 4, 6
   double step = 0;              // s; 0 = automatic
   double communication = 1e-3;  // s
   double damping = 0;           // 1/s

@@ -13,9 +13,11 @@ struct Wanted {
 
   std::string operator()(Elsewhere) const { return "a table"; }
   std::string operator()(Later) const { return "nothing"; }
-  std::string operator()(const Only& only) const {
-    if (const bool* flag = std::get_if<bool>(&only.value)) return *flag ? "true" : "false";
-    return std::to_string(std::get<std::int64_t>(only.value));
+  std::string operator()(const Only& only) const { return only.value ? "true" : "false"; }
+  std::string operator()(const OneOf& one) const {
+    std::string text;
+    for (const std::int64_t n : one.numbers) text += (text.empty() ? "" : ", ") + std::to_string(n);
+    return text;
   }
   std::string operator()(std::string*) const { return "a text"; }
   std::string operator()(const Name&) const { return "a name in quotes"; }

@@ -6,6 +6,7 @@
 #include "constraint/pins.h"
 #include "piece/place.h"
 #include "seam/tie.h"
+#include "system/composition.h"
 #include "system/threads.h"
 
 namespace drape {
@@ -133,6 +134,7 @@ std::vector<Law> laws_make(const System& system, const std::vector<FabricSpec>& 
 System system_assemble(const Scene& scene, State& start, std::vector<Problem>& problems) {
   System system;
   system.integrator = scene.integrator;
+  system.composition = composition_of(scene.order);
   system.communication = scene.communication;
   system.step_given = scene.step;
   system.step_max = scene.communication;

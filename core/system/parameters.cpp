@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "scene/check.h"
 #include "scene/ranges.h"
 
 namespace drape {
@@ -64,6 +65,15 @@ std::vector<ValueRow> value_rows(const Parameters& p, const Scene& scene) {
                           std::to_string(i) + "]",
                       &kForce});
   return rows;
+}
+
+// Of the forces that depend on velocity.
+bool is_rated(const ValueRow& row) { return row.limits == &kAirCoefficient || row.limits == &kSpringDamping; }
+
+std::string rated_text(const Quantity& q, double value, int order) {
+  char text[80];
+  std::snprintf(text, sizeof text, "= %.9g%s; allowed: ", value, std::string(q.unit) == "1" ? "" : " s");
+  return text + order_allows(order);
 }
 
 // The first point of a diagram that lies below the one before it; its size where none does.
@@ -204,8 +214,10 @@ void parameters_mend(Parameters& p, const Scene& scene, const ParameterValues& i
   const std::vector<ValueRow> rows = value_rows(p, scene);
   ParameterValues now = parameters_read(p);
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    if (quantity_fits(*rows[k].limits, now.value[k])) continue;
-    problems.push_back({rows[k].place, limits_text(*rows[k].limits, now.value[k])});
+    const bool brakes = scene.order > 2 && is_rated(rows[k]) && now.value[k] > 0;
+    if (quantity_fits(*rows[k].limits, now.value[k]) && !brakes) continue;
+    problems.push_back({rows[k].place, brakes ? rated_text(*rows[k].limits, now.value[k], scene.order)
+                                              : limits_text(*rows[k].limits, now.value[k])});
     now.value[k] = in_force.value[k];
   }
   parameters_write(p, now);

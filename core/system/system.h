@@ -15,6 +15,8 @@
 
 namespace drape {
 
+struct Composition;  // system/composition.h
+
 // Columns from begin to end - 1; multiples of kRowUnit.
 struct Columns {
   int begin, end;
@@ -68,11 +70,12 @@ struct Probe {
 
 struct System {
   Integrator integrator = Integrator::kLeapfrog;
-  double communication = 1e-3;  // q, s
-  double step_given = 0;        // s; 0 = automatic
-  double step_max = 0;          // s
-  double damping = 0;           // c, 1/s
-  Vec3 gravity{0, 0, 0};        // m/s^2
+  const Composition* composition = nullptr;  // of the orders above 2
+  double communication = 1e-3;               // q, s
+  double step_given = 0;                     // s; 0 = automatic
+  double step_max = 0;                       // s
+  double damping = 0;                        // c, 1/s
+  Vec3 gravity{0, 0, 0};                     // m/s^2
   Air air;
   int threads = 1;      // that share a step, at most
   bool energy = false;  // the balance is kept
@@ -117,7 +120,7 @@ struct Fit {
 
 struct State {
   Array x, y, z;     // [nodes] m, at t_n
-  Array vx, vy, vz;  // [nodes] m/s, at t_{n-1/2} (paper scheme: at t_n)
+  Array vx, vy, vz;  // [nodes] m/s, at t_{n-1/2} (paper scheme: at t_n; above order 2: of the last drift)
 
   // Only in systems with forces that depend on velocity (system_has_rates):
   Array wx, wy, wz;    // [nodes] m/s, at t_{n-3/2}

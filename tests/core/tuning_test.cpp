@@ -29,14 +29,15 @@ void hear(void* user, drape_log_kind kind, const char* message) {
 
 // A sheet of 0.05 m x 0.05 m, its lowest point 1 m above the origin; free, or held at a corner.
 Cloth open_sheet(Heard& heard, bool held, const std::string& step = "0.000030517578125",
-                 const std::string& pin_keys = "") {
+                 const std::string& pin_keys = "", int order = 2) {
   const SceneFolder folder;
   const std::string scene = R"(
 [scene]
 name = "sheet"
 energy = true
 communication = 0.0009765625
-step = )" + step + R"(
+step = )" + step +
+                            "\norder = " + std::to_string(order) + R"(
 [fabric.f]
 areal_density = 0.15
 thickness = 0.0005
@@ -234,6 +235,50 @@ TEST(Tuning, ranges_of_the_new_values) {
   EXPECT_EQ(p.ramp, 0);
   EXPECT_EQ(p.fabric[0].damping, 0);
   EXPECT_EQ(p.fabric[0].friction, 0.3);
+}
+
+// Above order 2 no force may depend on velocity: such a value is refused in one sentence, and the motion is
+// that of a cloth where nobody tried.
+TEST(Tuning, no_damping_along_springs_above_order_2) {
+  Heard heard;
+  const Cloth c = open_sheet(heard, true, "0.000030517578125", "", 4),
+              other = open_sheet(heard, true, "0.000030517578125", "", 4);
+  ASSERT_TRUE(c && other);
+  run(c, 4), run(other, 4);
+  drape_parameters_of(c.get())->fabric[0].damping = 1e-6;
+  EXPECT_EQ(drape_advance(c.get(), kQ), DRAPE_DISCARD);
+  ASSERT_EQ(heard.errors.size(), 1u);
+  EXPECT_EQ(
+      heard.errors[0],
+      "fabric.f.damping = 1e-06 s; allowed: 0 with scene.order = 4, whose steps go partly back in time, "
+      "where it would speed the cloth up");
+  EXPECT_EQ(drape_parameters_of(c.get())->fabric[0].damping, 0);
+  run(c, 4), run(other, 4);
+  EXPECT_EQ(nodes(c), nodes(other));
+}
+
+// Order 6 keeps its energy through a change of density and of c, and goes on from a saved state to the same
+// bits.
+TEST(Tuning, above_order_2_a_change_is_booked_and_a_saved_state_goes_on) {
+  Heard heard;
+  const Cloth c = open_sheet(heard, true, "0.000030517578125", "", 6);
+  ASSERT_TRUE(c);
+  run(c, 4);
+  drape_parameters_of(c.get())->damping = 30;
+  drape_parameters_of(c.get())->ramp = 5 * kQ;
+  drape_parameters_of(c.get())->fabric[0].areal_density = 0.2;
+  run(c, 3, 3);
+  drape_snapshot* saved = drape_save(c.get(), nullptr);
+  run(c, 10, 10);
+  const std::vector<double> end = nodes(c);
+  const drape_energy e = drape_outputs_at(c.get(), 0)->energy;
+  // Leapfrog's own error is 1e-5 of what moves here.
+  EXPECT_LE(std::abs(e.balance_error), 1e-9 * (e.kinetic + e.stretch + e.shear + e.dissipated));
+  EXPECT_GT(e.dissipated, 0.01 * e.kinetic);
+  drape_restore(c.get(), saved);
+  run(c, 10, 2);
+  EXPECT_EQ(nodes(c), end);
+  drape_snapshot_free(saved);
 }
 
 // One advance tells of both what is wrong with its parameters and what with its inputs.

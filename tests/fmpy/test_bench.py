@@ -1,4 +1,5 @@
 """The benchmark's scripts run; their figures are not judged here."""
+import csv
 import subprocess
 import sys
 
@@ -21,6 +22,23 @@ def test_scenes(drape, tmp_path):
     drape("bench", "scenes", "--quick", "--scene", scene, "--csv", tmp_path / "scenes.csv")
     assert (tmp_path / "scenes.csv").read_text().count("hanging_wool") == 2
     assert drape("bench", "scenes", "--scene", "nowhere.toml", check=False).returncode == 1
+
+
+def test_precision(drape, tmp_path):
+    """Error against time for every method: in seconds, on small cloths."""
+    table = tmp_path / "precision.csv"
+    said = drape("bench", "precision", "--quick", "--csv", table).stdout
+    assert said.count("best order") == 4
+    with open(table, newline="") as file:
+        rows = list(csv.DictReader(file))
+    kernel = {(r["method"], r["order"]) for r in rows if r["forces"] == "kernel"}
+    assert {("Drape", "2"), ("Drape", "4"), ("Drape", "6"), ("ERK", "8"), ("BDF, Krylov", "0")} <= kernel
+    assert len({r["scene"] for r in rows}) == 4
+    best = {o: min(float(r["error"]) for r in rows if r["method"] == "Drape" and r["order"] == o) for o in "246"}
+    assert best["4"] < best["2"] / 10 and best["6"] < best["2"] / 10
+    run(BENCH / "plot_precision.py", table, tmp_path / "precision.svg")
+    assert (tmp_path / "precision.svg").exists()
+    assert drape("bench", "precision", "kernel", check=False).returncode == 1
 
 
 def test_plot(tmp_path):

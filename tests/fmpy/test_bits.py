@@ -24,6 +24,23 @@ def test_grouping_of_steps(pack, q, step):
     assert same_bits(ends[0], ends[2])
 
 
+@pytest.mark.parametrize("order", [4, 6])
+def test_grouping_and_reset_above_order_2(pack, order):
+    q = 0.001
+    fmu = pack(swinging_sheet(communication=q, order=order, damping=3.0), nodes="all")
+    names = [n for n in fmu.outputs() if not n.startswith("pin.")]
+    ends = []
+    for calls in (1, 50):
+        with Instance(fmu) as cloth:
+            cloth.initialize().run(50 * q, 50 * q / calls)
+            ends.append(cloth.get(*names))
+            cloth.slave.reset()
+            cloth.time = 0.0
+            cloth.initialize().run(50 * q, 25 * q)
+            ends.append(cloth.get(*names))
+    assert all(same_bits(ends[0], end) for end in ends)
+
+
 def test_impulse_on_a_pin_does_not_depend_on_grouping(pack):
     """Mean force times length, summed over the calls, to the rounding of a sum of 100 terms."""
     fmu = pack(swinging_sheet())

@@ -52,7 +52,7 @@ Law bias_law(const Scene& scene, const FabricSpec& fabric, double b) {
   if (!switched_on(d)) return {Curve{}, std::numeric_limits<double>::infinity()};
   const double z = scene.scaling == Scaling::kPaperArea ? kRoot2 * b / fabric.strip_gauge : 1;
   const bool stored = !d.correction.empty();
-  const double K = scene.clamp_correction && !stored ? clamp_stiffening(fabric) : 1;
+  const double K = scene.clamp_correction && d.jaws && !stored ? clamp_stiffening(fabric) : 1;
   const std::vector<double> P = per_width(d, z, K, fabric.strip_width);
   const double end = d.elongation.back();
   if (scene.bias_model == BiasModel::kTension) {

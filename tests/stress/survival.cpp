@@ -1,7 +1,7 @@
 // The survival curve of the step: which share of nonlinear cloths is still bounded after many steps, against
 // h / limit.
 //
-//     drape_survival [--steps N] [--seeds N] [--only CLOTH] [--from RATIO] [--to RATIO]
+//     drape_survival [--steps N] [--seeds N] [--only CLOTH] [--from RATIO] [--to RATIO] [--order 2|4|6]
 //
 // Leapfrog is stable for a linear system while h omega < 2. In nonlinear cloth omega moves with the motion,
 // and the step pumps energy into it well below the limit (parametric resonance with the time step). So each
@@ -76,12 +76,12 @@ constexpr Cloth kCloths[] = {
     {"stiffening, an edge", kStiffening, kEdge},
 };
 
-Scene scene_of(const Cloth& cloth, double damping) {
+Scene scene_of(const Cloth& cloth, double damping, int order) {
   const SceneFolder folder;
   const std::string text =
       "[scene]\nname = \"survival\"\ndamping = " + std::to_string(damping) +
-      "\n[options]\nclamp_correction = false\n[fabric.cloth]\n" + cloth.fabric +
-      "[[piece]]\nname = \"square\"\nfabric = \"cloth\"\ncell = " + std::to_string(kCell) +
+      "\norder = " + std::to_string(order) + "\n[options]\nclamp_correction = false\n[fabric.cloth]\n" +
+      cloth.fabric + "[[piece]]\nname = \"square\"\nfabric = \"cloth\"\ncell = " + std::to_string(kCell) +
       "\noutline = [[0, 0], [0.1, 0], [0.1, 0.1], [0, 0.1]]\n" +
       "place = { origin = [0, 0, 0], axis_x = [1, 0, 0], axis_y = [0, 1, 0] }\n" +
       "[[pin]]\nname = \"peg\"\npiece = \"square\"\n" + cloth.pins;
@@ -132,9 +132,9 @@ Energy energy_of(Run& r) {
   return {moving, moving + e.gravity};
 }
 
-bool survives(const Cloth& cloth, double damping, double ratio, unsigned seed, long steps) {
+bool survives(const Cloth& cloth, double damping, int order, double ratio, unsigned seed, long steps) {
   Run r;
-  run_begin(r, scene_of(cloth, damping), seed);
+  run_begin(r, scene_of(cloth, damping, order), seed);
   double mass = 0, h = INFINITY, least = INFINITY;
   for (std::size_t n : r.system.particle) mass += r.system.mass[n];
   const Energy start = energy_of(r);
@@ -187,7 +187,7 @@ void table_print(const std::vector<Job>& jobs, double damping) {
   line("all", nullptr);
 }
 
-int run(long steps, unsigned seeds, const char* only, double least, double most) {
+int run(long steps, unsigned seeds, const char* only, double least, double most, int order) {
   std::vector<Job> jobs;
   for (double ratio : kRatios) {
     if (ratio < least || ratio > most) continue;
@@ -199,12 +199,12 @@ int run(long steps, unsigned seeds, const char* only, double least, double most)
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     for (std::size_t k = next++; k < jobs.size(); k = next++)
-      jobs[k].survived = survives(*jobs[k].cloth, jobs[k].damping, jobs[k].ratio, jobs[k].seed, steps);
+      jobs[k].survived = survives(*jobs[k].cloth, jobs[k].damping, order, jobs[k].ratio, jobs[k].seed, steps);
   };
   std::vector<std::thread> threads;
   for (unsigned t = 0; t < std::max(1u, std::thread::hardware_concurrency()); ++t) threads.emplace_back(work);
   for (std::thread& t : threads) t.join();
-  std::printf("%ld steps, %u seeds, %zu runs\n", steps, seeds, jobs.size());
+  std::printf("order %d, %ld steps, %u seeds, %zu runs\n", order, steps, seeds, jobs.size());
   for (double damping : kDampings) table_print(jobs, damping);
   // What a linear system promises: bounded at the default factor.
   int broken = 0;
@@ -224,6 +224,7 @@ int main(int argc, char** argv) {
   unsigned seeds = 4;
   const char* only = "";
   double least = 0, most = INFINITY;
+  long order = 2;
   for (int k = 1; k < argc; ++k) {
     if (std::strcmp(argv[k], "--steps") == 0 && k + 1 < argc) steps = std::strtol(argv[++k], nullptr, 10);
     else if (std::strcmp(argv[k], "--seeds") == 0 && k + 1 < argc)
@@ -231,13 +232,16 @@ int main(int argc, char** argv) {
     else if (std::strcmp(argv[k], "--only") == 0 && k + 1 < argc) only = argv[++k];
     else if (std::strcmp(argv[k], "--from") == 0 && k + 1 < argc) least = std::strtod(argv[++k], nullptr);
     else if (std::strcmp(argv[k], "--to") == 0 && k + 1 < argc) most = std::strtod(argv[++k], nullptr);
+    else if (std::strcmp(argv[k], "--order") == 0 && k + 1 < argc)
+      order = std::strtol(argv[++k], nullptr, 10);
     else {
       std::fprintf(stderr,
                    "usage: drape_survival [--steps N] [--seeds N] [--only WORD OF A CLOTH] [--from RATIO] "
-                   "[--to RATIO]\n");
+                   "[--to RATIO] [--order 2|4|6]\n");
       return 1;
     }
   }
   if (steps < 1 || seeds < 1) return std::fprintf(stderr, "--steps and --seeds: allowed: 1 or more\n"), 1;
-  return drape::run(steps, seeds, only, least, most);
+  if (order != 2 && order != 4 && order != 6) return std::fprintf(stderr, "--order: allowed: 2, 4, 6\n"), 1;
+  return drape::run(steps, seeds, only, least, most, int(order));
 }

@@ -107,7 +107,7 @@ const Case kFabrics[] = {
      "\"warp.force\" = 1\n[warp]",
      {"wool.toml:9: fabric.wool.\"warp.force\" is no known key; known: file, description, source, "
       "areal_density, thickness, strip, bending, compression, compression_blend, friction, damping, warp, "
-      "weft, bias"}},
+      "weft, bias, kes, fast"}},
     {"negative_density",
      "areal_density = 0.15",
      "areal_density = -0.15",

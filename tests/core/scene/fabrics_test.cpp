@@ -119,5 +119,16 @@ TEST(FabricsPage, WorkedExampleIsAFabric) {
   EXPECT_NEAR(f.bending_weft, 42046e-10 * 3.15 / 81.2 / 0.03, half_digit);
 }
 
+// The page's sheets are read as they stand there.
+TEST(FabricsPage, SheetsAreFabrics) {
+  const std::string page = text_of(kFolder / "README.md");
+  for (const char* sheet : {"```\n[kes]", "```\n[fast]"}) {
+    const std::size_t begin = page.find(sheet);
+    ASSERT_NE(begin, std::string::npos) << sheet;
+    const SceneFolder folder;
+    fabric_of(folder.write("sheet.toml", page.substr(begin + 4, page.find("```", begin + 4) - begin - 4)));
+  }
+}
+
 }  // namespace
 }  // namespace drape

@@ -2,6 +2,7 @@
 // be laid out.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 #include "piece/hold.h"
@@ -117,7 +118,9 @@ TEST(SceneMutation, EndsInASceneOrInProblems) {
   int good = 0, bad = 0;
   for (int trial = 0; trial < 4000; ++trial) {
     const bool in_fabric = trial % 3 == 0;
-    const std::string fabric = in_fabric ? mutated(kFabric, random) : kFabric;
+    const std::string& cloth =
+        *std::array{&kFabric, &kKes, &kFast, &kStrips, &kPt2}[std::size_t(trial / 3 % 5)];
+    const std::string fabric = in_fabric ? mutated(cloth, random) : kFabric;
     const std::string& whole = trial % 2 ? kScene : kCloth;
     const std::string scene = in_fabric ? whole : mutated(whole, random);
     folder.write("wool.toml", fabric);

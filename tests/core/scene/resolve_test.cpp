@@ -14,7 +14,8 @@ namespace {
 std::vector<double> numbers_of(const Scene& s) {
   std::vector<double> n{s.duration, s.step,           s.communication,
                         s.damping,  double(s.energy), double(s.clamp_correction)};
-  n.insert(n.end(), {double(s.integrator), double(s.scaling), double(s.bias_model), double(s.outline)});
+  n.insert(n.end(), {double(s.integrator), double(s.scaling), double(s.bias_model), double(s.outline),
+                     double(s.order)});
   n.insert(n.end(), {double(s.mode), double(s.has_air), s.air_density, s.air_normal, s.air_tangential,
                      s.imperfection_amplitude, double(s.imperfection_seed)});
   const auto put = [&](const auto& list) { n.insert(n.end(), list.begin(), list.end()); };
@@ -24,7 +25,7 @@ std::vector<double> numbers_of(const Scene& s) {
                        f.bending_weft, f.poisson, f.compression, f.compression_blend, f.damping});
     put(f.friction);
     for (const DiagramSpec* d : {&f.warp, &f.weft, &f.bias})
-      put(d->elongation), put(d->force), put(d->correction);
+      n.push_back(double(d->jaws)), put(d->elongation), put(d->force), put(d->correction);
   }
   for (const PieceSpec& p : s.pieces) {
     n.insert(n.end(), {double(p.fabric), p.cell, p.grain, double(p.grid_origin.has_value())});
@@ -83,6 +84,23 @@ std::string with(std::string text, const std::string& from, const std::string& t
 TEST(SceneResolve, StandsAlone) {
   expect_round_trip(kScene, kFabric);
   expect_round_trip(kCloth, kFabric);
+}
+
+// Sheets are resolved to plain keys: nothing is left to convert, on whatever machine the text is read.
+TEST(SceneResolve, SheetsBecomePlainKeys) {
+  const std::string own = "areal_density = 0.2\nwarp.force = [0, 3, 9]\n", scene = with(kScene, own, "");
+  for (const std::string& fabric : {kKes, kFast, kStrips, kPt2}) {
+    expect_round_trip(scene, fabric);
+    expect_round_trip(
+        with(scene, "file = \"wool.toml\"\n", "file = \"wool.toml\"\nbending.length_mm = 17.3\n"), fabric);
+    const SceneFolder folder;
+    folder.write("wool.toml", fabric);
+    std::vector<Problem> problems;
+    const std::string text = scene_resolve(folder.write("scene.toml", scene), problems);
+    for (const char* key : {"kes", "fast", "gost_10550", "_mm", "_in", "force_", "ASTM"})
+      EXPECT_EQ(text.find(key), std::string::npos) << key << '\n' << text;
+  }
+  expect_round_trip(with(kScene, own, "kes = { W = 21.7, G = 0.77, B = [0.11, 0.13] }\n"), kFabric);
 }
 
 TEST(SceneResolve, AwkwardNumbersKeepTheirBits) {

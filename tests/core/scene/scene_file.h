@@ -155,4 +155,51 @@ elongation_percent = [0, 3, 6]
 force = [0, 0.5, 2]
 )";
 
+// The same by laboratory sheets, each key of the doors in one of them.
+inline const std::string kKes = R"([kes]
+W = 24.5
+T0 = 0.62
+Fm = 500
+EMT = [5.735, 5.135]
+WT = [9.400, 8.675]
+LT = [0.655, 0.676]
+G = [0.5, 0.6]
+B = [0.09, 0.07]
+)";
+
+inline const std::string kFast = R"([fast]
+W = 168
+T2 = 0.52
+T100 = 0.42
+C = [15.0, 14.5]
+E5 = [0.67, 0.40]
+E20 = [1.87, 1.87]
+E100 = [4.60, 5.87]
+EB5 = 4.7
+)";
+
+inline const std::string kStrips = R"(areal_density = 0.15
+thickness = 0.0005
+strip = "ASTM D5035 1R"
+bending = { overhang_mm = [38, 30] }
+[warp]
+extension_mm = [0, 1.5, 3]
+force_lbf = [0, 2, 5]
+correction = [1, 0.9, 0.95]
+[weft]
+extension_in = [0, 0.1]
+force_kgf = [0, 1]
+[bias]
+elongation_percent = [0, 4]
+force_gf = [0, 25]
+jaws = false
+)";
+
+inline const std::string kPt2 = R"(areal_density = 0.132
+thickness = 0.0003
+[bending]
+gost_10550 = { mass_g = [3.17, 3.15], deflection_mm = [63.5, 65.1] }
+poisson = 0.1
+)";
+
 }  // namespace drape

@@ -99,6 +99,11 @@ const Case kSeams[] = {
      "closed_at = inf",
      "closed_at = nan",
      {"scene.toml:19: seam.side.closed_at = nan s; allowed: from 0 to inf s"}},
+    {"higher_order",
+     "name = \"sewn\"",
+     "name = \"sewn\"\norder = 4",
+     {"scene.toml:3: scene.order = 4 does not go with seams, whose pull is damped; wanted: order = 2, or no "
+      "seam"}},
     {"name_twice",
      "name = \"tube\"",
      "name = \"side\"",

@@ -1,0 +1,12 @@
+// A diagram that a sheet implies but does not show, ready for a fabric file.
+#pragma once
+#include <vector>
+
+namespace drape {
+
+struct SheetDiagram {
+  std::vector<double> percent;          // elongation, from 0
+  std::vector<double> force_per_width;  // N/m
+};
+
+}  // namespace drape

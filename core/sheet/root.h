@@ -1,0 +1,16 @@
+// The root of a monotone function.
+#pragma once
+
+namespace drape {
+
+// The x in [low, high] at which a rising `value` passes `target`, halved down to the last bit.
+template <class Function>
+double rising_root(Function value, double target, double low, double high) {
+  for (;;) {
+    const double middle = low + (high - low) / 2;
+    if (!(middle > low && middle < high)) return middle;
+    (value(middle) < target ? low : high) = middle;
+  }
+}
+
+}  // namespace drape

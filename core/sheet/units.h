@@ -1,0 +1,15 @@
+// Units of laboratory sheets, in SI. The gram-force follows from the standard acceleration of
+// gravity, 9.80665 m/s^2 (3rd CGPM, 1901); the pound is 0.45359237 kg (international yard and pound, 1959).
+#pragma once
+
+namespace drape {
+
+inline constexpr double kStandardGravity = 9.80665;                   // m/s^2
+inline constexpr double kKilogramForce = kStandardGravity;            // N
+inline constexpr double kGramForce = 1e-3 * kStandardGravity;         // N
+inline constexpr double kPoundForce = 0.45359237 * kStandardGravity;  // N
+inline constexpr double kGramForcePerCm = 1e2 * kGramForce;           // N/m
+inline constexpr double kInch = 0.0254;                               // m
+inline constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180;
+
+}  // namespace drape
