@@ -23,6 +23,7 @@ void diagram_check(const DiagramSpec& d, const std::string& path, Problems& prob
     problems.push_back({elongation, "has " + entries_text(d.elongation.size()) + "; allowed: 2 to 64"});
   length_check(d.force, force);
   length_check(d.correction, path + ".correction");
+  length_check(d.correction_elongation, path + ".correction_elongation");
 
   if (!d.elongation.empty() && d.elongation[0] != 0)
     problems.push_back(
@@ -39,6 +40,18 @@ void diagram_check(const DiagramSpec& d, const std::string& path, Problems& prob
       problems.push_back({entry(force, i), "= " + number_text(d.force[i]) + " N after " +
                                                number_text(d.force[i - 1]) +
                                                " N; the force of a diagram does not fall"});
+  if (!d.correction_elongation.empty() && d.correction.empty())
+    problems.push_back(
+        {path + ".correction_elongation", "stands without correction; wanted: both or neither"});
+  if (d.correction_elongation.size() == d.elongation.size())
+    for (std::size_t i = 1; i < d.elongation.size(); ++i)
+      if (const double law = d.elongation[i] * d.correction_elongation[i],
+          last = d.elongation[i - 1] * d.correction_elongation[i - 1];
+          !(law - last >= kLeastRise) && d.elongation[i] - d.elongation[i - 1] >= kLeastRise)
+        problems.push_back({entry(path + ".correction_elongation", i),
+                            "= " + number_text(d.correction_elongation[i]) + " gives " + percent(law) +
+                                " after " + percent(last) +
+                                "; wanted: elongation x correction_elongation rises"});
   if (d.correction.size() != d.force.size()) return;
   for (std::size_t i = 1; i < d.force.size(); ++i)
     if (const double law = d.force[i] * d.correction[i], last = d.force[i - 1] * d.correction[i - 1];
@@ -55,7 +68,7 @@ void bias_check(const Scene& scene, const FabricSpec& f, const std::string& path
   const bool off = std::all_of(force.begin(), force.end(), [](double v) { return v == 0; });
   if (off || !f.bias.correction.empty()) return;
   const double ratio = f.strip_gauge / f.strip_width;
-  if (scene.clamp_correction && !(ratio > 1.25))
+  if (scene.clamp_correction && f.bias_jaws && !(ratio > 1.25))
     problems.push_back(
         {path + ".strip", "has gauge/width = " + rounded(ratio) +
                               "; the clamp correction of a bias diagram takes values above 1.25 (or set "

@@ -80,7 +80,7 @@ bool fabric_fold(toml::table& fabric, const std::string& path, const fs::path& f
 
 }  // namespace
 
-Document document_load(const std::filesystem::path& file, Faults& faults) {
+Document document_load_file(const std::filesystem::path& file, Faults& faults) {
   Document document;
   faults.file = file.string();
   document.files.push_back(file);
@@ -93,6 +93,11 @@ Document document_load(const std::filesystem::path& file, Faults& faults) {
 
   document.root = std::move(*root);
   document.loaded = true;
+  return document;
+}
+
+Document document_load(const std::filesystem::path& file, Faults& faults) {
+  Document document = document_load_file(file, faults);
   if (toml::table* fabrics = document.root["fabric"].as_table())
     for (auto&& [name, node] : *fabrics)
       if (toml::table* fabric = node.as_table())

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/check.h"
 #include "scene/keys.h"
 #include "scene/rows.h"
 #include "scene/settle.h"
@@ -9,6 +10,13 @@
 namespace drape {
 
 namespace {
+
+FabricSpec fabric_settle(FabricText& text) {
+  text.spec.bending_warp = text.rigidity[0] / text.bending_width;
+  text.spec.bending_weft = text.rigidity[1] / text.bending_width;
+  text.spec.bending_width = text.bending_width;
+  return text.spec;
+}
 
 std::vector<FabricSpec> fabrics_read(Faults& faults, const Document& document) {
   std::vector<FabricSpec> fabrics;
@@ -27,9 +35,7 @@ std::vector<FabricSpec> fabrics_read(Faults& faults, const Document& document) {
     if (!entry.is_table())
       fault_add(faults, path, std::string("is ") + node_kind(entry) + "; wanted: a table [" + path + "]");
     else if (!document.unread.count(name)) keys_read(faults, *entry.as_table(), path, fabric_keys(text));
-    text.spec.bending_warp = text.rigidity[0] / text.bending_width;
-    text.spec.bending_weft = text.rigidity[1] / text.bending_width;
-    fabrics.push_back(text.spec);
+    fabrics.push_back(fabric_settle(text));
   }
   return fabrics;
 }
@@ -108,6 +114,24 @@ Scene scene_read(const std::filesystem::path& file, std::vector<Problem>& proble
   }
   faults_report(faults, problems);
   return scene;
+}
+
+FabricSpec fabric_read(const std::filesystem::path& file, std::vector<Problem>& problems) {
+  FabricText text;
+  text.spec.name = file.stem().string();
+  Faults faults;
+  const Document document = document_load_file(file, faults);
+  if (document.loaded) {
+    const std::string path = "fabric." + text.spec.name;
+    keys_read(faults, document.root, path, fabric_keys(text));
+    if (document.root.contains("file"))
+      fault_add(faults, path + ".file", "stands in a fabric file; a fabric file cannot name another one");
+    std::vector<Problem> found;
+    fabric_check({}, text.spec, found);
+    for (const Problem& p : found) fault_add(faults, p.place, p.message);
+  }
+  faults_report(faults, problems);
+  return fabric_settle(text);
 }
 
 std::string scene_place(const std::filesystem::path& file, const std::string& path) {

@@ -22,9 +22,10 @@ enum class Drive { kNone, kPosition, kVelocity, kBoth };
 
 // A load-elongation diagram of a strip: point k is (elongation[k], force[k]); point 0 is the origin.
 struct DiagramSpec {
-  std::vector<double> elongation;  // [n] fraction, rising
-  std::vector<double> force;       // [n] N on the strip, not falling
-  std::vector<double> correction;  // [n] law = diagram x correction; empty = 1
+  std::vector<double> elongation;             // [n] fraction, rising
+  std::vector<double> force;                  // [n] N on the strip, not falling
+  std::vector<double> correction;             // [n] law = diagram x correction; empty = 1
+  std::vector<double> correction_elongation{};  // [n] likewise of the elongations; empty = 1
 };
 
 struct FabricSpec {
@@ -33,7 +34,9 @@ struct FabricSpec {
   double thickness = 0;                          // m
   double strip_width = 0.05, strip_gauge = 0.2;  // m, the tensile specimen
   DiagramSpec warp, weft, bias;                  // empty = law off
+  bool bias_jaws = true;                         // false: of a trellis without jaws, from a shear test
   double bending_warp = 0, bending_weft = 0;     // N m, EI per width before the Poisson factor
+  double bending_width = 0.03;                   // m, of the specimen of EI
   double poisson = 0;                            // B = EI / (1 - poisson^2)
   double compression = 1;                        // slope below zero over the slope at zero
   double compression_blend = 0.002;              // strain over which it gets there
