@@ -1,5 +1,6 @@
 #include "laboratory/strip.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -26,9 +27,10 @@ Specimen specimen_make(const Scene& scene, std::vector<Problem>& problems) {
 
 // Between jaws: each elongation starts from the one before, stretched evenly.
 StripPull jaws_pull(const FabricSpec& fabric, Thread along, double cell,
-                    const std::vector<double>& elongation, std::vector<Problem>& problems) {
+                    const std::vector<double>& elongation, std::vector<Problem>& problems,
+                    const LawOptions& options) {
   StripPull pull;
-  Specimen strip = specimen_make(strip_scene(fabric, along, cell), problems);
+  Specimen strip = specimen_make(strip_scene(fabric, along, cell, options), problems);
   if (!problems.empty()) return pull;
   const RestSearchHandle search = rest_search_make(strip.system, true);
   const double top = strip.state.pin_frame[1].position[1];
@@ -50,9 +52,9 @@ StripPull jaws_pull(const FabricSpec& fabric, Thread along, double cell,
 // A trellis of threads of fixed length: stretched by l1 = 1 + e along y, it shortens to l2 = sqrt(2 - l1^2)
 // along x. Virtual work of the forces of the lattice: F H dl1 = -sum f.dr, dr = (-X l1/l2, Y) dl1.
 StripPull trellis_pull(const FabricSpec& fabric, double cell, const std::vector<double>& elongation,
-                       std::vector<Problem>& problems) {
+                       std::vector<Problem>& problems, const LawOptions& options) {
   StripPull pull;
-  Scene scene = strip_scene(fabric, Thread::kBias, cell);
+  Scene scene = strip_scene(fabric, Thread::kBias, cell, options);
   scene.pins.clear();
   Specimen strip = specimen_make(scene, problems);
   if (!problems.empty()) return pull;
@@ -77,12 +79,15 @@ StripPull trellis_pull(const FabricSpec& fabric, double cell, const std::vector<
 
 }  // namespace
 
-Scene strip_scene(const FabricSpec& fabric, Thread along, double cell) {
+Scene strip_scene(const FabricSpec& fabric, Thread along, double cell, const LawOptions& options) {
   const double w = fabric.strip_width, h = fabric.strip_gauge, quarter = std::numbers::pi / 4;
   Scene scene;
   scene.name = "strip";
   scene.gravity = {0, 0, 0};
   scene.fabrics = {fabric};
+  scene.scaling = options.scaling;
+  scene.bias_model = options.bias_model;
+  scene.clamp_correction = options.clamp_correction;
   PieceSpec piece;
   piece.name = "strip";
   piece.fabric = 0;
@@ -118,9 +123,11 @@ double leading_strain(const System& system, const State& s, Thread along) {
 }
 
 StripPull strip_pull(const FabricSpec& fabric, Thread along, double cell,
-                     const std::vector<double>& elongation, std::vector<Problem>& problems) {
-  if (along == Thread::kBias && !fabric.bias_jaws) return trellis_pull(fabric, cell, elongation, problems);
-  return jaws_pull(fabric, along, cell, elongation, problems);
+                     const std::vector<double>& elongation, std::vector<Problem>& problems,
+                     const LawOptions& options) {
+  if (along == Thread::kBias && !fabric.bias_jaws)
+    return trellis_pull(fabric, cell, elongation, problems, options);
+  return jaws_pull(fabric, along, cell, elongation, problems, options);
 }
 
 std::vector<double> strip_elongations(const FabricSpec& fabric, Thread along, double pull) {
@@ -129,6 +136,21 @@ std::vector<double> strip_elongations(const FabricSpec& fabric, Thread along, do
   for (double e : strip_diagram(fabric, along).elongation)
     if (e > 0 && e <= pull * (1 + 1e-12) && (along != Thread::kBias || e < locked)) elongation.push_back(e);
   return elongation;
+}
+
+StripExcess strip_excess(const FabricSpec& fabric, Thread along, const LawOptions& options) {
+  const DiagramSpec& d = strip_diagram(fabric, along);
+  if (d.elongation.empty()) return {};
+  const std::vector<double> elongation = strip_elongations(fabric, along, d.elongation.back());
+  const double cell = std::min(fabric.strip_width / kExcessCells, fabric.strip_gauge / kLeastCells);
+  std::vector<Problem> problems;
+  const StripPull pull = strip_pull(fabric, along, cell, elongation, problems, options);
+  StripExcess most;
+  for (std::size_t k = 0; k < pull.force.size(); ++k)
+    if (const double f = d.force[k + 1]; f > 0)
+      if (const double off = pull.force[k] / f - 1; std::abs(off) > std::abs(most.excess))
+        most = {off, elongation[k]};
+  return most;
 }
 
 }  // namespace drape

@@ -4,7 +4,7 @@ import subprocess
 import sys
 
 import pytest
-from scenes import ROOT
+from scenes import ROOT, swinging_sheet
 
 FABRICS = ROOT / "examples" / "fabrics"
 FABRIC = """# a cloth of ours
@@ -58,6 +58,16 @@ def test_calibration_keeps_the_text_and_is_found_again(drape, fabric):
     assert re.search(r'^date = "\d{4}-\d\d-\d\d"$', file.read_text(), re.MULTILINE)
     again = differences(drape("fabric", "test", file, "--cell", 0.0125).stdout)
     assert len(again) == len(raw) == 7 and max(map(abs, again)) < 0.011
+
+
+def test_check_tells_what_to_expect_without_calibration(drape, write, fabric):
+    scene = swinging_sheet()
+    name = next(iter(scene["fabric"]))
+    scene["fabric"][name] = {"file": str(fabric())}
+    raw = drape("check", write(scene)).stdout
+    assert len(re.findall(rf"^fabric {name}: (warp|weft|bias) is not calibrated; a simulated strip pulls up to", raw, re.M)) == 3
+    drape("fabric", "calibrate", fabric(), "--cell", 0.0125)
+    assert "calibrated" not in drape("check", write(scene)).stdout
 
 
 def test_calibration_into_another_file(drape, fabric, tmp_path):

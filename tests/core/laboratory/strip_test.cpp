@@ -129,5 +129,24 @@ TEST(Strip, IsStiffenedByJawsAboutAsKSays) {
   EXPECT_NEAR(pulled(f, Thread::kBias, f.strip_width / 16, {0.005}).force[0] / f.bias.force[1], 1, 1e-9);
 }
 
+// The diagonals' share of a uniform strip is sqrt(2) g (1 + e)/l w_p, l = hypot(1 + e, 1), while it is as
+// wide as at first; it may narrow, and then they pull less. What is left to expect of a calibrated one is its
+// 1e-4 on the cells of the calibration.
+TEST(StripExcess, OfWeftIsTheShareOfTheDiagonalsAtMost) {
+  FabricSpec f = shipped("wool");
+  f.weft.correction.clear();
+  const StripExcess e = strip_excess(f, Thread::kWeft, {});
+  EXPECT_EQ(e.elongation, f.weft.elongation[1]);
+  std::vector<Problem> problems;
+  const Law law = law_make(f, {}, 0.01, "fabric.f", problems);
+  const double l = std::hypot(1 + e.elongation, 1),
+               share = std::sqrt(2.0) * curve_value(law.bias, l / std::sqrt(2.0) - 1) * (1 + e.elongation) /
+                       l * f.strip_width / f.weft.force[1];
+  std::printf("wool's weft at %.3f %%: %.1f %% too hard, at most %.1f %%\n", 100 * e.elongation,
+              100 * e.excess, 100 * share);
+  EXPECT_GT(e.excess, 0.3 * share);
+  EXPECT_LE(e.excess, share);
+}
+
 }  // namespace
 }  // namespace drape
