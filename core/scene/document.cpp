@@ -51,6 +51,17 @@ void table_underlay(toml::table& over, toml::table&& base) {
   }
 }
 
+// Corrections belong to the points that they were found for: a diagram with elongations of its own does not
+// take those of the file.
+void corrections_drop(const toml::table& own, toml::table& base) {
+  for (const char* diagram : {"warp", "weft", "bias"}) {
+    toml::table* table = base[diagram].as_table();
+    if (!table || !own[diagram]["elongation_percent"]) continue;
+    table->erase("correction");
+    table->erase("correction_elongation");
+  }
+}
+
 // Folds the file that a fabric names into its table; false if that cannot be done.
 bool fabric_fold(toml::table& fabric, const std::string& path, const fs::path& folder, Faults& faults,
                  std::vector<fs::path>& files) {
@@ -74,6 +85,7 @@ bool fabric_fold(toml::table& fabric, const std::string& path, const fs::path& f
     faults.places[key] = {file.string(), another->source().begin.line};
     fault_add(faults, key, "stands in a fabric file; a fabric file cannot name another one");
   }
+  corrections_drop(fabric, *base);
   table_underlay(fabric, std::move(*base));
   return true;
 }

@@ -78,8 +78,8 @@ def draw(cells, tips, exact, file):
     for panel, scene in zip(panels, LENGTH):
         finest = exact if scene == "overhang" else tips[scene, "width"][-1]
         for scaling, colour in (("width", "#1c5fc0"), ("paper_area", "#c0281c")):
-            off = [100 * np.linalg.norm(tip - finest) / LENGTH[scene] for tip in tips[scene, scaling]]
-            panel.loglog(1e3 * np.array(cells), np.maximum(off, 1e-4), "o-", color=colour, label=scaling)
+            off = [100 * np.linalg.norm(tip - finest) / LENGTH[scene] or np.nan for tip in tips[scene, scaling]]
+            panel.loglog(1e3 * np.array(cells), off, "o-", color=colour, label=scaling)
         panel.set(title=scene, xlabel="cell, mm", ylabel="tip off the " + ("elastica" if scene == "overhang" else "finest") + ", % of l")
         panel.set_xticks([1e3 * c for c in cells], [f"{1e3 * c:g}" for c in cells])
         panel.minorticks_off()

@@ -113,7 +113,7 @@ def main():
     panel.plot([-1e3 * SUPPORT / 2, 1e3 * SUPPORT / 2], [1e3 * LIFT] * 2, color="black", linewidth=4, solid_capstyle="butt")
     panel.set(aspect="equal", xlabel="mm", ylabel="mm", xlim=(-45, 45))
     panel.grid(alpha=0.3)
-    panel.legend()
+    panel.legend(loc="center")
     figure.savefig(folder / "pt2.png", dpi=90)
 
     assert row["fit.residual"] <= 1e-5, "the strip is not at rest"
