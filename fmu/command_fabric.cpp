@@ -91,7 +91,10 @@ void cells_tell(const FabricSpec& f, double cell, const std::vector<double>& elo
   for (double b : {2 * cell, cell, cell / 2}) {
     if (b > std::min(f.strip_width, f.strip_gauge) / kLeastCells) return;
     force.push_back(strip_pull(f, Thread::kBias, b, elongation, problems).force);
-    if (force.back().size() < elongation.size()) return;
+    if (force.back().size() < elongation.size()) {
+      std::printf("  on cells of %.6g mm the strip finds no rest\n", 1e3 * b);
+      return;
+    }
   }
   double change[2] = {0, 0}, off[2] = {0, 0};
   for (std::size_t k = 0; k < elongation.size(); ++k)
