@@ -8,6 +8,7 @@
 
 #include "command.h"
 #include "csv.h"
+#include "laboratory/calibrate.h"
 #include "picture.h"
 #include "scene/read.h"
 
@@ -55,6 +56,23 @@ void print_seams(const drape_outputs& o) {
     if (longer > shorter * (1 + 1e-6)) std::printf(", ease %.4g", longer / shorter);
     std::printf("\n");
   }
+}
+
+// What to expect of diagrams that no calibration has corrected. Scaling by area depends on the cell, so that
+// nothing can be said there.
+void print_excess(const Scene& scene) {
+  if (scene.scaling != Scaling::kWidth) return;
+  const LawOptions options{scene.scaling, scene.bias_model, scene.clamp_correction};
+  for (const FabricSpec& f : scene.fabrics)
+    for (Thread along : {Thread::kWarp, Thread::kWeft, Thread::kBias}) {
+      if (!strip_diagram(f, along).correction.empty()) continue;
+      const StripExcess e = strip_excess(f, along, options);
+      if (std::abs(e.excess) < 1e-3) continue;
+      std::printf(
+          "fabric %s: %s is not calibrated; a simulated strip pulls up to %.3g %% too %s (at %.4g %%)\n",
+          f.name.c_str(), thread_name(along), 100 * std::abs(e.excess), e.excess > 0 ? "hard" : "little",
+          100 * e.elongation);
+    }
 }
 
 // False, with the reason in errno, where the file cannot be written.
@@ -111,6 +129,8 @@ int check(const Options& options) {
   const double limit = drape_step_limit(cloth.get(), &set_by);
   std::printf("step limit: %.6g us, set by %s\n", 1e6 * limit, set_by ? set_by : "nothing");
   std::printf("step: %.6g us\n", 1e6 * drape_outputs_at(cloth.get(), 0)->step_size);
+  std::vector<Problem> problems;  // none: the cloth has just been opened from the same file
+  print_excess(scene_read(options.scene_file, problems));
   return print_cost(cloth.get()) ? kDone : kFailedRun;
 }
 

@@ -14,6 +14,14 @@ std::vector<double> below_locking(std::vector<double> e) {
   return e;
 }
 
+// Elongations of a law's points, the diagram's but for what a calibration has stored.
+std::vector<double> law_elongations(const DiagramSpec& diagram) {
+  std::vector<double> e(diagram.elongation);
+  for (std::size_t i = 0; i < diagram.correction_elongation.size(); ++i)
+    e[i] *= diagram.correction_elongation[i];
+  return e;
+}
+
 // Points of a diagram as force per width; the origin included.
 std::vector<double> per_width(const DiagramSpec& diagram, double strip_width, double factor) {
   std::vector<double> f(diagram.force);
@@ -65,24 +73,24 @@ Curve bias_law(const FabricSpec& fabric, const LawOptions& options, double cell,
   const bool corrected = !fabric.bias.correction.empty();
   const bool stiffened = options.clamp_correction && fabric.bias.jaws && !corrected;
   const double k = stiffened ? jaw_factor(fabric.strip_gauge / fabric.strip_width) : 1.0;
-  const std::vector<double> p = per_width(fabric.bias, fabric.strip_width, scale / k);
+  const std::vector<double> e = law_elongations(fabric.bias),
+                            p = per_width(fabric.bias, fabric.strip_width, scale / k);
   switch (options.bias_model) {
     case BiasModel::kTension:
-      return curve_make(fabric.bias.elongation, p, {.compression = 0, .blend = fabric.compression_blend});
+      return curve_make(e, p, {.compression = 0, .blend = fabric.compression_blend});
     case BiasModel::kPaper:
-      return curve_make(fabric.bias.elongation, p,
-                        {.compression = fabric.compression, .blend = fabric.compression_blend});
+      return curve_make(e, p, {.compression = fabric.compression, .blend = fabric.compression_blend});
     case BiasModel::kOdd:
       break;
   }
-  if (fabric.bias.elongation.size() > 1 && fabric.bias.elongation[1] >= kLocked) {
+  if (e.size() > 1 && e[1] >= kLocked) {
     problems.push_back(
         {place + ".bias", "its first elongation after 0 is past the trellis' locking at 41.4 percent"});
     return {};
   }
-  if (corrected) return curve_make(below_locking(fabric.bias.elongation), p, {.odd = true});
+  if (corrected) return curve_make(below_locking(e), p, {.odd = true});
   bool at_rest = false;
-  Curve curve = odd_law(fabric.bias.elongation, p, at_rest);
+  Curve curve = odd_law(e, p, at_rest);
   if (!at_rest)
     problems.push_back(
         {place + ".bias", "its odd law finds no rest in 1000 sweeps; smooth the diagram's last points"});
@@ -98,8 +106,10 @@ Law law_make(const FabricSpec& fabric, const LawOptions& options, double cell, c
   const double plate = 1 / (1 - fabric.poisson * fabric.poisson);
   Law law;
   law.areal_density = fabric.areal_density;
-  law.warp = curve_make(fabric.warp.elongation, per_width(fabric.warp, fabric.strip_width, scale), below);
-  law.weft = curve_make(fabric.weft.elongation, per_width(fabric.weft, fabric.strip_width, scale), below);
+  law.warp =
+      curve_make(law_elongations(fabric.warp), per_width(fabric.warp, fabric.strip_width, scale), below);
+  law.weft =
+      curve_make(law_elongations(fabric.weft), per_width(fabric.weft, fabric.strip_width, scale), below);
   law.bias = bias_law(fabric, options, cell, place, problems);
   law.bending_warp = fabric.bending_warp * plate;
   law.bending_weft = fabric.bending_weft * plate;

@@ -1,4 +1,4 @@
-// What acts in a seam that is sewn. core/README.md, section 5.
+// What acts in a seam that is sewn. core/README.md, section 6.
 //
 //          p_a        x        p_b       across it the cloth bends on: a hinge over points one cell inside
 //          each

@@ -1,5 +1,5 @@
 // Welds: pairs of a seam that have come together stay so, r_a = r_b, as constraints beside those of the pins.
-// core/README.md, section 5.
+// core/README.md, section 6.
 #pragma once
 #include "motion/leapfrog.h"
 

@@ -27,6 +27,7 @@ void diagram_check(const DiagramSpec& d, const std::string& path, Problems& prob
     problems.push_back({elongation, "has " + entries_text(d.elongation.size()) + "; allowed: 2 to 64"});
   length_check(d.force, force);
   length_check(d.correction, path + ".correction");
+  length_check(d.correction_elongation, path + ".correction_elongation");
 
   if (!d.elongation.empty() && d.elongation[0] != 0)
     problems.push_back(
@@ -42,6 +43,18 @@ void diagram_check(const DiagramSpec& d, const std::string& path, Problems& prob
     if (!(d.force[i] >= d.force[i - 1]))
       problems.push_back({entry(force, i), "= " + pull(d.force[i]) + " after " + pull(d.force[i - 1]) +
                                                "; the force of a diagram does not fall"});
+  if (!d.correction_elongation.empty() && d.correction.empty())
+    problems.push_back(
+        {path + ".correction_elongation", "stands without correction; wanted: both or neither"});
+  if (d.correction_elongation.size() == d.elongation.size())
+    for (std::size_t i = 1; i < d.elongation.size(); ++i)
+      if (const double law = d.elongation[i] * d.correction_elongation[i],
+          last = d.elongation[i - 1] * d.correction_elongation[i - 1];
+          !(law - last >= kLeastRise) && d.elongation[i] - d.elongation[i - 1] >= kLeastRise)
+        problems.push_back({entry(path + ".correction_elongation", i),
+                            "= " + number_text(d.correction_elongation[i]) + " gives " + stretch(law) +
+                                " after " + stretch(last) +
+                                "; wanted: elongation x correction_elongation rises"});
   if (d.correction.size() != d.force.size()) return;
   for (std::size_t i = 1; i < d.force.size(); ++i)
     if (const double law = d.force[i] * d.correction[i], last = d.force[i - 1] * d.correction[i - 1];

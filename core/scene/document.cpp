@@ -51,6 +51,18 @@ void table_underlay(toml::table& over, toml::table&& base) {
   }
 }
 
+// Corrections belong to the points that they were found for: a diagram with elongations of its own does not
+// take those of the file.
+void corrections_drop(const toml::table& own, toml::table& base) {
+  for (const char* diagram : {"warp", "weft", "bias"}) {
+    toml::table* table = base[diagram].as_table();
+    const auto has = [&](const char* key) { return bool(own[diagram][key]); };
+    if (!table || !(has("elongation_percent") || has("extension_mm") || has("extension_in"))) continue;
+    table->erase("correction");
+    table->erase("correction_elongation");
+  }
+}
+
 // Folds the file that a fabric names into its table; false if that cannot be done.
 bool fabric_fold(toml::table& fabric, const std::string& path, const fs::path& folder, Faults& faults,
                  std::vector<fs::path>& files) {
@@ -74,13 +86,14 @@ bool fabric_fold(toml::table& fabric, const std::string& path, const fs::path& f
     faults.places[key] = {file.string(), another->source().begin.line};
     fault_add(faults, key, "stands in a fabric file; a fabric file cannot name another one");
   }
+  corrections_drop(fabric, *base);
   table_underlay(fabric, std::move(*base));
   return true;
 }
 
 }  // namespace
 
-Document document_load(const std::filesystem::path& file, Faults& faults) {
+Document document_load_file(const std::filesystem::path& file, Faults& faults) {
   Document document;
   faults.file = file.string();
   document.files.push_back(file);
@@ -93,6 +106,11 @@ Document document_load(const std::filesystem::path& file, Faults& faults) {
 
   document.root = std::move(*root);
   document.loaded = true;
+  return document;
+}
+
+Document document_load(const std::filesystem::path& file, Faults& faults) {
+  Document document = document_load_file(file, faults);
   if (toml::table* fabrics = document.root["fabric"].as_table())
     for (auto&& [name, node] : *fabrics)
       if (toml::table* fabric = node.as_table())

@@ -27,4 +27,7 @@ struct Document {
 
 Document document_load(const std::filesystem::path& file, Faults& faults);
 
+// One file alone, whatever it names.
+Document document_load_file(const std::filesystem::path& file, Faults& faults);
+
 }  // namespace drape

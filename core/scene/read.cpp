@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/check.h"
 #include "scene/keys.h"
 #include "scene/rows.h"
 #include "scene/settle.h"
@@ -108,6 +109,24 @@ Scene scene_read(const std::filesystem::path& file, std::vector<Problem>& proble
   }
   faults_report(faults, problems);
   return scene;
+}
+
+FabricSpec fabric_read(const std::filesystem::path& file, std::vector<Problem>& problems) {
+  FabricSpec fabric;
+  Faults faults;
+  const Document document = document_load_file(file, faults);
+  if (document.loaded) {
+    const std::string name = file.stem().string(), path = "fabric." + name;
+    fabric = fabric_read(faults, document.root, path).spec;
+    fabric.name = name;
+    if (document.root.contains("file"))
+      fault_add(faults, path + ".file", "stands in a fabric file; a fabric file cannot name another one");
+    std::vector<Problem> found;
+    fabric_check({}, fabric, found);
+    for (const Problem& p : found) fault_add(faults, p.place, p.message);
+  }
+  faults_report(faults, problems);
+  return fabric;
 }
 
 std::string scene_place(const std::filesystem::path& file, const std::string& path) {

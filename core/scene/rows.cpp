@@ -76,11 +76,16 @@ std::vector<Key> fabric_keys(FabricText& t) {
     keys.push_back({name + ".elongation_percent", &d.elongation, kOptional, {0, 1e3}, "percent", kPercent});
     keys.push_back({name + ".force", &d.force, kOptional, range_of(kForce), "N"});
     keys.push_back({name + ".correction", &d.correction, kOptional, {1e-3, 1e3}});
+    keys.push_back({name + ".correction_elongation", &d.correction_elongation, kOptional, {0.1, 10}});
   };
   diagram("warp", f.warp);
   diagram("weft", f.weft);
   diagram("bias", f.bias);
   keys.push_back({"bias.jaws", Flag{&f.bias.jaws}});
+  // What a calibration says of itself; only the corrections act.
+  keys.push_back({"calibration.cell", &t.calibration_cell, kRequired, {0, 10, kAbove}, "m"});
+  keys.push_back({"calibration.residual", &t.calibration_residual, kRequired, {0, 1e3}});
+  keys.push_back({"calibration.date", &t.calibration_date, kRequired});
   for (Key& key : sheet_keys(t)) keys.push_back(std::move(key));
   return keys;
 }

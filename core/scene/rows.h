@@ -17,6 +17,8 @@ struct FabricText {
   Vec2 rigidity{0, 0};  // N m^2, EI of the bending specimen, warp and weft
   double bending_width = 0.03;
   std::string file, description, source;
+  double calibration_cell = 0, calibration_residual = 0;
+  std::string calibration_date;
   SheetText sheet;
 };
 

@@ -28,10 +28,11 @@ struct GivenAs {
 
 // A load-elongation diagram of a strip: point k is (elongation[k], force[k]); point 0 is the origin.
 struct DiagramSpec {
-  std::vector<double> elongation;  // [n] fraction, rising
-  std::vector<double> force;       // [n] N on the strip, not falling
-  std::vector<double> correction;  // [n] law = diagram x correction; empty = 1
-  bool jaws = true;                // bias: the strip was held by jaws, which stiffen it
+  std::vector<double> elongation;               // [n] fraction, rising
+  std::vector<double> force;                    // [n] N on the strip, not falling
+  std::vector<double> correction;               // [n] law = diagram x correction; empty = 1
+  std::vector<double> correction_elongation{};  // [n] likewise of the elongations; empty = 1
+  bool jaws = true;                             // bias: the strip was held by jaws, which stiffen it
   GivenAs elongation_as{"elongation_percent", "percent", 100}, force_as{"force", "N", 1};
 };
 
@@ -42,6 +43,7 @@ struct FabricSpec {
   double strip_width = 0.05, strip_gauge = 0.2;  // m, the tensile specimen
   DiagramSpec warp, weft, bias;                  // empty = law off
   double bending_warp = 0, bending_weft = 0;     // N m, EI per width before the Poisson factor
+  double bending_width = 0.03;                   // m, of the specimen of EI
   double poisson = 0;                            // B = EI / (1 - poisson^2)
   double compression = 1;                        // slope below zero over the slope at zero
   double compression_blend = 0.002;              // strain over which it gets there

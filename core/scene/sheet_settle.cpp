@@ -94,6 +94,7 @@ FabricText fabric_read(Faults& faults, const toml::table& table, const std::stri
   keys_read(faults, text.sheet.plain, path, fabric_keys(text));
   text.spec.bending_warp = text.rigidity[0] / text.bending_width;
   text.spec.bending_weft = text.rigidity[1] / text.bending_width;
+  text.spec.bending_width = text.bending_width;
   return text;
 }
 

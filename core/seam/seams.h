@@ -1,5 +1,5 @@
 // What a system knows of its seams: pairs of particles on two outlines, each tied to the nodes of its cell.
-// core/README.md, section 5.
+// core/README.md, section 6.
 #pragma once
 #include <cstddef>
 #include <vector>

@@ -21,11 +21,14 @@ void deform(Assembled& a, Map map) {
   }
 }
 
+// The diagrams as they were measured, without the calibration of the strips.
 FabricSpec measured_wool() {
   std::vector<Problem> problems;
   const Scene scene = scene_read(DRAPE_SOURCE_DIR "/examples/hanging_wool/scene.toml", problems);
   EXPECT_TRUE(problems.empty());
-  return scene.fabrics[0];
+  FabricSpec wool = scene.fabrics[0];
+  for (DiagramSpec* d : {&wool.warp, &wool.weft, &wool.bias}) d->correction.clear();
+  return wool;
 }
 
 // The figure that a case reached, in the test's output.

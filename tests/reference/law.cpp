@@ -27,14 +27,21 @@ std::vector<double> corrected(std::vector<double> P, const DiagramSpec& d) {
   return P;
 }
 
+// e_i c_i with the stored correction of elongations c, 1 where there is none.
+std::vector<double> elongations(const DiagramSpec& d) {
+  std::vector<double> e = d.elongation;
+  for (std::size_t i = 0; i < d.correction_elongation.size(); ++i) e[i] *= d.correction_elongation[i];
+  return e;
+}
+
 }  // namespace
 
 Law thread_law(const Scene& scene, const FabricSpec& fabric, const DiagramSpec& d, double b) {
   if (!switched_on(d)) return {Curve{}, std::numeric_limits<double>::infinity()};
   const double z = scene.scaling == Scaling::kPaperArea ? b / fabric.strip_gauge : 1;
   const std::vector<double> P = corrected(per_width(d, z, 1, fabric.strip_width), d);
-  return {curve_make(d.elongation, P, Below::kCompression, fabric.compression, fabric.compression_blend),
-          d.elongation.back()};
+  const std::vector<double> e = elongations(d);
+  return {curve_make(e, P, Below::kCompression, fabric.compression, fabric.compression_blend), e.back()};
 }
 
 namespace {
@@ -52,19 +59,20 @@ Law bias_law(const Scene& scene, const FabricSpec& fabric, double b) {
   if (!switched_on(d)) return {Curve{}, std::numeric_limits<double>::infinity()};
   const double z = scene.scaling == Scaling::kPaperArea ? kRoot2 * b / fabric.strip_gauge : 1;
   const bool stored = !d.correction.empty();
-  const double K = scene.clamp_correction && d.jaws && !stored ? clamp_stiffening(fabric) : 1;
+  const bool held = scene.clamp_correction && d.jaws;
+  const double K = held && !stored ? clamp_stiffening(fabric) : 1;
   const std::vector<double> P = per_width(d, z, K, fabric.strip_width);
-  const double end = d.elongation.back();
+  const std::vector<double> e = elongations(d);
+  const double end = e.back();
   if (scene.bias_model == BiasModel::kTension) {
-    return {curve_make(d.elongation, corrected(P, d), Below::kCompression, 0, fabric.compression_blend), end};
+    return {curve_make(e, corrected(P, d), Below::kCompression, 0, fabric.compression_blend), end};
   }
   if (scene.bias_model == BiasModel::kPaper) {
-    return {curve_make(d.elongation, corrected(P, d), Below::kCompression, fabric.compression,
-                       fabric.compression_blend),
+    return {curve_make(e, corrected(P, d), Below::kCompression, fabric.compression, fabric.compression_blend),
             end};
   }
-  if (!stored) return {odd_law(d.elongation, P), end};
-  const std::vector<double> kept = below_locking(d.elongation);
+  if (!stored) return {odd_law(e, P), end};
+  const std::vector<double> kept = below_locking(e);
   std::vector<double> g = corrected(P, d);
   g.resize(kept.size());
   return {curve_make(kept, g, Below::kOdd), end};

@@ -1,4 +1,4 @@
-// Seams: the pull on their pairs, and the welds. Equations: core/README.md, section 5.
+// Seams: the pull on their pairs, and the welds. Equations: core/README.md, section 6.
 #pragma once
 #include "reference/motion.h"
 

@@ -107,7 +107,7 @@ const Case kFabrics[] = {
      "\"warp.force\" = 1\n[warp]",
      {"wool.toml:9: fabric.wool.\"warp.force\" is no known key; known: file, description, source, "
       "areal_density, thickness, strip, bending, compression, compression_blend, friction, damping, warp, "
-      "weft, bias, kes, fast"}},
+      "weft, bias, calibration, kes, fast"}},
     {"negative_density",
      "areal_density = 0.15",
      "areal_density = -0.15",
@@ -157,6 +157,24 @@ const Case kFabrics[] = {
      "[1, 0.9, 0.25]",
      {"wool.toml:12: fabric.wool.warp.correction[2] = 0.25 gives 1.75 N after 1.8 N; force x correction does "
       "not fall"}},
+    {"correction_of_elongations_alone",
+     "correction = [1, 0.9, 0.95]",
+     "correction_elongation = [1, 1.1, 1.1]",
+     {"wool.toml:12: fabric.wool.warp.correction_elongation stands without correction; wanted: both or "
+      "neither"}},
+    {"correction_lets_the_elongations_fall",
+     "[1, 0.9, 0.95]",
+     "[1, 0.9, 0.95]\ncorrection_elongation = [1, 4, 1]",
+     {"wool.toml:13: fabric.wool.warp.correction_elongation[2] = 1 gives 2.5 percent after 4 percent; wanted: "
+      "elongation x correction_elongation rises"}},
+    {"jaws_is_no_flag",
+     "[bias]",
+     "[bias]\njaws = 0",
+     {"wool.toml:17: fabric.wool.bias.jaws is a whole number; wanted: true or false"}},
+    {"calibration_without_a_date",
+     "[bias]",
+     "[calibration]\ncell = 0.01\nresidual = 0\n[bias]",
+     {"wool.toml:16: fabric.wool.calibration.date is missing; wanted: a text"}},
     {"correction_zero",
      "[1, 0.9, 0.95]",
      "[1, 0, 0.95]",

@@ -134,5 +134,29 @@ second line \"\"\" \t end é"""
 )"));
 }
 
+// A correction belongs to the points that it was found for: forces given in a scene keep that of the file, as
+// tuned ones do; elongations do not.
+TEST(SceneRead, DiagramsOfItsOwnDoNotTakeTheFilesCorrections) {
+  constexpr const char* kBegin = "[scene]\nname = \"a\"\n[fabric.f]\nfile = \"f.toml\"\nwarp = { ";
+  constexpr const char* kEnd =
+      " }\n[[piece]]\nname = \"p\"\nfabric = \"f\"\ncell = 0.1\noutline = [[0, 0], [1, 0], [1, 1], [0, 1]]\n";
+  const SceneFolder folder;
+  folder.write(
+      "f.toml",
+      "areal_density = 0.2\nthickness = 0.001\n[warp]\nelongation_percent = [0, 1, 2]\n"
+      "force = [0, 6, 15]\ncorrection = [0.9, 0.9, 0.95]\ncorrection_elongation = [1.1, 1.1, 1.2]\n");
+  const auto warp = [&](const std::string& keys) {
+    std::vector<Problem> problems;
+    const Scene scene = scene_read(folder.write("scene.toml", kBegin + keys + kEnd), problems);
+    for (const Problem& p : problems) ADD_FAILURE() << problem_text(p);
+    return scene.fabrics.at(0).warp;
+  };
+  EXPECT_EQ(warp("force = [0, 7, 15]").correction.size(), 3u);
+  EXPECT_EQ(warp("force = [0, 7, 15]").correction_elongation.size(), 3u);
+  const DiagramSpec own = warp("elongation_percent = [0, 2], force = [0, 9]");
+  EXPECT_TRUE(own.correction.empty() && own.correction_elongation.empty());
+  EXPECT_EQ(own.force.size(), 2u);
+}
+
 }  // namespace
 }  // namespace drape

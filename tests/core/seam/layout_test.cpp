@@ -1,4 +1,4 @@
-// Seam layout: counts, ends and spacings (core/README.md, section 5; model case m).
+// Seam layout: counts, ends and spacings (core/README.md, section 6; model case m).
 #include "seam/layout.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Pull and weld. Equations: core/README.md, section 5.
+// Pull and weld. Equations: core/README.md, section 6.
 #include <gtest/gtest.h>
 
 #include <cmath>

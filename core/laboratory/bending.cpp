@@ -1,0 +1,145 @@
+#include "laboratory/bending.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "laboratory/elastica.h"
+#include "laboratory/rest.h"
+#include "motion/leapfrog.h"
+#include "system/assemble.h"
+
+namespace drape {
+namespace {
+
+constexpr int kShapePoints = 512;
+constexpr int kSecants = 12;
+constexpr double kSettled = 1e-7;  // of the overhang
+
+double weight_of(const FabricSpec& f) { return f.areal_density * kStandardGravity; }  // Pa
+double rigidity_of(const FabricSpec& f, bool warp) { return warp ? f.bending_warp : f.bending_weft; }
+
+// A strip of cloth in the level plane whose threads of one kind run along y.
+Scene bending_scene(const FabricSpec& fabric, bool warp, double cell, double width, double length) {
+  Scene scene;
+  scene.name = "bending";
+  scene.gravity = {0, 0, -kStandardGravity};
+  scene.mode = Mode::kFit;
+  scene.fabrics = {fabric};
+  PieceSpec piece;
+  piece.name = "strip";
+  piece.fabric = 0;
+  piece.cell = cell;
+  piece.outline = {{0, 0}, {width, 0}, {width, length}, {0, length}};
+  piece.grain = warp ? 0 : std::numbers::pi / 2;
+  scene.pieces = {piece};
+  PinSpec pin;
+  pin.piece = 0;
+  pin.clamp = true;
+  scene.pins = {pin};
+  return scene;
+}
+
+// The rest of a strip that is level from y = low to y = high and hangs on either side, each side first laid
+// along the elastica of its length.
+struct Hung {
+  bool found = false;
+  std::vector<Vec3> probe;
+};
+Hung hang(const Scene& scene, double low, double high, double wing, double beta,
+          std::vector<Problem>& problems) {
+  State s;
+  System system = system_assemble(scene, s, problems);
+  if (!problems.empty()) return {};
+  Motion motion = motion_make(system);
+  const std::vector<Vec2> shape = elastica_shape(beta, kShapePoints);
+  for (std::size_t n : system.particle) {
+    const double beyond = std::max(low - s.y[n], s.y[n] - high);
+    if (beyond <= 0) continue;
+    const double at = std::min(beyond / wing, 1.0) * kShapePoints;
+    const auto k = std::min(std::size_t(at), std::size_t(kShapePoints - 1));
+    const double u = at - double(k);
+    const auto between = [&](std::size_t axis) {
+      return wing * (shape[k][axis] + u * (shape[k + 1][axis] - shape[k][axis]));
+    };
+    s.y[n] = s.y[n] < low ? low - between(0) : high + between(0);
+    s.z[n] -= between(1);
+  }
+  const RestSearchHandle search = rest_search_make(system, false);
+  Hung hung;
+  hung.found = rest_find(*search, system, motion, s).found;
+  for (const Probe& p : system.probes) {
+    Vec3 r{0, 0, 0};
+    for (int k = 0; k < 4; ++k)
+      r = {r[0] + p.weight[k] * s.x[p.node[k]], r[1] + p.weight[k] * s.y[p.node[k]],
+           r[2] + p.weight[k] * s.z[p.node[k]]};
+    hung.probe.push_back(r);
+  }
+  return hung;
+}
+
+// The angle (rad) below the level at which an overhang of this length ends.
+double overhang_angle(const FabricSpec& fabric, bool warp, double cell, double length, bool& found,
+                      std::vector<Problem>& problems) {
+  const double beta = weight_of(fabric) * length * length * length / rigidity_of(fabric, warp);
+  const Hung hung = hang(overhang_scene(fabric, warp, cell, length), 0, 0, length, beta, problems);
+  found = hung.found;
+  return found ? std::atan2(-hung.probe[0][2], hung.probe[0][1]) : 0;
+}
+
+}  // namespace
+
+Scene pt2_scene(const FabricSpec& fabric, bool warp, double cell) {
+  const double whole = 2 * kWing + kSupport, w = kWingWidth, high = kWing + kSupport;
+  Scene scene = bending_scene(fabric, warp, cell, w, whole);
+  scene.name = "pt2";
+  scene.pieces[0].grid_origin = Vec2{0, kWing};
+  scene.pins[0].name = "support";
+  scene.pins[0].region = {{-w, kWing}, {2 * w, kWing}, {2 * w, high}, {-w, high}};
+  scene.probes = {{"low", 0, {w / 2, 0}}, {"high", 0, {w / 2, whole}}};
+  return scene;
+}
+
+Scene overhang_scene(const FabricSpec& fabric, bool warp, double cell, double length) {
+  Scene scene = bending_scene(fabric, warp, cell, kOverhangWidth, length);
+  scene.name = "overhang";
+  scene.pins[0].name = "edge";
+  scene.pins[0].edges = {0};
+  scene.probes = {{"end", 0, {kOverhangWidth / 2, length}}};
+  return scene;
+}
+
+BendingTest pt2_test(const FabricSpec& fabric, bool warp, double cell, std::vector<Problem>& problems) {
+  BendingTest test;
+  const double load = weight_of(fabric) * kWing * kWing * kWing, beta = load / rigidity_of(fabric, warp);
+  test.expected = kWing * elastica_of_load(beta).down;
+  const Hung hung = hang(pt2_scene(fabric, warp, cell), kWing, kWing + kSupport, kWing, beta, problems);
+  test.found = hung.found;
+  if (!test.found) return test;
+  test.reading = -(hung.probe[0][2] + hung.probe[1][2]) / 2;
+  test.rigidity = load / elastica_of_drop(test.reading / kWing).beta;
+  return test;
+}
+
+BendingTest overhang_test(const FabricSpec& fabric, bool warp, int cells, std::vector<Problem>& problems) {
+  BendingTest test;
+  const double plane = kPlane * std::numbers::pi / 180, beta = elastica_of_slope(plane).beta;
+  test.expected = std::cbrt(beta * rigidity_of(fabric, warp) / weight_of(fabric));
+  const double cell = test.expected / cells;
+  double length = test.expected, before = 0.98 * length;
+  double off_before = overhang_angle(fabric, warp, cell, before, test.found, problems) - plane;
+  for (int k = 0; k < kSecants && test.found && problems.empty(); ++k) {
+    const double off = overhang_angle(fabric, warp, cell, length, test.found, problems) - plane;
+    const double next = length - off * (length - before) / (off - off_before);
+    before = length;
+    off_before = off;
+    length = next;
+    if (std::abs(length - before) <= kSettled * length) break;
+  }
+  test.found = test.found && std::abs(length - before) <= 1e-3 * length;
+  test.reading = length;
+  test.rigidity = weight_of(fabric) * length * length * length / beta;
+  return test;
+}
+
+}  // namespace drape

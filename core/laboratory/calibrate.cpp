@@ -1,0 +1,149 @@
+#include "laboratory/calibrate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "fabric/law.h"
+
+namespace drape {
+namespace {
+
+constexpr int kPlacingSweeps = 3;  // that move the points of the bias law
+constexpr double kLeast = 1e-3;    // of a correction; the range of its key
+constexpr Thread kThreads[] = {Thread::kWarp, Thread::kWeft, Thread::kBias};
+
+DiagramSpec& diagram_of(FabricSpec& f, Thread along) {
+  return along == Thread::kWarp ? f.warp : along == Thread::kWeft ? f.weft : f.bias;
+}
+
+bool switched_on(const DiagramSpec& d) {
+  return std::any_of(d.force.begin(), d.force.end(), [](double f) { return f > 0; });
+}
+
+std::string percent(double fraction) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g %%", 100 * fraction);
+  return text;
+}
+
+// The first corrections: none of warp and weft; of bias, the law that stands without a stored one.
+void corrections_begin(FabricSpec& f, std::vector<Problem>& problems) {
+  const Law law = law_make(f, {}, 1, "fabric." + f.name, problems);
+  for (Thread along : kThreads) {
+    DiagramSpec& d = diagram_of(f, along);
+    d.correction.assign(d.force.size(), 1.0);
+    if (along != Thread::kBias) continue;
+    if (f.bias.jaws) d.correction_elongation.assign(d.force.size(), 1.0);
+    for (std::size_t i = 1; i < d.force.size(); ++i)
+      if (d.force[i] > 0)
+        d.correction[i] = curve_value(law.bias, d.elongation[i]) * f.strip_width / d.force[i];
+  }
+}
+
+// What no strip reached goes on as the last point did; so does the origin with the first.
+void corrections_end(std::vector<double>& q, std::size_t reached) {
+  if (q.size() > 1) q[0] = q[1];
+  for (std::size_t i = reached + 1; i < q.size(); ++i) q[i] = q[reached];
+}
+
+void warp_correct(DiagramSpec& d, const StripPull& pull) {
+  for (std::size_t k = 0; k < pull.force.size(); ++k)
+    if (const double f = d.force[k + 1]; f > 0)
+      d.correction[k + 1] = std::max(kLeast, d.correction[k + 1] + (f - pull.force[k]) / f);
+  corrections_end(d.correction, pull.force.size());
+}
+
+void bias_correct(const FabricSpec& f, bool placing, DiagramSpec& d, const StripPull& pull) {
+  std::vector<Problem> none;
+  const Curve law = law_make(f, {}, 1, "", none).bias;
+  for (std::size_t k = 0; k < pull.force.size(); ++k) {
+    const double force = d.force[k + 1];
+    if (!(force > 0)) continue;
+    double q = d.correction[k + 1];
+    if (placing) {
+      d.correction_elongation[k + 1] = pull.strain[k] / d.elongation[k + 1];
+      q = curve_value(law, pull.strain[k]) * f.strip_width / force;
+    }
+    d.correction[k + 1] = std::max(kLeast, q * force / pull.force[k]);
+  }
+  corrections_end(d.correction, pull.force.size());
+  if (!d.correction_elongation.empty()) corrections_end(d.correction_elongation, pull.force.size());
+}
+
+double difference_most(const DiagramSpec& d, const StripPull& pull) {
+  double most = 0;
+  for (std::size_t k = 0; k < pull.force.size(); ++k)
+    if (const double f = d.force[k + 1]; f > 0) most = std::max(most, std::abs(pull.force[k] / f - 1));
+  return most;
+}
+
+// Empty, or why a law of these corrections is none.
+std::string law_problem(const FabricSpec& f) {
+  for (Thread along : kThreads) {
+    const DiagramSpec& d = strip_diagram(f, along);
+    for (std::size_t i = 1; i < d.force.size(); ++i) {
+      const std::string at = std::string(thread_name(along)) + " at " + percent(d.elongation[i]);
+      if (d.correction[i] <= kLeast)
+        return "the " + at + " pulls no harder than the rest of the cloth in its strip";
+      if (d.force[i] * d.correction[i] < d.force[i - 1] * d.correction[i - 1])
+        return "the law of the " + at + " would fall; smooth its diagram";
+    }
+  }
+  return "";
+}
+
+// One sweep: pulls all strips of `f`, and corrects it. False, with the reason, where a strip found no rest.
+bool sweep(FabricSpec& f, int number, bool fresh, Calibration& c, std::vector<Problem>& problems) {
+  FabricSpec next = f;
+  double residual = 0;
+  for (Thread along : kThreads) {
+    const DiagramSpec& d = strip_diagram(f, along);
+    if (!switched_on(d)) continue;
+    const std::vector<double> elongation = strip_elongations(f, along, d.elongation.back());
+    const StripPull pull = strip_pull(f, along, c.cell, elongation, problems);
+    if (!problems.empty()) return false;
+    if (pull.force.size() < elongation.size()) {
+      c.why = std::string("the strip of the ") + thread_name(along) + " finds no rest at " +
+              percent(elongation[pull.force.size()]);
+      return false;
+    }
+    residual = std::max(residual, difference_most(d, pull));
+    if (along != Thread::kBias) warp_correct(diagram_of(next, along), pull);
+    else bias_correct(f, fresh && f.bias.jaws && number < kPlacingSweeps, next.bias, pull);
+  }
+  c.residuals.push_back(residual);
+  c.fabric = f;
+  f = next;
+  return true;
+}
+
+}  // namespace
+
+const char* thread_name(Thread along) {
+  return along == Thread::kWarp ? "warp" : along == Thread::kWeft ? "weft" : "bias";
+}
+
+Calibration calibrate(const FabricSpec& fabric, const CalibrationOptions& options,
+                      std::vector<Problem>& problems) {
+  Calibration c;
+  c.cell = options.cell > 0 ? options.cell : fabric.strip_width / kStripCells;
+  FabricSpec f = fabric;
+  const bool fresh = f.bias.correction.empty();
+  if (fresh) corrections_begin(f, problems);
+  for (DiagramSpec* d : {&f.warp, &f.weft})
+    if (d->correction.empty()) d->correction.assign(d->force.size(), 1.0);
+  c.fabric = f;
+  for (int k = 0; k < options.sweeps_most && problems.empty(); ++k) {
+    if (!sweep(f, k, fresh, c, problems)) return c;
+    if (c.residuals.back() > options.tolerance) continue;
+    c.why = law_problem(c.fabric);
+    c.converged = c.why.empty();
+    return c;
+  }
+  c.why = law_problem(c.fabric);
+  if (c.why.empty()) c.why = "its sweeps do not settle";
+  return c;
+}
+
+}  // namespace drape

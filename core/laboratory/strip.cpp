@@ -1,0 +1,156 @@
+#include "laboratory/strip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "laboratory/rest.h"
+#include "motion/leapfrog.h"
+#include "system/assemble.h"
+#include "system/links.h"
+
+namespace drape {
+namespace {
+
+struct Specimen {
+  System system;
+  State state;
+  Motion motion;
+};
+
+Specimen specimen_make(const Scene& scene, std::vector<Problem>& problems) {
+  Specimen s;
+  s.system = system_assemble(scene, s.state, problems);
+  if (problems.empty()) s.motion = motion_make(s.system);
+  return s;
+}
+
+// Between jaws: each elongation starts from the one before, stretched evenly.
+StripPull jaws_pull(const FabricSpec& fabric, Thread along, double cell,
+                    const std::vector<double>& elongation, std::vector<Problem>& problems,
+                    const LawOptions& options) {
+  StripPull pull;
+  Specimen strip = specimen_make(strip_scene(fabric, along, cell, options), problems);
+  if (!problems.empty()) return pull;
+  const RestSearchHandle search = rest_search_make(strip.system, true);
+  const double top = strip.state.pin_frame[1].position[1];
+  double length = 1;
+  for (double e : elongation) {
+    for (std::size_t n : strip.system.particle) strip.state.y[n] *= (1 + e) / length;
+    length = 1 + e;
+    strip.state.pin_frame[1].position[1] = top + fabric.strip_gauge * e;
+    const RestFound rest = rest_find(*search, strip.system, strip.motion, strip.state);
+    pull.steps += rest.steps;
+    pull.residual = std::max(pull.residual, rest.residual);
+    if (!rest.found) break;
+    pull.force.push_back(-rest.force[1][1]);
+    pull.strain.push_back(leading_strain(strip.system, strip.state, along));
+  }
+  return pull;
+}
+
+// A trellis of threads of fixed length: stretched by l1 = 1 + e along y, it shortens to l2 = sqrt(2 - l1^2)
+// along x. Virtual work of the forces of the lattice: F H dl1 = -sum f.dr, dr = (-X l1/l2, Y) dl1.
+StripPull trellis_pull(const FabricSpec& fabric, double cell, const std::vector<double>& elongation,
+                       std::vector<Problem>& problems, const LawOptions& options) {
+  StripPull pull;
+  Scene scene = strip_scene(fabric, Thread::kBias, cell, options);
+  scene.pins.clear();
+  Specimen strip = specimen_make(scene, problems);
+  if (!problems.empty()) return pull;
+  const State flat = strip.state;
+  Motion& motion = strip.motion;
+  for (double e : elongation) {
+    const double l1 = 1 + e, l2 = std::sqrt(2 - l1 * l1);
+    for (std::size_t n : strip.system.particle) {
+      strip.state.x[n] = l2 * flat.x[n];
+      strip.state.y[n] = l1 * flat.y[n];
+    }
+    kernel_forces(*motion.kernel, strip.system, strip.state, motion.workspace, motion.now_x.data(),
+                  motion.now_y.data(), motion.now_z.data());
+    double work = 0;
+    for (std::size_t n : strip.system.particle)
+      work -= motion.now_y[n] * flat.y[n] - motion.now_x[n] * flat.x[n] * l1 / l2;
+    pull.force.push_back(work / fabric.strip_gauge);
+    pull.strain.push_back(e);
+  }
+  return pull;
+}
+
+}  // namespace
+
+Scene strip_scene(const FabricSpec& fabric, Thread along, double cell, const LawOptions& options) {
+  const double w = fabric.strip_width, h = fabric.strip_gauge, quarter = std::numbers::pi / 4;
+  Scene scene;
+  scene.name = "strip";
+  scene.gravity = {0, 0, 0};
+  scene.fabrics = {fabric};
+  scene.scaling = options.scaling;
+  scene.bias_model = options.bias_model;
+  scene.clamp_correction = options.clamp_correction;
+  PieceSpec piece;
+  piece.name = "strip";
+  piece.fabric = 0;
+  piece.cell = cell;
+  piece.outline = {{0, 0}, {w, 0}, {w, h}, {0, h}};
+  piece.grain = along == Thread::kWarp ? 0 : along == Thread::kWeft ? 2 * quarter : quarter;
+  scene.pieces = {piece};
+  for (int end : {0, 1}) {
+    PinSpec jaw;
+    jaw.name = end ? "high" : "low";
+    jaw.piece = 0;
+    jaw.edges = {2 * end};
+    if (end) jaw.drive = Drive::kPosition;
+    scene.pins.push_back(jaw);
+  }
+  return scene;
+}
+
+const DiagramSpec& strip_diagram(const FabricSpec& fabric, Thread along) {
+  return along == Thread::kWarp ? fabric.warp : along == Thread::kWeft ? fabric.weft : fabric.bias;
+}
+
+double leading_strain(const System& system, const State& s, Thread along) {
+  double sum = 0, weight = 0;
+  for (const Lattice& l : system.lattices)
+    each_link(system, l, [&](const Link& link) {
+      if (link.along != along) return;
+      const double e = std::abs(link_strain(s, link)), work = link.width * link.rest * std::pow(e, 8);
+      sum += work * e;
+      weight += work;
+    });
+  return weight > 0 ? sum / weight : 0;
+}
+
+StripPull strip_pull(const FabricSpec& fabric, Thread along, double cell,
+                     const std::vector<double>& elongation, std::vector<Problem>& problems,
+                     const LawOptions& options) {
+  if (along == Thread::kBias && !fabric.bias.jaws)
+    return trellis_pull(fabric, cell, elongation, problems, options);
+  return jaws_pull(fabric, along, cell, elongation, problems, options);
+}
+
+std::vector<double> strip_elongations(const FabricSpec& fabric, Thread along, double pull) {
+  const double locked = std::sqrt(2.0) - 1 - 1e-6;  // core/README.md, section 3
+  std::vector<double> elongation;
+  for (double e : strip_diagram(fabric, along).elongation)
+    if (e > 0 && e <= pull * (1 + 1e-12) && (along != Thread::kBias || e < locked)) elongation.push_back(e);
+  return elongation;
+}
+
+StripExcess strip_excess(const FabricSpec& fabric, Thread along, const LawOptions& options) {
+  const DiagramSpec& d = strip_diagram(fabric, along);
+  if (d.elongation.empty()) return {};
+  const std::vector<double> elongation = strip_elongations(fabric, along, d.elongation.back());
+  const double cell = std::min(fabric.strip_width / kExcessCells, fabric.strip_gauge / kLeastCells);
+  std::vector<Problem> problems;
+  const StripPull pull = strip_pull(fabric, along, cell, elongation, problems, options);
+  StripExcess most;
+  for (std::size_t k = 0; k < pull.force.size(); ++k)
+    if (const double f = d.force[k + 1]; f > 0)
+      if (const double off = pull.force[k] / f - 1; std::abs(off) > std::abs(most.excess))
+        most = {off, elongation[k]};
+  return most;
+}
+
+}  // namespace drape

@@ -1,0 +1,48 @@
+// The tensile test of GOST 3813 on simulated cloth: a strip of the fabric's own specimen, all of both ends in
+// jaws, pulled along the warp, along the weft or at 45 degrees, without weight, in its plane.
+#pragma once
+#include "fabric/law.h"
+#include "system/side.h"
+#include "system/system.h"
+
+namespace drape {
+
+inline constexpr int kStripCells = 16;  // across the strip, unless told otherwise: the calibration's cell
+inline constexpr int kLeastCells = 4;   // across and along a specimen
+inline constexpr int kExcessCells = 8;  // across the strip: quick, and good to some percent of the force
+
+// The strip between the pins "low" and "high"; the pull is along y, the threads `along` run along it.
+Scene strip_scene(const FabricSpec& fabric, Thread along, double cell, const LawOptions& options = {});
+
+const DiagramSpec& strip_diagram(const FabricSpec& fabric, Thread along);
+
+struct StripPull {
+  std::vector<double> force;   // [points] N on the upper jaw; as far as rest was found
+  std::vector<double> strain;  // [points] leading_strain, below
+  double residual = 0;         // the largest, over the load
+  int steps = 0;               // of Newton's method
+};
+
+// Strain in a strip is not even. The strain of its most strained links along a thread: the mean of |e|
+// weighted by w R e^8. (A calibration settles where the points of a law lie near the ends of what their
+// strips reach: with e^2 to e^4 that of the shipped half-wool did not.)
+double leading_strain(const System& system, const State& state, Thread along);
+
+// The jaw's force at each elongation (fraction, rising from 0). A diagram of bias without jaws
+// (DiagramSpec::jaws = false) is that of a trellis: no jaws, threads of fixed length.
+StripPull strip_pull(const FabricSpec& fabric, Thread along, double cell,
+                     const std::vector<double>& elongation, std::vector<Problem>& problems,
+                     const LawOptions& options = {});
+
+// The points of a diagram at which a strip can be compared: above 0 elongation and, at 45 degrees, below the
+// trellis' locking; at most `pull` (fraction).
+std::vector<double> strip_elongations(const FabricSpec& fabric, Thread along, double pull);
+
+// What a strip of a diagram gives that has no correction, as far from it as it gets: S/F - 1 at an elongation
+// (fraction). On kExcessCells across; 0 where a strip finds no rest.
+struct StripExcess {
+  double excess = 0, elongation = 0;
+};
+StripExcess strip_excess(const FabricSpec& fabric, Thread along, const LawOptions& options);
+
+}  // namespace drape

@@ -1,0 +1,16 @@
+// The tables of a fabric's strips as a picture: input against simulated.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace drape {
+
+struct PlotPanel {
+  std::string title;
+  std::vector<double> elongation;        // [points] fraction
+  std::vector<double> input, simulated;  // [points] N
+};
+
+std::string fabric_plot_svg(const std::string& title, const std::vector<PlotPanel>& panels);
+
+}  // namespace drape

@@ -1,0 +1,126 @@
+// Calibrations and their place in the text of a fabric. Equations: core/README.md, section 6.
+#include "laboratory/calibrate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "laboratory/store.h"
+#include "reference/test_cloth.h"
+#include "scene/read.h"
+#include "scene/scene_file.h"
+
+namespace drape {
+namespace {
+
+constexpr const char* kText =
+    "# Ours, \xc2\xb5\n"
+    "areal_density = 0.2   # kg/m2\n"
+    "thickness = 0.0004\n"
+    "strip = { width = 0.05, gauge = 0.2 }\n"
+    "weft.elongation_percent = [0, 2, 4]\n"
+    "  weft.force = [0, 8, 20]  # N\n"
+    "bias = { elongation_percent = [0, 2, 4, 6], force = [0, 0.4, 0.9, 1.5] } # end\n"
+    "[warp]\n"
+    "elongation_percent = [0, 1, 2]\n"
+    "force = [\n  0, # nothing\n  6,\n  15]\n";
+
+FabricSpec read(const std::string& text) {
+  const SceneFolder folder;
+  std::vector<Problem> problems;
+  const FabricSpec f = fabric_read(folder.write("f.toml", text), problems);
+  for (const Problem& p : problems) ADD_FAILURE() << problem_text(p);
+  return f;
+}
+
+Calibration calibrated(const FabricSpec& f, double cell = 0.0125) {
+  std::vector<Problem> problems;
+  const Calibration c = calibrate(f, {.cell = cell}, problems);
+  for (const Problem& p : problems) ADD_FAILURE() << problem_text(p);
+  return c;
+}
+
+double off(const FabricSpec& f, Thread along, double cell) {
+  std::vector<Problem> problems;
+  const StripPull pull = strip_pull(f, along, cell, strip_elongations(f, along, 10), problems);
+  double most = pull.force.empty() ? 1 : 0;
+  for (std::size_t k = 0; k < pull.force.size(); ++k)
+    most = std::max(most, std::abs(pull.force[k] / strip_diagram(f, along).force[k + 1] - 1));
+  return most;
+}
+
+TEST(Calibration, LetsStripsGiveBackTheirDiagrams) {
+  const FabricSpec f = read(kText);
+  const Calibration c = calibrated(f);
+  ASSERT_TRUE(c.converged) << c.why;
+  for (Thread along : {Thread::kWarp, Thread::kWeft, Thread::kBias}) {
+    EXPECT_GT(off(f, along, 0.0125), 5e-3);
+    EXPECT_LE(off(c.fabric, along, 0.0125), 1e-4);
+  }
+}
+
+// A second one has nothing to do.
+TEST(Calibration, StartsFromStoredCorrections) {
+  const Calibration c = calibrated(calibrated(read(kText)).fabric);
+  ASSERT_TRUE(c.converged);
+  EXPECT_EQ(c.residuals.size(), 1u);
+}
+
+// A tuned point keeps its correction: with all forces of a fabric times a factor, all laws are, and so are
+// the simulated strips, but for bending (1e-6 of the forces).
+TEST(Calibration, StaysWithTunedPoints) {
+  FabricSpec f = calibrated(read(kText)).fabric;
+  for (DiagramSpec* d : {&f.warp, &f.weft, &f.bias})
+    for (double& force : d->force) force *= 1.7;
+  for (Thread along : {Thread::kWarp, Thread::kWeft, Thread::kBias}) EXPECT_LE(off(f, along, 0.0125), 1.1e-4);
+}
+
+// Diagonals that pull harder than the warp's whole diagram cannot be taken out of it.
+TEST(Calibration, SaysWhyItDoesNotConverge) {
+  FabricSpec f = read(kText);
+  f.warp.force = {0, 0.05, 0.1};
+  const Calibration c = calibrated(f);
+  EXPECT_FALSE(c.converged);
+  EXPECT_FALSE(c.why.empty());
+  EXPECT_FALSE(c.residuals.empty());
+}
+
+// The text but for the lines and entries added is the user's, byte by byte; read again, it has the
+// corrections.
+TEST(Store, KeepsTheText) {
+  for (const bool crlf : {false, true}) {
+    std::string text = kText;
+    if (crlf)
+      for (std::size_t k = 0; (k = text.find('\n', k)) != std::string::npos; k += 2) text.insert(k, "\r");
+    const Calibration c = calibrated(read(text));
+    std::vector<Problem> problems;
+    const std::string stored = calibration_store(text, c, "2026-11-25", problems);
+    ASSERT_TRUE(problems.empty());
+    std::size_t from = 0;  // every piece of the old text, in order
+    for (const char* piece :
+         {"# Ours, \xc2\xb5", "areal_density = 0.2   # kg/m2", "thickness = 0.0004",
+          "  weft.force = [0, 8, 20]  # N", "  weft.correction = [",
+          "bias = { elongation_percent = [0, 2, 4, 6], force = [0, 0.4, 0.9, 1.5], ", " } # end", "[warp]",
+          "  0, # nothing", "\ncorrection = [", "[calibration]", "cell = 0.0125", "date = \"2026-11-25\""}) {
+      const std::size_t at = stored.find(piece, from);
+      ASSERT_NE(at, std::string::npos) << piece << " in\n" << stored;
+      from = at + 1;
+    }
+    for (std::size_t k = stored.find('\n'); crlf && k != std::string::npos; k = stored.find('\n', k + 1))
+      EXPECT_EQ(stored[k - 1], '\r');
+    const FabricSpec again = read(stored);
+    for (Thread along : {Thread::kWarp, Thread::kWeft, Thread::kBias}) {
+      const DiagramSpec &a = strip_diagram(again, along), &b = strip_diagram(c.fabric, along);
+      ASSERT_EQ(a.correction.size(), b.correction.size());
+      for (std::size_t k = 0; k < a.correction.size(); ++k)
+        EXPECT_NEAR(a.correction[k] / b.correction[k], 1, 1e-5);
+    }
+    // Stored anew, only figures change.
+    const std::string twice = calibration_store(stored, c, "2027-01-01", problems);
+    EXPECT_EQ(twice.size(), stored.size());
+    EXPECT_NE(twice.find("2027-01-01"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,122 @@
+"""`drape fabric test` and `calibrate`, and the examples of the laboratory, which end with checks of their own."""
+import re
+import subprocess
+import sys
+
+import pytest
+from scenes import ROOT, swinging_sheet
+
+FABRICS = ROOT / "examples" / "fabrics"
+FABRIC = """# a cloth of ours
+areal_density = 0.2
+thickness = 0.0004   # m
+[warp]
+elongation_percent = [0, 1, 2]
+force = [0, 6, 15]   # N
+[weft]
+elongation_percent = [0, 2, 4]
+force = [0, 8, 20]
+[bias]
+elongation_percent = [0, 2, 4, 6]
+force = [0, 0.4, 0.9, 1.5]
+"""
+
+
+@pytest.fixture
+def fabric(tmp_path):
+    def write(text=FABRIC):
+        file = tmp_path / "ours.toml"
+        file.write_text(text)
+        return file
+
+    return write
+
+
+def differences(output):
+    """Of all points of all strips, in %."""
+    return [float(x) for x in re.findall(r"^ +[\d.e-]+ +[\d.e-]+ +[\d.e-]+ +([+-][\d.]+)$", output, re.MULTILINE)]
+
+
+@pytest.mark.parametrize("name", ["cotton", "half_wool", "quilting_cotton", "wool"])
+def test_shipped_fabrics_give_back_their_diagrams(drape, name, tmp_path):
+    picture = tmp_path / "diagrams.svg"
+    out = drape("fabric", "test", FABRICS / f"{name}.toml", "--picture", picture, "--along", "weft").stdout
+    found = differences(out)
+    assert len(found) >= 9 and max(map(abs, found)) < 0.05
+    assert "PT-2" in out and "41.5 degrees" in out and "calibrated" in out
+    assert picture.read_text().startswith("<svg")
+
+
+def test_calibration_keeps_the_text_and_is_found_again(drape, fabric):
+    file = fabric()
+    raw = differences(drape("fabric", "test", file, "--cell", 0.0125).stdout)
+    assert max(map(abs, raw)) > 0.5
+    drape("fabric", "calibrate", file, "--cell", 0.0125)
+    lines = file.read_text().splitlines()
+    kept = [line for line in FABRIC.splitlines() if line not in lines]
+    assert kept == []
+    assert re.search(r'^date = "\d{4}-\d\d-\d\d"$', file.read_text(), re.MULTILINE)
+    again = differences(drape("fabric", "test", file, "--cell", 0.0125).stdout)
+    assert len(again) == len(raw) == 7 and max(map(abs, again)) < 0.011
+
+
+def test_check_tells_what_to_expect_without_calibration(drape, write, fabric):
+    scene = swinging_sheet()
+    name = next(iter(scene["fabric"]))
+    scene["fabric"][name] = {"file": str(fabric())}
+    raw = drape("check", write(scene)).stdout
+    assert len(re.findall(rf"^fabric {name}: (warp|weft|bias) is not calibrated; a simulated strip pulls up to", raw, re.M)) == 3
+    drape("fabric", "calibrate", fabric(), "--cell", 0.0125)
+    assert "calibrated" not in drape("check", write(scene)).stdout
+
+
+def test_calibration_into_another_file(drape, fabric, tmp_path):
+    file, other = fabric(), tmp_path / "other.toml"
+    drape("fabric", "calibrate", file, "--cell", 0.0125, "-o", other)
+    assert file.read_text() == FABRIC and "[calibration]" in other.read_text()
+
+
+WARP = "force = [0, 6, 15]"
+FAULTS = {
+    "pull beyond the diagram": (FABRIC, ["test", "--pull", "5"], ["--pull", "2 percent", "warp", "4 percent", "weft"], 2),
+    "cells too large": (FABRIC, ["test", "--cell", "0.02"], ["--cell", "0.02", "0.0125", "four cells"], 1),
+    "cells too small": (FABRIC, ["calibrate", "--cell", "1e-5"], ["--cell", "1e-05", "0.00025"], 1),
+    "no cell": (FABRIC, ["calibrate", "--cell", "-1"], ["--cell", "-1", "above 0"], 1),
+    "short specimen": (FABRIC + "jaws = false\n[strip]\ngauge = 0.01\n", ["test"], ["0.003125", "0.0025"], 1),
+    "no diagram": ("areal_density = 0.2\nthickness = 0.0004\n", ["calibrate"], ["no diagram"], 1),
+    "faulty fabric": (FABRIC.replace(WARP, "force = [0, 6, 5]"), ["calibrate"], ["warp.force[2]", "5 N"], 1),
+    "output is the input": (FABRIC, ["calibrate", "-o", "ours.toml"], ["--output", "ours.toml", "read from"], 1),
+    "nowhere to write": (FABRIC, ["calibrate", "--cell", "0.0125", "-o", "no/where.toml"], ["no/where.toml"], 1),
+    "picture over the input": (FABRIC, ["test", "--picture", "ours.toml"], ["--picture", "read from"], 1),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_bad_input(drape, fabric, tmp_path, fault):
+    text, (command, *options), words, sentences = FAULTS[fault]
+    file = fabric(text)
+    done = drape("fabric", command, file, *options, check=False, cwd=tmp_path)
+    assert done.returncode == 1, done.stdout
+    lines = done.stderr.strip().splitlines()
+    assert len(lines) == sentences, lines
+    for word in words:
+        assert word in done.stderr, (word, lines)
+    assert file.read_text() == text
+
+
+def test_calibration_that_does_not_converge_keeps_the_old_figures(drape, fabric):
+    """The diagonals of this cloth pull harder than its warp is said to."""
+    text = FABRIC.replace(WARP, "force = [0, 0.05, 0.1]")
+    file = fabric(text)
+    done = drape("fabric", "calibrate", file, "--cell", 0.0125, check=False)
+    assert done.returncode == 2
+    assert "does not converge" in done.stderr and "reached" in done.stderr
+    assert file.read_text() == text
+
+
+@pytest.mark.parametrize("example, options", [("strip_test", []), ("pt2", []), ("mesh_independence", ["--quick"])])
+def test_example(tmp_path, example, options):
+    script = ROOT / "examples" / example / "run.py"
+    done = subprocess.run([sys.executable, script, tmp_path, *options], capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert (tmp_path / f"{example}.png").read_bytes().startswith(b"\x89PNG")
