@@ -1,4 +1,4 @@
-// Calibrations and their place in the text of a fabric. Equations: core/README.md, section 6.
+// Calibrations and their place in the text of a fabric. Equations: core/README.md, section 5.
 #include "laboratory/calibrate.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The heavy elastica and the bending tests that are read by it. Equations: core/README.md, section 6.
+// The heavy elastica and the bending tests that are read by it. Equations: core/README.md, section 5.
 #include "laboratory/elastica.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Strips between jaws and without: case a of the model. Equations: core/README.md, section 6.
+// Strips between jaws and without: case a of the model. Equations: core/README.md, section 5.
 #include "laboratory/strip.h"
 
 #include <gtest/gtest.h>
