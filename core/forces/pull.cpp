@@ -36,18 +36,18 @@ void seams_pull(const System& system, const State& s, double lead, SideForces to
 }
 
 void seams_hold(const System& system, State& s, double h) {
-  constexpr double kSlow = 20, kStalled = 0.1;
+  constexpr double kWait = 20, kGain = 1.0 / 5, kStalled = 0.1;
   for (const Seam& seam : system.seams.seam) {
     const double w = seam.pull, reach = 2 * seam.speed / w;
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
       if (s.sewn[p] != Sewn::kPulled) continue;
       s.pulled_for[p] += h;
-      if (s.pulled_for[p] * w < kSlow) continue;
+      if (s.pulled_for[p] * w < kWait) continue;
       const SeamRow& row = system.seams.pair[p].gap;
       const Vec3 rate = row_value(row, s.vx, s.vy, s.vz), gap = row_value(row, s) - (h / 2) * rate;
       const double length = norm(gap), closing = -dot(rate, gap);
       if (closing < kStalled * length * std::min(w * length, 2 * seam.speed))
-        s.gap_hold[p] += h * (w / kSlow) * std::min(length, reach);
+        s.gap_hold[p] += h * kGain * w * std::min(length, reach);
     }
   }
 }

@@ -8,7 +8,7 @@
 // critical damping; from farther off than 2 speed/w the force stays what it is there, and they come at
 // `speed`. Particles that the cloth holds back are pulled the harder the longer it does: s grows from 0 by
 //
-//   s' = (w/20) min(|d|, 2 speed/w)     once the pull is 20/w old, while -d'.n < min(w |d|, 2 speed)/10
+//   s' = (w/5) min(|d|, 2 speed/w)     once the pull is 20/w old, while -d'.n < min(w |d|, 2 speed)/10
 #pragma once
 #include "forces/side.h"
 #include "system/system.h"
