@@ -3,6 +3,7 @@ import csv
 import subprocess
 import sys
 
+import pytest
 from scenes import ROOT
 
 BENCH = ROOT / "tests" / "bench"
@@ -41,7 +42,9 @@ def test_precision(drape, tmp_path):
     assert drape("bench", "precision", "kernel", check=False).returncode == 1
 
 
-def test_plot(tmp_path):
+@pytest.mark.parametrize("script, table", [("plot.py", "epyc_zen5"), ("plot_precision.py", "epyc_zen5_precision")])
+def test_plot(tmp_path, script, table):
     """The committed picture is that of the committed table."""
-    run(BENCH / "plot.py", BENCH / "results" / "epyc_zen5.csv", tmp_path / "speed.svg")
-    assert (tmp_path / "speed.svg").read_text() == (BENCH / "results" / "epyc_zen5.svg").read_text()
+    results = BENCH / "results"
+    run(BENCH / script, results / f"{table}.csv", tmp_path / "picture.svg")
+    assert (tmp_path / "picture.svg").read_text() == (results / f"{table}.svg").read_text()

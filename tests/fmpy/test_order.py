@@ -24,10 +24,14 @@ def test_order_of_the_whole_cloth(tmp_path, case):
     assert slope(measure(tmp_path, case)) == pytest.approx(2.0, abs=0.05)
 
 
-@pytest.mark.parametrize("name", ["concave piece with a hole, grain 20 degrees", "driven clamp"])
-def test_order_4(tmp_path, name):
-    """Down to 8 us, where rounding begins to show (3e-14 m)."""
-    case = replace(CASES[name], steps=25, halvings=2)
+@pytest.mark.parametrize(
+    "name, steps, halvings",
+    [("concave piece with a hole, grain 20 degrees", 25, 2), ("driven clamp", 50, 1)],
+)
+def test_order_4(tmp_path, name, steps, halvings):
+    """Down to 8 us, where rounding begins to show (3e-14 m); the driven clamp from 16 us, since at 32 us the crossings of
+    diagram points, where the law's third derivative jumps, still weigh (3.4 from 32 to 16 us, 3.9 on, 4.0 on)."""
+    case = replace(CASES[name], steps=steps, halvings=halvings)
     assert slope(measure(tmp_path, case, order=4)) == pytest.approx(4.0, abs=0.3)
 
 
