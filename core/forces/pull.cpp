@@ -55,6 +55,7 @@ void seams_hold(const System& system, State& s, double h) {
 void seams_rates(const System& system, const State& s, Array& rates) {
   rates.resize(3 * system.seams.pair.size());
   for (std::size_t p = 0; p < system.seams.pair.size(); ++p) {
+    if (s.sewn[p] != Sewn::kPulled) continue;
     const Vec3 rate = row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz);
     std::copy(rate.begin(), rate.end(), &rates[3 * p]);
   }

@@ -26,7 +26,7 @@ void seams_pull(const System& system, const State& state, double lead, SideForce
 // After a step of h: s, by the middle of the step.
 void seams_hold(const System& system, State& state, double h);
 
-// The rates of all gaps (m/s, [pairs x 3]) at v_{n-1/2}.
+// The rates of the gaps (m/s, [pairs x 3]) of pulled pairs at v_{n-1/2}.
 void seams_rates(const System& system, const State& state, Array& rates);
 
 }  // namespace drape
