@@ -210,7 +210,7 @@ void add_outputs(Table& table, drape_outputs& o) {
   add(table, "energy.dissipated", &o.energy.dissipated, output(DRAPE_ENERGY, "J"),
       "energy that damping and air have taken");
   add(table, "energy.input", &o.energy.input, output(DRAPE_ENERGY, "J"),
-      "work of pins, wind and tuning on the cloth");
+      "work of pins, wind, seams and tuning on the cloth");
   add(table, "energy.balance_error", &o.energy.balance_error, output(DRAPE_ENERGY, "J"),
       "growth of all energies since the start, minus input, plus dissipated");
 }

@@ -1,10 +1,12 @@
 """Seams through FMI: they close, at a time or when told to; the same bits; the reference sews too."""
 import math
+import subprocess
+import sys
 
 import numpy as np
 import pytest
 from master import DISCARD, Instance, same_bits
-from scenes import read_csv, two_strips
+from scenes import ROOT, read_csv, two_strips
 
 GAP, CLOSED, LENGTH = "seam.join.gap.max", "seam.join.closed", "seam.join.length"
 
@@ -119,3 +121,16 @@ def test_picture_shows_the_seam(drape, write, tmp_path):
     picture = (tmp_path / "two.svg").read_text()
     assert picture.count('class="seam"') == 2
     assert "join a" in picture and "join b" in picture and "seam, its particles and its start" in picture
+
+
+def test_frill(tmp_path):
+    """The example ends with a check of its own."""
+    done = subprocess.run([sys.executable, ROOT / "examples" / "frill" / "run.py", tmp_path], capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert (tmp_path / "frill.png").exists()
+
+
+def test_random_pairs():
+    """Three of the hundred of the stress run."""
+    done = subprocess.run([sys.executable, ROOT / "tests" / "stress" / "sewing.py", "--pairs", "3"], capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
