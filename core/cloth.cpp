@@ -6,6 +6,7 @@
 
 #include "cloth.h"
 #include "motion/step_limit.h"
+#include "motion/weld.h"
 #include "outputs/energy.h"
 #include "scene/read.h"
 #include "system/assemble.h"
@@ -35,6 +36,20 @@ void inputs_restore(const drape_snapshot::Inputs& from, drape_inputs& to) {
   std::copy(from.pin.begin(), from.pin.end(), to.pin);
 }
 
+// Sides of very different length are likely to be a mistake.
+void seams_warn(const drape_cloth& c) {
+  constexpr double kUsual = 1.5;
+  for (std::size_t k = 0; k < c.scene.seams.size(); ++k) {
+    const double a = c.system.seams.seam[k].length[0], b = c.system.seams.seam[k].length[1];
+    const double ratio = std::max(a, b) / std::min(a, b);
+    if (ratio > kUsual)
+      say(c, DRAPE_LOG_WARNING,
+          "seam." + c.scene.seams[k].name + " sews " + number(a) + " m to " + number(b) +
+              " m: the longer side is " + number(ratio, 4) +
+              " times the shorter, which it is gathered to; usual: up to " + number(kUsual));
+  }
+}
+
 void cloth_assemble(drape_cloth& c, std::vector<Problem>& problems) {
   c.system = system_assemble(c.scene, c.state, problems);
   if (!problems.empty()) return;
@@ -48,6 +63,7 @@ void cloth_assemble(drape_cloth& c, std::vector<Problem>& problems) {
   tuning_begin(c);
   inputs_make(c);
   outputs_make(c.outputs, c.scene, c.system);
+  seams_warn(c);
 }
 
 // Where a run left the finite numbers, and the likely reason.
@@ -170,8 +186,10 @@ drape_status drape_advance(drape_cloth* c, double length) {
   c->good = c->state;
   c->tuning_good = c->tuning;
   std::string event;
-  const Advance how = leapfrog_advance(c->system, c->motion, c->state, length, event,
-                                       [c](double intervals) { return tuning_go(*c, intervals); });
+  const Advance how = leapfrog_advance(c->system, c->motion, c->state, length, event, [c](double intervals) {
+    const bool tuned = tuning_go(*c, intervals);
+    return sewing_go(*c) || tuned;
+  });
   if (!event.empty())
     say(*c, DRAPE_LOG_STABILITY, event + ", set by the " + step_limit_link(c->system, c->scene, c->state));
   if (how == Advance::kDone) {
@@ -180,6 +198,7 @@ drape_status drape_advance(drape_cloth* c, double length) {
   }
   say_trouble(*c, how, length);
   c->state = c->good;
+  seams_restore(c->system, c->motion, c->state);
   tuning_restore(*c, c->tuning_good);
   c->stuck = how == Advance::kStepAboveLimit;
   return c->stuck ? DRAPE_DISCARD : DRAPE_ERROR;
@@ -218,6 +237,7 @@ drape_snapshot* drape_save(drape_cloth* c, drape_snapshot* into) {
 void drape_restore(drape_cloth* c, const drape_snapshot* from) {
   c->stuck = false;
   c->state = from->state;
+  seams_restore(c->system, c->motion, c->state);
   workspace_clear(c->motion.workspace);  // what the state before may have left there
   tuning_restore(*c, from->tuning);
   parameters_write(c->parameters, from->shown);

@@ -78,6 +78,13 @@ void tuning_begin(drape_cloth& cloth);
 // Moves ramps on by a number of communication intervals; true where that moves the cloth otherwise.
 bool tuning_go(drape_cloth& cloth, double intervals);
 
+// The error of the energy balance; 0 where none is kept. What a change of the system adds to it is the work
+// of the change.
+double balance_error(drape_cloth& cloth);
+
+// What seams do at the beginning of an interval; true where that moves the cloth otherwise.
+bool sewing_go(drape_cloth& cloth);
+
 // Takes up an earlier state of the tuning.
 void tuning_restore(drape_cloth& cloth, const Tuning& tuning);
 

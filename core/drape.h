@@ -49,6 +49,11 @@ typedef struct drape_fabric {
   double friction;                   /* 1 */
 } drape_fabric;
 
+typedef struct drape_seam_parameters {
+  const char* name;
+  double close; /* 1: the seam is pulled together from now on, whatever the scene's time for it; else 0 */
+} drape_seam_parameters;
+
 typedef struct drape_parameters {
   double damping;                    /* 1/s */
   double gravity[3];                 /* m/s^2 */
@@ -59,6 +64,8 @@ typedef struct drape_parameters {
   double threads;                    /* that share a step, a whole number; changes no bit; fixed likewise */
   int fabric_count;
   drape_fabric* fabric; /* [fabric_count] */
+  int seam_count;
+  drape_seam_parameters* seam; /* [seam_count] */
 } drape_parameters;
 
 /* What the outside world does with the cloth: where each value is to be at the end of the next drape_advance.
@@ -98,6 +105,15 @@ typedef struct drape_pin {
   double torque[3]; /* N m likewise, about the pin's present position */
 } drape_pin;
 
+typedef struct drape_seam {
+  const char* name;
+  int pair_count; /* of particles */
+  double side[2]; /* m, lengths of its sides before they are sewn */
+  double gap_max; /* m */
+  double closed;  /* 1 where all of it is sewn, else 0 */
+  double length;  /* m, along the middle of both sides */
+} drape_seam;
+
 typedef struct drape_energy { /* J; only with scene.energy */
   double kinetic, stretch, shear, bending, gravity;
   double dissipated, input, balance_error; /* since the start */
@@ -116,7 +132,9 @@ typedef struct drape_outputs {
   int probe_count;
   drape_probe* probe; /* [probe_count] */
   int pin_count;
-  drape_pin* pin;        /* [pin_count] */
+  drape_pin* pin; /* [pin_count] */
+  int seam_count;
+  drape_seam* seam;      /* [seam_count] */
   int node_count;        /* particles of all pieces in order, row by row */
   double* node_position; /* [node_count x 3] m; NULL until first asked for */
   double* node_velocity; /* [node_count x 3] m/s, synchronous; likewise */
@@ -200,7 +218,7 @@ const drape_outputs* drape_outputs_at(drape_cloth*, int want_nodes);
 /* The same of some of them; the rest stays what it was. Motion and energy need the forces of the present
  * time, about a step's work; places cost next to nothing. */
 enum {
-  DRAPE_PLACES = 1, /* of probes */
+  DRAPE_PLACES = 1, /* of probes; seams */
   DRAPE_MOTION = 2, /* velocities of probes, loads of pins */
   DRAPE_STRAIN = 4, /* strains, tension, the step, how a fit stands */
   DRAPE_ENERGY = 8,

@@ -81,6 +81,8 @@ void parameters_take(drape_cloth& c, std::vector<Problem>& problems) {
   c.system.air.normal = p.air_normal;
   c.system.air.tangential = p.air_tangential;
   c.system.step_max = p.step_max;
+  constraints_refactor(c.motion.constraints, c.system.inverse_mass);
+  for (int k = 0; k < p.seam_count; ++k) c.system.seams.seam[std::size_t(k)].close = p.seam[k].close != 0;
   threads_take(c, int(p.threads));
   c.tuning.in_force = parameters_read(c.parameters);
 }
@@ -113,13 +115,6 @@ bool parameters_try(drape_cloth& c, const ParameterValues& before, std::vector<P
   // Where neither has been set, the motion itself has come to this: a matter of the next advance.
   return put_back(fabric + ".", fabric, why) || put_back("damping", "damping", why) ||
          put_back("air.", "air", why);
-}
-
-// The error of the energy balance. What a change of the system adds to it is the work of the change.
-double balance_error(drape_cloth& c) {
-  if (!c.system.energy || c.state.steps == 0) return 0;
-  outputs_fill(c.outputs, c.system, c.motion, c.state, DRAPE_ENERGY);
-  return c.outputs.shown.energy.balance_error;
 }
 
 // The system has been changed at the present state.
@@ -161,6 +156,12 @@ void parameters_commit(drape_cloth& c, const ParameterValues& before, std::vecto
 }
 
 }  // namespace
+
+double balance_error(drape_cloth& c) {
+  if (!c.system.energy || c.state.steps == 0) return 0;
+  outputs_fill(c.outputs, c.system, c.motion, c.state, DRAPE_ENERGY);
+  return c.outputs.shown.energy.balance_error;
+}
 
 void tuning_begin(drape_cloth& c) {
   c.tuning.in_force = parameters_read(c.parameters);

@@ -47,6 +47,17 @@ void print_pieces(drape_cloth* cloth) {
   if (count > 1) std::printf("%d pieces: %d particles, %.6g m2, %.6g kg\n", count, particles, area, mass);
 }
 
+void print_seams(const drape_outputs& o) {
+  for (int k = 0; k < o.seam_count; ++k) {
+    const drape_seam& s = o.seam[k];
+    const double shorter = std::min(s.side[0], s.side[1]), longer = std::max(s.side[0], s.side[1]);
+    std::printf("seam %s: %d pairs of particles, %.6g m to %.6g m", s.name, s.pair_count, s.side[0],
+                s.side[1]);
+    if (longer > shorter * (1 + 1e-6)) std::printf(", ease %.4g", longer / shorter);
+    std::printf("\n");
+  }
+}
+
 // What to expect of diagrams that no calibration has corrected. Scaling by area depends on the cell, so that
 // nothing can be said there.
 void print_excess(const Scene& scene) {
@@ -113,6 +124,7 @@ int check(const Options& options) {
   std::printf("scene %s: %.6g s, communication interval %.6g s\n", drape_scene_name(cloth.get()),
               drape_duration(cloth.get()), drape_communication(cloth.get()));
   print_pieces(cloth.get());
+  print_seams(*drape_outputs_at(cloth.get(), 0));
   const char* set_by = nullptr;
   const double limit = drape_step_limit(cloth.get(), &set_by);
   std::printf("step limit: %.6g us, set by %s\n", 1e6 * limit, set_by ? set_by : "nothing");

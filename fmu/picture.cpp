@@ -126,6 +126,7 @@ std::string picture_svg(const Scene& scene) {
     head_draw(group, view, {view.corner[0], view.corner[1] - kHead});
     cells_draw(group, view);
     twins_draw(group, view);
+    seams_draw(group, view);
     pins_draw(group, view);
     probes_draw(group, view);
   }

@@ -1,4 +1,4 @@
-// What a picture of pieces consists of. A piece is drawn from below: cells, twins, pins, probes.
+// What a picture of pieces consists of. A piece is drawn from below: cells, twins, seams, pins, probes.
 #pragma once
 #include "piece/grid.h"
 #include "piece/outline.h"
@@ -9,7 +9,8 @@ namespace drape {
 // Colours.
 inline constexpr char kInk[] = "#203040", kGhostInk[] = "#cfd8e0", kLineInk[] = "#a9b8c6";
 inline constexpr char kClothInk[] = "#eef3f8", kStripInk[] = "#d3d9df";
-inline constexpr char kPinInk[] = "#c0281c", kProbeInk[] = "#1c5fc0", kTwinInk[] = "#7a2fa0";
+inline constexpr char kPinInk[] = "#c0281c", kProbeInk[] = "#1c5fc0", kTwinInk[] = "#7a2fa0",
+                      kSeamInk[] = "#2e7d4f";
 
 // A piece that is being drawn. Its plane is upright; the y axis of the drawing points down.
 struct View {
@@ -43,6 +44,11 @@ std::string share_colour(double share);
 
 void pins_draw(pugi::xml_node parent, const View& view);
 void probes_draw(pugi::xml_node parent, const View& view);
+void seams_draw(pugi::xml_node parent, const View& view);
+
+// Text beside a mark, in a direction of the drawing.
+void label_draw(pugi::xml_node parent, Vec2 at, Vec2 towards, double distance, const std::string& text,
+                const char* colour);
 
 // The same marks alone, at a place of the drawing.
 void point_mark(pugi::xml_node parent, Vec2 at, double size, bool clamp);
@@ -51,6 +57,7 @@ pugi::xml_node region_mark(pugi::xml_node parent, const std::string& path, bool 
 void held_mark(pugi::xml_node parent, const std::vector<Vec2>& points, double size);
 void drive_mark(pugi::xml_node parent, Vec2 at, double size);
 void probe_mark(pugi::xml_node parent, Vec2 at);
+void seam_mark(pugi::xml_node parent, const std::vector<Vec2>& line, const std::vector<Vec2>& particles);
 void twin_mark(pugi::xml_node parent, Vec2 at, Vec2 cloth, double radius, bool twin);
 
 // A bar with its length and what the marks of these pieces mean, from `corner` down, at most to `right`;

@@ -71,6 +71,12 @@ std::vector<Item> pin_items(pugi::xml_node parent, const Scene& scene) {
         {4, "held by an edge or region", [parent](Vec2 at) { held_mark(parent, {{at[0] + 2, at[1]}}, 4); }});
   if (any([](const PinSpec& pin) { return pin.drive != Drive::kNone; }))
     items.push_back({20, "driven pin", [parent](Vec2 at) { drive_mark(parent, {at[0] + 10, at[1]}, 10); }});
+  if (!scene.seams.empty())
+    items.push_back({40, "seam, its particles and its start", [parent](Vec2 at) {
+                       const double x = at[0] + 5;
+                       seam_mark(parent, {{x, at[1]}, {x + 34, at[1]}},
+                                 {{x, at[1]}, {x + 11, at[1]}, {x + 22, at[1]}, {x + 33, at[1]}});
+                     }});
   if (!scene.probes.empty())
     items.push_back({10, "probe", [parent](Vec2 at) { probe_mark(parent, {at[0] + 5, at[1]}); }});
   return items;

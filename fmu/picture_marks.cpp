@@ -1,4 +1,5 @@
-// Marks of pins and probes, by themselves.
+// Marks of pins, probes and seams, by themselves.
+#include <algorithm>
 #include <cmath>
 
 #include "picture_draw.h"
@@ -9,6 +10,41 @@ namespace {
 constexpr double kTick = 7;  // between the ticks of a clamp, and their length
 
 }  // namespace
+
+void label_draw(pugi::xml_node parent, Vec2 at, Vec2 towards, double distance, const std::string& text,
+                const char* colour) {
+  const auto [x, y] = towards;
+  const double length = std::max(1e-9, std::hypot(x, y));
+  const Vec2 place{at[0] + distance * x / length, at[1] + distance * y / length + 4};
+  const char* anchor = std::abs(x) < 0.4 * length ? "middle" : x > 0 ? "start" : "end";
+  svg_text(parent, place, text,
+           {{"font-size", "11"},
+            {"fill", colour},
+            {"text-anchor", anchor},
+            {"stroke", "#ffffff"},
+            {"stroke-width", "3"},
+            {"paint-order", "stroke"},
+            {"stroke-linejoin", "round"}});
+}
+
+// Particles are dots, the first a ring.
+void seam_mark(pugi::xml_node parent, const std::vector<Vec2>& line, const std::vector<Vec2>& particles) {
+  svg_append(parent, "path",
+             {{"class", "stitches"},
+              {"d", svg_path(line, false)},
+              {"fill", "none"},
+              {"stroke", kSeamInk},
+              {"stroke-width", "2.4"},
+              {"stroke-linejoin", "round"}});
+  for (std::size_t k = 0; k < particles.size(); ++k)
+    svg_append(parent, "circle",
+               {{"cx", svg_number(particles[k][0])},
+                {"cy", svg_number(particles[k][1])},
+                {"r", k == 0 ? "4.5" : "1.8"},
+                {"fill", k == 0 ? "#ffffff" : kSeamInk},
+                {"stroke", kSeamInk},
+                {"stroke-width", k == 0 ? "1.8" : "0"}});
+}
 
 void point_mark(pugi::xml_node parent, Vec2 at, double size, bool clamp) {
   svg_append(parent, "rect",

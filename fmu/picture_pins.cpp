@@ -9,21 +9,10 @@
 namespace drape {
 namespace {
 
-// Text beside a mark, towards the middle of the piece.
-void label_draw(pugi::xml_node parent, const View& view, Vec2 at, double distance, const std::string& text,
-                const char* colour) {
+// From a mark to the middle of the piece.
+Vec2 inwards(const View& view, Vec2 at) {
   const Vec2 middle = view({(view.low[0] + view.high[0]) / 2, (view.low[1] + view.high[1]) / 2});
-  const double x = middle[0] - at[0], y = middle[1] - at[1], length = std::max(1.0, std::hypot(x, y));
-  const Vec2 place{at[0] + distance * x / length, at[1] + distance * y / length + 4};
-  const char* anchor = std::abs(x) < 0.4 * length ? "middle" : x > 0 ? "start" : "end";
-  svg_text(parent, place, text,
-           {{"font-size", "11"},
-            {"fill", colour},
-            {"text-anchor", anchor},
-            {"stroke", "#ffffff"},
-            {"stroke-width", "3"},
-            {"paint-order", "stroke"},
-            {"stroke-linejoin", "round"}});
+  return {middle[0] - at[0], middle[1] - at[1]};
 }
 
 std::string title_of(const PinSpec& pin) {
@@ -70,7 +59,7 @@ void pin_draw(pugi::xml_node parent, const View& view, const PinSpec& pin) {
   const bool driven = pin.drive != Drive::kNone;
   if (driven) drive_mark(group, view(hold.centre), 15);
   const Vec2 named = pin.at.empty() ? view(hold.centre) : points[0];
-  label_draw(group, view, named, driven ? 24 : 15, pin.name, kPinInk);
+  label_draw(group, named, inwards(view, named), driven ? 24 : 15, pin.name, kPinInk);
 }
 
 }  // namespace
@@ -85,8 +74,9 @@ void probes_draw(pugi::xml_node parent, const View& view) {
     if (probe.piece != view.piece) continue;
     const pugi::xml_node group = svg_append(parent, "g", {{"class", "probe"}});
     svg_title(group, "probe " + probe.name);
-    probe_mark(group, view(probe.at));
-    label_draw(group, view, view(probe.at), 13, probe.name, kProbeInk);
+    const Vec2 at = view(probe.at);
+    probe_mark(group, at);
+    label_draw(group, at, inwards(view, at), 13, probe.name, kProbeInk);
   }
 }
 

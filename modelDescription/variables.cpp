@@ -120,6 +120,12 @@ void add_fabric(Table& table, drape_fabric& f) {
       "coefficient of friction; without effect as long as nothing touches");
 }
 
+void add_seams(Table& table, drape_parameters& p) {
+  for (int i = 0; i < p.seam_count; ++i)
+    add(table, "seam." + name_part(p.seam[i].name) + ".close", &p.seam[i].close, tunable(kClose),
+        "1: the seam is pulled together from the next communication interval on");
+}
+
 void add_parameters(Table& table, drape_parameters& p) {
   for (int i = 0; i < p.fabric_count; ++i) add_fabric(table, p.fabric[i]);
   add(table, "damping", &p.damping, tunable(kDamping), "c in the braking force -m c v");
@@ -129,6 +135,7 @@ void add_parameters(Table& table, drape_parameters& p) {
     add(table, "air.tangential", &p.air_tangential, tunable(kAirCoefficient),
         "drag coefficient along the cloth");
   }
+  add_seams(table, p);
   add(table, "parameter_ramp", &p.ramp, tunable(kRamp), "time over which a tuned value moves to its new one");
   add(table, "step.max", &p.step_max, fixed(kStepMax), "longest time step");
   add(table, "threads", &p.threads, fixed(kThreads), "threads that share a step; they change no result");
@@ -170,6 +177,14 @@ void add_outputs(Table& table, drape_outputs& o) {
     add_vector(table, name + ".torque", o.pin[i].torque, output(DRAPE_MOTION, "N.m"),
                "mean torque of the cloth on the pin likewise, about the pin's position");
   }
+  for (int i = 0; i < o.seam_count; ++i) {
+    const std::string name = "seam." + name_part(o.seam[i].name);
+    add(table, name + ".gap.max", &o.seam[i].gap_max, output(DRAPE_PLACES, "m"), "largest gap of the seam");
+    add(table, name + ".closed", &o.seam[i].closed, output_discrete(DRAPE_PLACES, "1"),
+        "1 where all of the seam is sewn, else 0");
+    add(table, name + ".length", &o.seam[i].length, output(DRAPE_PLACES, "m"),
+        "length of the seam, along the middle of its sides");
+  }
   add_strain(table, "strain.warp", o.strain_warp, "along the warp");
   add_strain(table, "strain.weft", o.strain_weft, "along the weft");
   add_strain(table, "strain.bias", o.strain_bias, "along the diagonals");
@@ -195,7 +210,7 @@ void add_outputs(Table& table, drape_outputs& o) {
   add(table, "energy.dissipated", &o.energy.dissipated, output(DRAPE_ENERGY, "J"),
       "energy that damping and air have taken");
   add(table, "energy.input", &o.energy.input, output(DRAPE_ENERGY, "J"),
-      "work of pins, wind and tuning on the cloth");
+      "work of pins, wind, seams and tuning on the cloth");
   add(table, "energy.balance_error", &o.energy.balance_error, output(DRAPE_ENERGY, "J"),
       "growth of all energies since the start, minus input, plus dissipated");
 }

@@ -69,9 +69,9 @@ Vec3 row_sum(const SparseRow& row, const Field& f) {
 }
 
 // f <- f - s M^-1 A^T y
-void rows_correct(const System& system, const Array& y, double s, const Field& f) {
+void rows_correct(const System& system, const Constraints& c, const Array& y, double s, const Field& f) {
   std::size_t r = 0;
-  for (const HeldRow& row : system.constraints.rows) {
+  for (const HeldRow& row : c.rows) {
     const Vec3 pull = at(y, r++);
     for (std::size_t k = 0; k < row.on.node.size(); ++k) {
       const std::size_t n = row.on.node[k];
@@ -88,8 +88,8 @@ Vec3 told(const HeldStep& step, const Vec3& old, const Vec3& free, const Vec3& r
 // The work of an impulse on the outside world while what it acts on goes from one velocity to the next.
 double work(const Vec3& impulse, const Vec3& old, const Vec3& now) { return -0.5 * dot(impulse, old + now); }
 
-void fixed_apply(const System& system, const HeldStep& step, HeldMotion& held, State& s) {
-  const Constraints& c = system.constraints;
+void fixed_apply(const System& system, const Constraints& c, const HeldStep& step, HeldMotion& held,
+                 State& s) {
   const Field r{s.x.data(), s.y.data(), s.z.data()}, v{s.vx.data(), s.vy.data(), s.vz.data()};
   for (std::size_t k = 0; k < c.fixed.size(); ++k) {
     const std::size_t n = c.fixed[k].node;
@@ -103,8 +103,8 @@ void fixed_apply(const System& system, const HeldStep& step, HeldMotion& held, S
   }
 }
 
-void rows_apply(const System& system, const HeldStep& step, HeldMotion& held, State& s) {
-  const Constraints& c = system.constraints;
+void rows_apply(const System& system, const Constraints& c, const HeldStep& step, HeldMotion& held,
+                State& s) {
   const Field r{s.x.data(), s.y.data(), s.z.data()}, v{s.vx.data(), s.vy.data(), s.vz.data()};
   const std::size_t fixed = c.fixed.size();
   std::size_t entry = fixed;
@@ -120,8 +120,8 @@ void rows_apply(const System& system, const HeldStep& step, HeldMotion& held, St
   }
   factor_solve(c.factor, held.y.data());
   if (step.begins) factor_solve(c.factor, held.z.data());
-  rows_correct(system, held.y, 1, r);
-  rows_correct(system, held.y, 1 / step.h, v);
+  rows_correct(system, c, held.y, 1, r);
+  rows_correct(system, c, held.y, 1 / step.h, v);
   entry = fixed;
   for (std::size_t k = 0; k < c.rows.size(); ++k) {
     Vec3 impulse = (step.impulse / step.h) * at(held.y, k);
@@ -175,24 +175,32 @@ void held_keep(const Constraints& c, const State& s, HeldMotion& held) {
     for (std::size_t n : row.on.node) keep(n);
 }
 
-void constraints_apply(const System& system, const HeldStep& step, HeldMotion& held, State& s) {
-  const Constraints& c = system.constraints;
+void constraints_apply(const System& system, const Constraints& c, const HeldStep& step, HeldMotion& held,
+                       State& s) {
   bool moving = false;
   each_target(c, [&](std::size_t k, const Target& t) {
     if (!t.moves) return;
     moving = true;
     set(held.next, k, target_now(c, s, t));
   });
-  fixed_apply(system, step, held, s);
-  if (!c.rows.empty()) rows_apply(system, step, held, s);
+  fixed_apply(system, c, step, held, s);
+  if (!c.rows.empty()) rows_apply(system, c, step, held, s);
   if (!moving) return;
   held.now.swap(held.next);
   held.next = held.now;
   arms_set(c, s, held);
 }
 
-void constraints_project(const System& system, HeldMotion& held, Field field, std::vector<PinLoad>* load) {
-  const Constraints& c = system.constraints;
+void constraints_place(const System& system, const Constraints& c, HeldMotion& held, Field r) {
+  for (std::size_t k = 0; k < c.fixed.size(); ++k) set(r, c.fixed[k].node, at(held.now, k));
+  for (std::size_t k = 0; k < c.rows.size(); ++k)
+    set(held.y, k, row_sum(c.rows[k].on, r) - at(held.now, c.fixed.size() + k));
+  factor_solve(c.factor, held.y.data());
+  rows_correct(system, c, held.y, 1, r);
+}
+
+void constraints_project(const System& system, const Constraints& c, HeldMotion& held, Field field,
+                         std::vector<PinLoad>* load) {
   const std::size_t fixed = c.fixed.size();
   for (std::size_t k = 0; k < fixed; ++k) {
     const std::size_t n = c.fixed[k].node;
@@ -202,16 +210,15 @@ void constraints_project(const System& system, HeldMotion& held, Field field, st
   for (std::size_t k = 0; k < c.rows.size(); ++k)
     set(held.y, k, row_sum(c.rows[k].on, field) - at(held.rate, fixed + k));
   factor_solve(c.factor, held.y.data());
-  rows_correct(system, held.y, 1, field);
+  rows_correct(system, c, held.y, 1, field);
   for (std::size_t k = 0; k < c.rows.size(); ++k) set(held.taken, fixed + k, at(held.y, k));
   if (load)
     each_target(c,
                 [&](std::size_t k, const Target& t) { load_add(c, held.arm, t, at(held.taken, k), *load); });
 }
 
-double held_work(const System& system, const State& s, double before, double centred,
+double held_work(const Constraints& c, const State& s, double before, double centred,
                  const HeldMotion& held) {
-  const Constraints& c = system.constraints;
   double sum = 0;
   for (std::size_t k = 0; k < c.fixed.size(); ++k) {
     const std::size_t n = c.fixed[k].node;

@@ -41,7 +41,8 @@ struct HeldStep {
 
 // Puts held nodes where the frames of the state (at t_{n+1}) want them after the free step, and adds to the
 // impulses of the pins. With system.energy (and held_keep), adds their work on the cloth to state.input.
-void constraints_apply(const System& system, const HeldStep& step, HeldMotion& held, State& state);
+void constraints_apply(const System& system, const Constraints& constraints, const HeldStep& step,
+                       HeldMotion& held, State& state);
 
 // Three components of a nodal field, [nodes] each.
 struct Field {
@@ -50,10 +51,15 @@ struct Field {
 
 // Projects a field of accelerations or velocities onto held.rate; `load` [pins], where it is not null,
 // receives m times what was taken out: for accelerations, the pins' forces on the outside world.
-void constraints_project(const System& system, HeldMotion& held, Field field, std::vector<PinLoad>* load);
+void constraints_project(const System& system, const Constraints& constraints, HeldMotion& held, Field field,
+                         std::vector<PinLoad>* load);
+
+// Puts held points where they are to be at t_n, by the least change in the norm of the masses.
+void constraints_place(const System& system, const Constraints& constraints, HeldMotion& held,
+                       Field positions);
 
 // The work of the pins on the cloth while a projection of `centred` m v turned `before` v_{n-1/2} into v_n.
-double held_work(const System& system, const State& state, double before, double centred,
+double held_work(const Constraints& constraints, const State& state, double before, double centred,
                  const HeldMotion& held);
 
 }  // namespace drape

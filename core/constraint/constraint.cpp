@@ -53,6 +53,7 @@ void row_reduce(OpenRow& row, const Fixed& fixed) {
 // Tells where a target that must vanish does not: at the start, or for some poses of the driven pins.
 void contradiction_tell(const std::vector<PinBase>& pins, int pin, const std::vector<TargetPart>& rest,
                         std::vector<Problem>& problems) {
+  if (pin < 0) return;
   const std::string& name = pins[std::size_t(pin)].name;
   Vec3 off{0, 0, 0};
   const PinBase *driven = nullptr, *other = nullptr;
@@ -164,7 +165,10 @@ Constraints constraints_make(const std::vector<ConstraintRow>& rows, const Array
   c.pins = std::move(pins);
   std::vector<OpenRow> open;
   for (const ConstraintRow& row : rows)
-    open.push_back({row.pin, {row.node, row.weight}, {{row.pin, 1, row.target}}});
+    open.push_back(
+        {row.pin,
+         {row.node, row.weight},
+         row.pin < 0 ? std::vector<TargetPart>{} : std::vector{TargetPart{row.pin, 1, row.target}}});
   open = rows_independent(nodes_fix(c, std::move(open), problems), inverse_mass, c.pins, problems);
   for (OpenRow& row : open) {
     const Target target = target_make(c, row.parts);

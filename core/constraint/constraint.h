@@ -31,7 +31,7 @@ struct PinBase {
 
 // One constraint as the scene states it; nodes by index into the State's arrays.
 struct ConstraintRow {
-  int pin;                        // index into Scene::pins
+  int pin;                        // index into Scene::pins; -1: of a weld, whose target is 0
   std::vector<std::size_t> node;  // [k]
   std::vector<double> weight;     // [k] none of them 0, sum 1
   Vec3 target;                    // m, at the start
@@ -67,8 +67,8 @@ struct Constraints {
   Factor factor;              // of A M^-1 A^T
 };
 
-// Sorts rows into fixed nodes and independent rows. Rows that contradict each other, now or once their pins
-// are driven apart, are problems (place = pin name).
+// Sorts rows into fixed nodes and independent rows. Rows of pins that contradict each other, now or once
+// their pins are driven apart, are problems (place = pin name); a weld that says nothing new is left out.
 Constraints constraints_make(const std::vector<ConstraintRow>& rows, const Array& inverse_mass,
                              std::vector<PinBase> pins, std::vector<Problem>& problems);
 

@@ -7,6 +7,8 @@
 #include "forces/bending.h"
 #include "forces/damping.h"
 #include "forces/node_lane.h"
+#include "forces/pull.h"
+#include "forces/seam.h"
 #include "forces/tension.h"
 #include "system/links.h"
 
@@ -87,6 +89,8 @@ void side_forces(const System& system, const State& s, bool rates, double lead, 
   hinges_add(system, s, f);
   clamps_add(system, s, f);
   if (rates && system_has_air(system)) air_add(system, s, lead, f);
+  seams_pull(system, s, lead, out);
+  seams_bond(system, s, out);
 }
 
 void side_clamp_torques(const System& system, const State& s, std::vector<Vec3>& torque) {

@@ -13,14 +13,16 @@
 #include "motion/balance.h"
 
 #include "forces/hinge_energy.h"
+#include "forces/pull.h"
 #include "forces/rates.h"
 #include "forces/side.h"
+#include "seam/row.h"
 #include "system/links.h"
 
 namespace drape {
 namespace {
 
-double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+using namespace vector3;
 
 void rates_set(const System& system, Balance& b, const State& s, double lead) {
   b.air = {0, 0, 0};
@@ -61,8 +63,30 @@ Balance balance_make(const System& system) {
   for (Array* a : {&b.vx, &b.vy, &b.vz, &b.fx, &b.fy, &b.fz}) a->assign(system.nodes, 0.0);
   b.held.resize(system.side.clamps.size());
   b.link.resize(system.side.clamps.size());
+  b.pull.resize(system.seams.pair.size());
+  b.rate.resize(system.seams.pair.size());
   return b;
 }
+
+namespace {
+
+void pull_set(const System& system, Balance& b, const State& s, double lead) {
+  for (const Seam& seam : system.seams.seam)
+    for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
+      b.pull[p] = seam_pull(system, seam, p, s, lead);
+      b.rate[p] = row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz);
+    }
+}
+
+// sum F.v of the pulls
+double pull_power(const System& system, const Balance& b, const Array& vx, const Array& vy, const Array& vz) {
+  double sum = 0;
+  for (std::size_t p = 0; p < b.pull.size(); ++p)
+    sum += dot(b.pull[p], row_value(system.seams.pair[p].gap, vx, vy, vz));
+  return sum;
+}
+
+}  // namespace
 
 void balance_begin(const System& system, Balance& b, const State& s, double lead) {
   b.vx = s.vx;
@@ -70,6 +94,7 @@ void balance_begin(const System& system, Balance& b, const State& s, double lead
   b.vz = s.vz;
   rates_set(system, b, s, lead);
   b.wind = s.wind;
+  pull_set(system, b, s, lead);
   for (std::size_t k = 0; k < b.held.size(); ++k) {
     b.held[k] = clamp_direction(system.side.clamps[k], s);
     b.link[k] = link_now(system.side.clamps[k], s);
@@ -92,7 +117,10 @@ void balance_end(const System& system, const Balance& b, State& s, double h_old,
   const double wind = span * dot(b.air, b.wind);
   const double rates = span / 2 * (power(system, b, b.vx, b.vy, b.vz) + power(system, b, s.vx, s.vy, s.vz));
   s.dissipated += system.damping * damped - (rates - wind);
-  s.input += wind + clamps_work(system, b, s);
+  double pulled = 0;
+  for (std::size_t p = 0; p < b.pull.size(); ++p)
+    pulled += dot(b.pull[p], b.rate[p] + row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz));
+  s.input += wind + clamps_work(system, b, s) + span / 2 * pulled;
 }
 
 void balance_drifted(const System& system, const Balance& b, State& s, double decay) {
@@ -108,13 +136,14 @@ BalanceNow balance_now(const System& system, Balance& b, const State& s, double 
                        const Array& vy, const Array& vz) {
   if (system.integrator == Integrator::kPaper || system.composition) return {s.dissipated, s.input};
   rates_set(system, b, s, lead);
+  pull_set(system, b, s, lead);
   double damped = 0;
   if (system.damping > 0)
     for (std::size_t n : system.particle)
       damped += system.mass[n] * (vx[n] * vx[n] + vy[n] * vy[n] + vz[n] * vz[n]);
   const double half = s.h_old / 2, wind = dot(b.air, s.wind);
   return {s.dissipated + half * (system.damping * damped - (power(system, b, vx, vy, vz) - wind)),
-          s.input + half * wind};
+          s.input + half * (wind + pull_power(system, b, vx, vy, vz))};
 }
 
 }  // namespace drape

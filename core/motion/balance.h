@@ -12,6 +12,7 @@ struct Balance {
   Vec3 air{0, 0, 0};             // N, of air alone
   Vec3 wind{0, 0, 0};            // m/s, before the step
   std::vector<Vec3> held, link;  // [clamps] R D and the link before the step
+  std::vector<Vec3> pull, rate;  // [pairs of seams] N and m/s, of the gaps, before the step
 };
 Balance balance_make(const System& system);
 

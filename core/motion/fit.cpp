@@ -18,8 +18,8 @@ constexpr double kFaded = 1e-4;         // of the most there was, where nothing 
 
 // Rows on several nodes are projected with the true masses, which is right where the nodes of connected rows
 // have one lightness: the least of theirs. Fixed nodes do not move; theirs is 1, for the force on the pin.
-void rows_even(const System& system, State& s) {
-  const std::vector<HeldRow>& rows = system.constraints.rows;
+void rows_even(const Constraints& constraints, State& s) {
+  const std::vector<HeldRow>& rows = constraints.rows;
   bool changed = !rows.empty();
   while (changed) {
     changed = false;
@@ -32,7 +32,7 @@ void rows_even(const System& system, State& s) {
       }
     }
   }
-  for (const FixedNode& f : system.constraints.fixed) s.lightness[f.node] = 1;
+  for (const FixedNode& f : constraints.fixed) s.lightness[f.node] = 1;
 }
 
 double kinetic(const System& system, const State& s) {
@@ -52,15 +52,17 @@ double norm(const Vec3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] *
 
 }  // namespace
 
-void fit_scale(const System& system, State& s, double h) {
+void fit_scale(const System& system, const Constraints& constraints, State& s, double h) {
   s.lightness.assign(system.nodes, 0.0);  // holds m'/rho at first
   const double drag = step_limit_drag(system, s);
+  const bool pulls = step_limit_pulls(s);
   double most = 0;
   for (const Lattice& l : system.lattices) {
     const double clamps = step_limit_clamps(system, l, s, kScaleEvery * h);
     each_cell(system, l, [&](const std::size_t* corner, double share) {
-      const double bare = step_limit_cell(l, s, corner, kScaleEvery * h) + clamps;
-      const double omega2 = step_limit_rated(system, l, bare, drag);
+      const double bare =
+          step_limit_cell(l, s, corner, kScaleEvery * h) + clamps + system.seams.omega2_welded;
+      const double omega2 = step_limit_rated(system, l, bare, drag, pulls);
       const double ratio = h / (kSafetyDamped * step_limit_of(system, omega2));
       const double quarter = share * l.cell * l.cell / 4 * std::max(1.0, ratio * ratio);
       for (int k = 0; k < 4; ++k) s.lightness[corner[k]] += quarter;
@@ -68,7 +70,7 @@ void fit_scale(const System& system, State& s, double h) {
     });
   }
   for (std::size_t n : system.particle) s.lightness[n] = std::min(1.0, system.area[n] / s.lightness[n]);
-  rows_even(system, s);
+  rows_even(constraints, s);
   s.omega2 = most;
   s.watch_wait = kScaleEvery;
 }
@@ -111,7 +113,7 @@ double omega_moving(const System& system, Motion& motion, State& s, double h) {
 }  // namespace
 
 void fit_look(const System& system, Motion& motion, State& s, double h) {
-  fit_scale(system, s, h);
+  fit_scale(system, motion.constraints, s, h);
   s.fit.damping = std::min(2 * omega_moving(system, motion, s, h), 1 / h);
 }
 
@@ -127,10 +129,10 @@ Left forces_left(const System& system, Motion& motion, const State& s) {
   for (std::size_t n : system.particle)
     for (std::size_t k = 0; k < 3; ++k) (*a[k])[n] = (*a[k])[n] * system.inverse_mass[n] + system.gravity[k];
   std::vector<PinLoad> load(s.pin_impulse.size());
-  held_refresh(system.constraints, s, motion.held);
-  held_rates(system.constraints, s, Rate::kAcceleration, motion.held);
-  constraints_project(system, motion.held, {motion.now_x.data(), motion.now_y.data(), motion.now_z.data()},
-                      &load);
+  held_refresh(motion.constraints, s, motion.held);
+  held_rates(motion.constraints, s, Rate::kAcceleration, motion.held);
+  constraints_project(system, motion.constraints, motion.held,
+                      {motion.now_x.data(), motion.now_y.data(), motion.now_z.data()}, &load);
   Left left;
   for (const PinLoad& l : load) left.pins += norm(l.force);
   for (std::size_t n : system.particle)

@@ -23,7 +23,7 @@ namespace drape {
 void fit_look(const System& system, Motion& motion, State& state, double h);
 
 // The first of it alone.
-void fit_scale(const System& system, State& state, double h);
+void fit_scale(const System& system, const Constraints& constraints, State& state, double h);
 
 // What is left of the forces, and whether that is rest; from then on an advance only moves the clock, until
 // fit_wake.

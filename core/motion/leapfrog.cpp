@@ -147,21 +147,21 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   const bool jumps = path_jumps(motion.path, s) && system.integrator == Integrator::kLeapfrog;
   if (jumps) leapfrog_complete(system, motion, s);
   path_follow(motion.path, 0, s);
-  held_refresh(system.constraints, s, motion.held);
-  held_rates(system.constraints, s, Rate::kVelocity, motion.held);
+  held_refresh(motion.constraints, s, motion.held);
+  held_rates(motion.constraints, s, Rate::kVelocity, motion.held);
   if (!jumps) return;
   const double before = system.energy ? kinetic_energy(system, s) : 0;
-  constraints_project(system, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()}, &s.pin_impulse);
+  constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
+                      &s.pin_impulse);
   if (!s.wx.empty()) s.wx = s.vx, s.wy = s.vy, s.wz = s.vz;
   if (system.energy) s.input += kinetic_energy(system, s) - before;
 }
 
 // Lets the system change before an interval; where it has, looks again at what is held.
-void interval_open(const System& system, Motion& motion, State& s, double intervals,
-                   const IntervalBegins& begins) {
+void interval_open(Motion& motion, State& s, double intervals, const IntervalBegins& begins) {
   if (!begins || !begins(intervals)) return;
-  held_refresh(system.constraints, s, motion.held);
-  held_rates(system.constraints, s, Rate::kVelocity, motion.held);
+  held_refresh(motion.constraints, s, motion.held);
+  held_rates(motion.constraints, s, Rate::kVelocity, motion.held);
 }
 
 }  // namespace
@@ -174,7 +174,8 @@ Motion motion_make(const System& system) {
   Motion m;
   m.kernel = &kernel_pick();
   m.workspace = workspace_make(system, threads_wanted(system));
-  m.held = held_make(system.constraints);
+  m.constraints = system.constraints;
+  m.held = held_make(m.constraints);
   m.balance = balance_make(system);
   m.torque.resize(system.constraints.pins.size());
   for (Array* a : {&m.now_x, &m.now_y, &m.now_z}) a->assign(system.nodes, 0.0);
@@ -184,9 +185,10 @@ Motion motion_make(const System& system) {
 void leapfrog_begin(const System& system, Motion& motion, State& s) {
   motion.inputs = inputs_at(s);
   motion.path.wind_from = motion.path.wind_to = s.wind;
-  held_refresh(system.constraints, s, motion.held);
-  held_rates(system.constraints, s, Rate::kVelocity, motion.held);
-  constraints_project(system, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()}, nullptr);
+  held_refresh(motion.constraints, s, motion.held);
+  held_rates(motion.constraints, s, Rate::kVelocity, motion.held);
+  constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
+                      nullptr);
   rates_begin(system, s);
   subs_begin(system, motion, s);
 }
@@ -214,7 +216,7 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
   Advance result = Advance::kDone;
   if (on_grid) {
     for (std::int64_t k = 0; k < std::int64_t(whole) && result == Advance::kDone; ++k) {
-      interval_open(system, motion, s, 1, interval_begins);
+      interval_open(motion, s, 1, interval_begins);
       subs_relax(system, s, event);
       path_interval(motion.path, s, k, q);
       result = interval_run(system, motion, s, q, s.subs, event);
@@ -222,7 +224,7 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
       ++s.calm;
     }
   } else {
-    interval_open(system, motion, s, length / q, interval_begins);
+    interval_open(motion, s, length / q, interval_begins);
     subs_relax(system, s, event);
     result = interval_run(system, motion, s, length, subs_for(length, q / double(s.subs)), event);
     s.calm += std::max<std::int64_t>(1, std::int64_t(length / q));

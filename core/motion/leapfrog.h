@@ -14,6 +14,9 @@ namespace drape {
 struct Motion {
   const Kernel* kernel = nullptr;
   Workspace workspace;
+  Constraints constraints;   // at work: those of the pins and of the pairs of seams in `welded`
+  std::vector<char> welded;  // [pairs]
+  Array gap_rate;            // as in State, of the present step
   HeldMotion held;
   Inputs inputs;              // where the next advance goes
   Path path;                  // of the present advance

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "constraint/vector3.h"
+#include "forces/pull.h"
 #include "forces/side.h"
 #include "motion/leapfrog.h"
 #include "system/composition.h"
@@ -55,9 +56,11 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
   const bool begins = s.advance_begins && system.integrator != Integrator::kPaper;
   const StepCoefficients c{stage.keep, stage.kick, stage.drift, system.gravity, velocity_lead(system, s)};
   if (system.energy) balance_begin(system, motion.balance, s, c.lead);
-  if (begins || system.energy) held_keep(system.constraints, s, motion.held);
+  if (begins || system.energy) held_keep(motion.constraints, s, motion.held);
   clamp_torques_add(system, motion, s, begins ? stage.begun : stage.span);
+  if (!s.sewn.empty()) seams_rates(system, s, motion.gap_rate);
   kernel_step(*motion.kernel, system, c, motion.workspace, s);
+  if (!s.sewn.empty()) s.gap_rate.swap(motion.gap_rate);
   path_follow(motion.path, u, s);
   const HeldStep step{stage.drift,
                       stage.keep,
@@ -67,7 +70,8 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
                       begins ? stage.half : 0,
                       begins ? stage.centred : 1,
                       stage.before};
-  constraints_apply(system, step, motion.held, s);
+  constraints_apply(system, motion.constraints, step, motion.held, s);
+  if (!s.sewn.empty()) seams_hold(system, s, h);
   if (system.energy && system.composition) balance_drifted(system, motion.balance, s, stage.decay);
   else if (system.energy) balance_end(system, motion.balance, s, s.h_old, h);
   s.advance_begins = false;
@@ -152,7 +156,7 @@ void leapfrog_synchronous(const System& system, Motion& motion, const State& s, 
   };
   HeldMotion& held = motion.held;
   load.assign(s.pin_impulse.size(), PinLoad{});
-  held_refresh(system.constraints, s, held);
+  held_refresh(motion.constraints, s, held);
   kernel_forces(*motion.kernel, system, s, motion.workspace, vx, vy, vz);
   held.work = 0;
   if (step) {
@@ -164,16 +168,16 @@ void leapfrog_synchronous(const System& system, Motion& motion, const State& s, 
       const double free = force * inverse_mass + g;
       return free - damping * ((v + kick * free) / centred);
     });
-    held_rates(system.constraints, s, Rate::kAcceleration, held);
-    constraints_project(system, held, {vx, vy, vz}, &load);
+    held_rates(motion.constraints, s, Rate::kAcceleration, held);
+    constraints_project(system, motion.constraints, held, {vx, vy, vz}, &load);
     each([&](double acceleration, double v, double kick, double, double) {
       return (v + kick * acceleration) / (centred - kick * damping);
     });
   }
-  held_rates(system.constraints, s, Rate::kVelocity, held);
-  constraints_project(system, held, {vx, vy, vz}, step ? &load : nullptr);
+  held_rates(motion.constraints, s, Rate::kVelocity, held);
+  constraints_project(system, motion.constraints, held, {vx, vy, vz}, step ? &load : nullptr);
   if (step) {
-    if (system.energy) held.work = held_work(system, s, decay, centred, held);
+    if (system.energy) held.work = held_work(motion.constraints, s, decay, centred, held);
     for (PinLoad& l : load) l = {(centred / half) * l.force, (centred / half) * l.torque};
   }
   motion.torque.assign(load.size(), Vec3{0, 0, 0});

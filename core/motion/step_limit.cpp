@@ -131,7 +131,7 @@ double step_limit_lattice(const System& system, const Kernel& kernel, const Latt
   double most = 0;
   for (int j = 0; j + 1 < l.rows; ++j) most = most_of(kernel.omega2(system, l, state, j, ahead), most);
   most = most_of(side_bound(system, l, state, ahead) / (l.law.areal_density * l.cell * l.cell), most);
-  return most + step_limit_clamps(system, l, state, ahead);
+  return most + step_limit_clamps(system, l, state, ahead) + system.seams.omega2_welded;
 }
 
 double step_limit_drag(const System& system, const State& state) {
@@ -140,16 +140,23 @@ double step_limit_drag(const System& system, const State& state) {
   return air.density * std::max(air.normal, air.tangential) * speed_against_wind(system, state);
 }
 
-double step_limit_rated(const System& system, const Lattice& l, double omega2, double drag) {
-  return omega2_with(system, omega2, l.law.damping * omega2 + drag / l.law.areal_density);
+bool step_limit_pulls(const State& s) {
+  return std::find(s.sewn.begin(), s.sewn.end(), Sewn::kPulled) != s.sewn.end();
+}
+
+double step_limit_rated(const System& system, const Lattice& l, double omega2, double drag, bool pulls) {
+  const double d = l.law.damping * omega2 + drag / l.law.areal_density;
+  if (!pulls) return omega2_with(system, omega2, d);
+  return omega2_with(system, omega2 + system.seams.omega2_pull, d + system.seams.damping);
 }
 
 double step_limit_omega2(const System& system, const Kernel& kernel, const State& state, double ahead) {
   const double drag = step_limit_drag(system, state);
+  const bool pulls = step_limit_pulls(state);
   double most = 0;
   for (const Lattice& l : system.lattices) {
     const double omega2 = step_limit_lattice(system, kernel, l, state, ahead);
-    most = most_of(step_limit_rated(system, l, omega2, drag), most);
+    most = most_of(step_limit_rated(system, l, omega2, drag, pulls), most);
   }
   return most;
 }

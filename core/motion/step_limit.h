@@ -18,7 +18,8 @@ double step_limit_clamps(const System& system, const Lattice& lattice, const Sta
 // What omega^2 of a lattice counts as where forces depend on velocity: without them, it would lead to the
 // same limit. `drag`: that of the air, N s/m per m^2.
 double step_limit_drag(const System& system, const State& state);
-double step_limit_rated(const System& system, const Lattice& lattice, double omega2, double drag);
+double step_limit_rated(const System& system, const Lattice& lattice, double omega2, double drag, bool pulls);
+bool step_limit_pulls(const State& state);  // a seam is being pulled together
 
 // The largest of all lattices, raised to what leads to the same limit where forces depend on velocity.
 double step_limit_omega2(const System& system, const Kernel& kernel, const State& state, double ahead = 0);

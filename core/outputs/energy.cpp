@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "forces/hinge_energy.h"
+#include "forces/seam.h"
 #include "forces/side.h"
 #include "system/links.h"
 
@@ -37,6 +38,9 @@ drape_energy energy_potential(const System& system, const State& s) {
     });
     e.bending += bending_of(system, l, s);
   }
+  const SeamEnergy sewn = seams_energy(system, s);
+  e.bending += sewn.bending;
+  e.stretch += sewn.stretch;
   const Vec3& g = system.gravity;
   for (std::size_t n : system.particle)
     e.gravity -= system.mass[n] * (g[0] * s.x[n] + g[1] * s.y[n] + g[2] * s.z[n]);

@@ -1,13 +1,17 @@
 #include "outputs/outputs.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "constraint/vector3.h"
 #include "motion/step_limit.h"
 #include "outputs/energy.h"
 #include "outputs/strain.h"
 
 namespace drape {
 namespace {
+
+using namespace vector3;
 
 // A field at each probe, by coordinate.
 void probes_fill(Outputs& o, const System& system, double (drape_probe::*to)[3], const Array& x,
@@ -33,6 +37,31 @@ void pins_fill(Outputs& o, const System& system, const State& s) {
       o.pins[p].force[k] = moved ? (done.force[k] + half * load.force[k]) / s.advance_length : load.force[k];
       o.pins[p].torque[k] =
           moved ? (done.torque[k] + half * load.torque[k]) / s.advance_length : load.torque[k];
+    }
+  }
+}
+
+Vec3 point_now(const SeamPoint& point, const State& s) {
+  Vec3 sum{0, 0, 0};
+  for (int k = 0; k < 4; ++k)
+    sum += point.weight[k] * Vec3{s.x[point.node[k]], s.y[point.node[k]], s.z[point.node[k]]};
+  return sum;
+}
+
+void seams_fill(Outputs& o, const System& system, const State& s) {
+  for (std::size_t k = 0; k < o.seams.size(); ++k) {
+    const Seam& seam = system.seams.seam[k];
+    drape_seam& shown = o.seams[k];
+    shown.gap_max = shown.length = 0;
+    shown.closed = 1;
+    Vec3 before{};
+    for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
+      const SeamPair& pair = system.seams.pair[p];
+      const Vec3 a = point_now(pair.side[0], s), b = point_now(pair.side[1], s), middle = 0.5 * (a + b);
+      if (s.sewn[p] != Sewn::kWelded) shown.closed = 0;
+      shown.gap_max = std::max(shown.gap_max, norm(b - a));
+      if (p > seam.first) shown.length += norm(middle - before);
+      before = middle;
     }
   }
 }
@@ -79,6 +108,11 @@ void energy_fill(Outputs& o, const System& system, Motion& motion, const State& 
 void outputs_make(Outputs& o, const Scene& scene, const System& system) {
   for (const ProbeSpec& probe : scene.probes) o.probes.push_back({probe.name.c_str(), {}, {}});
   for (const PinSpec& pin : scene.pins) o.pins.push_back({pin.name.c_str(), {}, {}});
+  for (std::size_t k = 0; k < scene.seams.size(); ++k) {
+    const Seam& seam = system.seams.seam[k];
+    o.seams.push_back(
+        {scene.seams[k].name.c_str(), int(seam.count), {seam.length[0], seam.length[1]}, 0, 0, 0});
+  }
   o.shown.has_energy = scene.energy;
   o.shown.has_balance = system.energy;
   o.shown.has_fit = scene.mode == Mode::kFit;
@@ -86,6 +120,8 @@ void outputs_make(Outputs& o, const Scene& scene, const System& system) {
   o.shown.probe = o.probes.data();
   o.shown.pin_count = int(o.pins.size());
   o.shown.pin = o.pins.data();
+  o.shown.seam_count = int(o.seams.size());
+  o.shown.seam = o.seams.data();
   o.shown.node_count = int(system.particle.size());
 }
 
@@ -93,7 +129,10 @@ void outputs_fill(Outputs& o, const System& system, Motion& motion, const State&
   if (what & (DRAPE_MOTION | DRAPE_ENERGY | DRAPE_NODE_MOTION))
     leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(), motion.now_z.data(),
                          o.pin_load);
-  if (what & DRAPE_PLACES) probes_fill(o, system, &drape_probe::position, s.x, s.y, s.z);
+  if (what & DRAPE_PLACES) {
+    probes_fill(o, system, &drape_probe::position, s.x, s.y, s.z);
+    seams_fill(o, system, s);
+  }
   if (what & DRAPE_MOTION) {
     probes_fill(o, system, &drape_probe::velocity, motion.now_x, motion.now_y, motion.now_z);
     pins_fill(o, system, s);

@@ -11,6 +11,7 @@ struct Outputs {
   drape_outputs shown{};
   std::vector<drape_probe> probes;
   std::vector<drape_pin> pins;
+  std::vector<drape_seam> seams;
   std::vector<double> node_position, node_velocity;  // empty until they are wanted
   std::vector<PinLoad> pin_load;
 };

@@ -33,6 +33,8 @@ void order_check(const Scene& scene, Problems& problems) {
     problems.push_back({"scene.order", order + "integrator = \"paper\"; wanted: order = 2, or \"leapfrog\""});
   if (scene.mode == Mode::kFit)
     problems.push_back({"scene.order", order + "mode = \"fit\"; wanted: order = 2, or \"dynamic\""});
+  if (!scene.seams.empty())
+    problems.push_back({"scene.order", order + "seams, whose pull is damped; wanted: order = 2, or no seam"});
   const auto braked = [&](const std::string& place, double value, const char* unit) {
     if (value > 0)
       problems.push_back(
@@ -66,6 +68,7 @@ void scene_check(const Scene& scene, std::vector<Problem>& problems) {
     sound.push_back(!piece.outline.empty() && (of_cell || (piece.cell > 0 && found.empty())));
     problems.insert(problems.end(), found.begin(), found.end());
   }
+  seams_check(scene, sound, problems);
   pins_check(scene, sound, problems);
 }
 

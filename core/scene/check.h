@@ -25,6 +25,9 @@ inline std::string entry(const std::string& path, std::size_t i) {
 // Diagrams, and what they are worked up from.
 void fabric_check(const Scene& scene, const FabricSpec& fabric, Problems& problems);
 
+// Seams against their pieces and each other; `sound` as below.
+void seams_check(const Scene& scene, const std::vector<bool>& sound, Problems& problems);
+
 // What is allowed of a force that depends on velocity, above order 2.
 std::string order_allows(int order);
 

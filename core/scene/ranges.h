@@ -28,6 +28,8 @@ inline constexpr Quantity kFriction{"friction", 0, 10, false, "1"};
 inline constexpr Quantity kAirCoefficient{"air", 0, 1000, false, "1"};
 inline constexpr Quantity kRamp{"parameter_ramp", 0, 1e6, false, "s"};
 
+inline constexpr Quantity kClose{"close", 0, 1, false, "1", true};
+
 // Inputs.
 inline constexpr Quantity kWind{"wind", -1e3, 1e3, false, "m/s"};
 inline constexpr Quantity kPinPosition{"position", -1e4, 1e4, false, "m"};

@@ -86,6 +86,9 @@ void document_read(Faults& faults, const Document& document, Scene& scene) {
   scene.pins = specs_read<PinSpec>(
       faults, root, "pin", [&](PinSpec& p) { return pin_keys(p, pieces); },
       [&](const toml::table& t, const std::string& path, PinSpec&) { pin_settle(faults, t, path); });
+  scene.seams = specs_read<SeamSpec>(
+      faults, root, "seam", [&](SeamSpec& s) { return seam_keys(s, pieces); },
+      [&](const toml::table& t, const std::string& path, SeamSpec&) { seam_settle(faults, t, path); });
   scene.probes = specs_read<ProbeSpec>(
       faults, root, "probe", [&](ProbeSpec& p) { return probe_keys(p, pieces); },
       [](const toml::table&, const std::string&, ProbeSpec&) {});

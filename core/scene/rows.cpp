@@ -1,5 +1,7 @@
 #include "scene/rows.h"
 
+#include <limits>
+
 #include "scene/ranges.h"
 
 namespace drape {
@@ -46,7 +48,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"piece", Elsewhere{}},
       {"pin", Elsewhere{}},
       {"probe", Elsewhere{}},
-      {"seam", Later{}},
+      {"seam", Elsewhere{}},
       {"body", Later{}},
   };
 }
@@ -128,6 +130,25 @@ std::vector<Key> pin_keys(PinSpec& p, const std::vector<std::string>& pieces) {
       {"hold", Choice{{"point", "clamp"}, [&p](int k) { p.clamp = k == 1; }}},
       {"drive", Choice{{"position", "velocity", "both"}, [&p](int k) { p.drive = Drive(k + 1); }}},
   };
+}
+
+std::vector<Key> seam_keys(SeamSpec& s, const std::vector<std::string>& pieces) {
+  std::vector<Key> keys = {
+      {"name", Name{&s.name}, kRequired},
+      {"closed_at", &s.closed_at, kOptional, {0, std::numeric_limits<double>::infinity()}, "s"},
+      {"gap_tol", &s.gap_tolerance, kOptional, {1e-9, 1}, "m"},
+      {"pull", Auto{&s.pull}, kOptional, {0, 1e6, kAbove}, "1/s"},
+      {"speed", &s.speed, kOptional, {0, 1e3, kAbove}, "m/s"},
+      {"tape", &s.tape, kOptional, {0, 1e6}, "N"},
+  };
+  for (int k = 0; k < 2; ++k) {
+    SeamSide& side = s.side[k];
+    const std::string name(1, "ab"[k]);
+    keys.push_back({name + ".piece", Reference{&side.piece, "piece", &pieces}, kRequired});
+    keys.push_back({name + ".edges", &side.edges, kRequired, kWhole});
+    keys.push_back({name + ".reverse", Flag{&side.reverse}});
+  }
+  return keys;
 }
 
 std::vector<Key> probe_keys(ProbeSpec& p, const std::vector<std::string>& pieces) {

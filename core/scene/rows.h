@@ -27,6 +27,7 @@ std::vector<Key> fabric_keys(FabricText& text);
 std::vector<Key> piece_keys(PieceSpec& piece, const std::vector<std::string>& fabrics);
 std::vector<Key> curve_keys(CurveSpec& curve);
 std::vector<Key> pin_keys(PinSpec& pin, const std::vector<std::string>& pieces);
+std::vector<Key> seam_keys(SeamSpec& seam, const std::vector<std::string>& pieces);
 std::vector<Key> probe_keys(ProbeSpec& probe, const std::vector<std::string>& pieces);
 
 }  // namespace drape

@@ -90,6 +90,24 @@ struct PinSpec {
   Drive drive = Drive::kNone;
 };
 
+// One side of a seam: edges of an outline that follow each other, in its order.
+struct SeamSide {
+  int piece = -1;  // index into Scene::pieces
+  std::vector<int> edges;
+  bool reverse = false;  // it starts at the end of the last edge
+};
+
+// The starts of both sides meet.
+struct SeamSpec {
+  std::string name;
+  SeamSide side[2];
+  double closed_at = 0;         // s, when pulling starts; infinite: not by itself
+  double gap_tolerance = 1e-4;  // m
+  double pull = 0;              // w, 1/s; 0 = automatic
+  double speed = 1;             // m/s, of free points, at most
+  double tape = 0;              // N per strain, of a tape sewn in
+};
+
 struct ProbeSpec {
   std::string name;
   int piece = -1;
@@ -119,6 +137,7 @@ struct Scene {
   std::int64_t imperfection_seed = 0;
   std::vector<FabricSpec> fabrics;
   std::vector<PieceSpec> pieces;
+  std::vector<SeamSpec> seams;
   std::vector<PinSpec> pins;
   std::vector<ProbeSpec> probes;
 };

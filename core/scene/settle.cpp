@@ -92,6 +92,12 @@ void piece_settle(Faults& faults, const toml::table& table, const std::string& p
   if (!sound("curves") || !sound("holes")) piece.outline.clear();
 }
 
+void seam_settle(Faults& faults, const toml::table& table, const std::string& path) {
+  for (const char* side : {"a", "b"})
+    if (!table.contains(side))
+      fault_add(faults, path + "." + side, "is missing; wanted: a table { piece, edges }");
+}
+
 void pin_settle(Faults& faults, const toml::table& table, const std::string& path) {
   const int ways = table.contains("at") + table.contains("edges") + table.contains("region");
   if (ways != 1)

@@ -12,6 +12,9 @@ namespace drape {
 // what rests on them is passed over.
 void piece_settle(Faults& faults, const toml::table& table, const std::string& path, PieceSpec& piece);
 
+// A seam has two sides.
+void seam_settle(Faults& faults, const toml::table& table, const std::string& path);
+
 void pin_settle(Faults& faults, const toml::table& table, const std::string& path);
 
 }  // namespace drape

@@ -5,6 +5,7 @@
 
 #include "constraint/pins.h"
 #include "piece/place.h"
+#include "seam/tie.h"
 #include "system/composition.h"
 #include "system/threads.h"
 
@@ -161,12 +162,18 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
     system.lattices[p].reach = lattice_reach(system.lattices[p], system.area);
     threads_lay(system, int(p), grids[p], clamp_slopes(scene, int(p), grids[p]), start);
   }
+  seams_tie(scene, grids, system);
   side_number(system);
+  start.sewn.assign(system.seams.pair.size(), Sewn::kOpen);
+  start.gap_rate.assign(3 * system.seams.pair.size(), 0.0);
+  start.gap_hold.assign(system.seams.pair.size(), 0.0);
+  start.pulled_for.assign(system.seams.pair.size(), 0.0);
 
   system_retune(system, scene.fabrics, problems);
   if (!problems.empty()) return system;
-  system.constraints = constraints_make(pin_rows(scene, grids, system, start), system.inverse_mass,
-                                        pins_make(scene, grids), problems);
+  system.pin_rows = pin_rows(scene, grids, system, start);
+  system.constraints =
+      constraints_make(system.pin_rows, system.inverse_mass, pins_make(scene, grids), problems);
   for (std::size_t p = 0; p < scene.pins.size(); ++p)
     start.pin_frame[p].position = system.constraints.pins[p].centre;
   for (const ProbeSpec& probe : scene.probes) {
@@ -183,6 +190,7 @@ void system_retune(System& system, const std::vector<FabricSpec>& fabrics, std::
   for (std::size_t k = 0; k < laws.size(); ++k) system.lattices[k].law = std::move(laws[k]);
   masses_set(system);
   constraints_refactor(system.constraints, system.inverse_mass);
+  seams_retune(system);
 }
 
 }  // namespace drape

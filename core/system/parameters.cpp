@@ -26,6 +26,7 @@ void each_value(P& p, Visit visit) {
   visit(p.shown.ramp);
   visit(p.shown.step_max);
   visit(p.shown.threads);
+  for (auto& s : p.seams) visit(s.close);
   for (auto& f : p.fabrics)
     for (auto* v : {&f.areal_density, &f.bending_warp, &f.bending_weft, &f.poisson, &f.compression,
                     &f.damping, &f.friction})
@@ -47,6 +48,7 @@ std::vector<ValueRow> value_rows(const Parameters& p, const Scene& scene) {
   rows.push_back({"parameter_ramp", &kRamp});
   rows.push_back({"step.max", &kStepMax});
   rows.push_back({"threads", &kThreads});
+  for (const SeamSpec& s : scene.seams) rows.push_back({"seam." + s.name + ".close", &kClose});
   for (const FabricSpec& f : scene.fabrics) {
     const std::string place = "fabric." + f.name;
     rows.push_back({place + ".areal_density", &kArealDensity});
@@ -122,6 +124,7 @@ void parameters_make(Parameters& p, const Scene& scene, double step_max) {
       *shown_of(p.fabrics[k], d) = {int(force.size()), e.data(), force.data()};
     }
   }
+  for (const SeamSpec& s : scene.seams) p.seams.push_back({s.name.c_str(), 0});
   p.shown = {scene.damping,
              {scene.gravity[0], scene.gravity[1], scene.gravity[2]},
              scene.has_air,
@@ -131,8 +134,17 @@ void parameters_make(Parameters& p, const Scene& scene, double step_max) {
              step_max,
              1,
              int(n),
-             p.fabrics.data()};
+             p.fabrics.data(),
+             int(p.seams.size()),
+             p.seams.data()};
 }
+
+namespace {
+bool is_closing(const Parameters& p, const double* value) {
+  return std::any_of(p.seams.begin(), p.seams.end(),
+                     [&](const drape_seam_parameters& s) { return value == &s.close; });
+}
+}  // namespace
 
 ParameterValues parameters_read(const Parameters& p) {
   ParameterValues v;
@@ -147,7 +159,7 @@ void parameters_write(Parameters& p, const ParameterValues& v) {
 
 bool parameters_move_otherwise(const Parameters& p, const ParameterValues& a, const ParameterValues& b) {
   const auto idle = [&](const double* value) {
-    return value == &p.shown.ramp || value == &p.shown.threads ||
+    return value == &p.shown.ramp || value == &p.shown.threads || is_closing(p, value) ||
            std::any_of(p.fabrics.begin(), p.fabrics.end(),
                        [&](const drape_fabric& f) { return value == &f.friction; });
   };
@@ -164,7 +176,8 @@ std::vector<int> parameters_groups(const Parameters& p) {
   std::vector<int> group;
   int next = 0;
   each_value(p, [&](const double& value) {
-    const bool at_once = &value == &p.shown.ramp || &value == &p.shown.step_max || &value == &p.shown.threads;
+    const bool at_once = &value == &p.shown.ramp || &value == &p.shown.step_max ||
+                         &value == &p.shown.threads || is_closing(p, &value);
     group.push_back(at_once ? -1 : next++);
   });
   std::size_t k = group.size();

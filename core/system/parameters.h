@@ -19,6 +19,7 @@ std::string limits_text(const Quantity& limits, double value);
 struct Parameters {
   drape_parameters shown{};
   std::vector<drape_fabric> fabrics;
+  std::vector<drape_seam_parameters> seams;
   std::vector<std::vector<double>> elongation, force;  // [3 x fabrics] warp, weft, bias; without the origin
 };
 
@@ -28,13 +29,13 @@ void parameters_make(Parameters& parameters, const Scene& scene, double step_max
 ParameterValues parameters_read(const Parameters& parameters);
 void parameters_write(Parameters& parameters, const ParameterValues& values);
 
-// True where two sets of values move the cloth otherwise: they differ in more than parameter_ramp, threads
-// and friction, which nothing meets yet.
+// True where two sets of values move the cloth otherwise: they differ in more than parameter_ramp, threads,
+// friction, which nothing meets yet, and the closing of seams, which waits for the next interval.
 bool parameters_move_otherwise(const Parameters& parameters, const ParameterValues& a,
                                const ParameterValues& b);
 
 // For each value, what moves together when it is tuned: a number of its own, but one for all points of a
-// diagram; -1 for what takes its new value at once (parameter_ramp, step.max, threads).
+// diagram; -1 for what takes its new value at once (parameter_ramp, step.max, threads, the closing of seams).
 std::vector<int> parameters_groups(const Parameters& parameters);
 
 // The fabrics of the scene with the values of the parameters.

@@ -9,6 +9,7 @@
 #include "constraint/frame.h"
 #include "fabric/law.h"
 #include "piece/grid.h"
+#include "seam/seams.h"
 #include "system/array.h"
 #include "system/side.h"
 
@@ -89,8 +90,10 @@ struct System {
   Array inverse_mass;     // [nodes] 1/kg; 0 where there is no particle
   std::vector<Lattice> lattices;
   Side side;
+  Seams seams;
   std::vector<std::size_t> particle;  // [particles] their nodes: pieces in order, row by row
-  Constraints constraints;
+  std::vector<ConstraintRow> pin_rows;
+  Constraints constraints;    // of the pins
   std::vector<Probe> probes;  // as Scene::probes
 };
 
@@ -122,6 +125,11 @@ struct State {
   // Only in systems with forces that depend on velocity (system_has_rates):
   Array wx, wy, wz;    // [nodes] m/s, at t_{n-3/2}
   double h_older = 0;  // s, the step before h_old; 0 at the first
+
+  std::vector<Sewn> sewn;  // [pairs of seams]
+  Array gap_rate;          // [pairs x 3] m/s, of the gaps at t_{n-3/2}; empty without seams
+  Array gap_hold;          // [pairs] m, s of the pull
+  Array pulled_for;        // [pairs] s
 
   Array lightness;  // [nodes] mass over inertia, at most 1; only in a fit
   Fit fit;

@@ -219,6 +219,12 @@ void side_number(System& system) {
       for (int k = 0; k < 4; ++k) visit(s.node[k], s.slot[k]);
     for (SideClamp& s : side.clamps)
       for (int k = 0; k < 2; ++k) visit(s.node[k], s.slot[k]);
+    const auto row = [&](SeamRow& r) {
+      for (int k = 0; k < r.count; ++k) visit(r.node[k], r.slot[k]);
+    };
+    for (SeamPair& s : system.seams.pair) row(s.gap);
+    for (SeamHinge& s : system.seams.hinge) row(s.arm[0]), row(s.arm[1]);
+    for (SeamLink& s : system.seams.link) row(s.edge);
   };
   each_node([&](std::size_t node, int&) { touched.push_back(node); });
   std::sort(touched.begin(), touched.end());

@@ -95,6 +95,28 @@ def damped_sheet(**scene_keys):
     return scene
 
 
+def two_strips(ratio=1.4, ease=1.0, gap=(0.004, 0.0, 0.003), **scene_keys):
+    """Two pieces side by side, the right one on cells `ratio` times as large, its edge `ease` times as long, `gap` apart."""
+    scene = sheet(0.06, 0.06, 0.01, HORIZONTAL, **scene_keys)
+    right = {
+        "name": "right",
+        "fabric": "wool",
+        "cell": 0.01 * ratio,
+        "outline": [[0, 0], [0.06, 0], [0.06, 0.06 * ease], [0, 0.06 * ease]],
+        "place": HORIZONTAL | {"origin": [0.06 + gap[0], gap[1], 1.0 + gap[2]]},
+    }
+    scene["piece"].append(right)
+    scene["seam"] = [
+        {
+            "name": "join",
+            "a": {"piece": "sheet", "edges": [1]},
+            "b": {"piece": "right", "edges": [3], "reverse": True},
+        }
+    ]
+    pin_points(scene, "peg", (0, 0.06))
+    return scene
+
+
 def pole_path(time):
     """Where the pole of the driven sheet is to be: it swings along x and z and turns about the y axis through its middle.
 

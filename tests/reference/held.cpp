@@ -32,7 +32,7 @@ void keep_independent_rows(const MatrixXd& all, const std::vector<int>& rows, He
 
 }  // namespace
 
-Held held_make(const Lattice& lattice) {
+Held held_make(const Lattice& lattice, const Sewing& sewing) {
   Held held;
   held.holder.assign(std::size_t(lattice.count), -1);
   held.inverse_mass.resize(lattice.count);
@@ -49,13 +49,24 @@ Held held_make(const Lattice& lattice) {
     if (holder < 0) holder = k;
     held.inverse_mass[point.node[0]] = 0;
   }
-  if (others.empty()) return held;
+  std::vector<const std::array<Point, 2>*> welds;
+  for (std::size_t k = 0; k < lattice.seams.size(); ++k)
+    for (std::size_t p = 0; p < lattice.seams[k].pairs.size(); ++p)
+      if (sewing[k][p] == Stage::kWelded) welds.push_back(&lattice.seams[k].pairs[p]);
+  if (others.empty() && welds.empty()) return held;
 
-  MatrixXd all = MatrixXd::Zero(Index(others.size()), lattice.count);
+  MatrixXd all = MatrixXd::Zero(Index(others.size() + welds.size()), lattice.count);
+  for (std::size_t k = 0; k < welds.size(); ++k)
+    for (std::size_t side = 0; side < 2; ++side) {
+      const Point& point = (*welds[k])[side];
+      for (std::size_t m = 0; m < point.node.size(); ++m)
+        all(Index(others.size() + k), point.node[m]) += side == 0 ? -point.weight[m] : point.weight[m];
+    }
   for (std::size_t k = 0; k < others.size(); ++k) {
     const Point& point = lattice.rows[std::size_t(others[k])].point;
     for (std::size_t m = 0; m < point.node.size(); ++m) all(Index(k), point.node[m]) = point.weight[m];
   }
+  others.resize(others.size() + welds.size(), -1);
   keep_independent_rows(all, others, held);
   return held;
 }
@@ -74,6 +85,7 @@ Passed hold(const Lattice& lattice, const Held& held, const std::vector<Vector3d
   const Index pins = 3 * Index(lattice.pins.size());
   Passed passed{VectorXd::Zero(pins), VectorXd::Zero(pins)};
   const auto pass = [&](int row, const Vector3d& force) {
+    if (row < 0) return;
     const int pin = lattice.rows[std::size_t(row)].pin;
     passed.force.segment<3>(3 * pin) += force;
     passed.torque.segment<3>(3 * pin) += arm[std::size_t(row)].cross(force);
@@ -89,7 +101,8 @@ Passed hold(const Lattice& lattice, const Held& held, const std::vector<Vector3d
   for (Index axis = 0; axis < 3 && held.A.rows() > 0; ++axis) {
     const VectorXd along = x(Eigen::seqN(axis, lattice.count, 3));
     VectorXd miss = held.A * along;
-    for (Index k = 0; k < miss.size(); ++k) miss[k] -= wanted[std::size_t(held.row[std::size_t(k)])][axis];
+    for (Index k = 0; k < miss.size(); ++k)
+      if (const int row = held.row[std::size_t(k)]; row >= 0) miss[k] -= wanted[std::size_t(row)][axis];
     lambda.col(axis) = -held.gram.solve(miss);
     on_cloth(Eigen::seqN(axis, lattice.count, 3)) = held.A.transpose() * lambda.col(axis);
   }

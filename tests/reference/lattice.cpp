@@ -9,6 +9,7 @@
 
 #include "piece/hold.h"
 #include "piece/place.h"
+#include "seam/layout.h"
 
 namespace drape::reference {
 namespace {
@@ -157,6 +158,78 @@ void measure_start(Lattice& lattice) {
         (lattice.position.segment<3>(3 * clamp.j) - lattice.position.segment<3>(3 * clamp.i)).normalized();
 }
 
+// omega of a piece at rest.
+double omega_at_rest(const Net& net, const Lattice& lattice) {
+  const double b = net.grid.cell, nu = net.fabric().poisson;
+  const auto slope = [&](int law) {
+    return curve_slope(lattice.laws[std::size_t(3 * net.index + law)].curve, 0);
+  };
+  const double B = (net.fabric().bending_warp + net.fabric().bending_weft) / (1 - nu * nu);
+  return std::sqrt((4 * std::max(slope(0), slope(1)) + 8 * slope(2) / 2 + 16 * B / (b * b)) /
+                   (net.fabric().areal_density * b * b));
+}
+
+// kappa = 2 W/(b_a/B_a + b_b/B_b)
+void add_seam_hinge(const std::vector<Net>& nets, const SeamSpec& spec, const SeamLayout& layout,
+                    std::size_t n, Seam& seam) {
+  std::array<Point, 2> inner;
+  double compliance = 0;
+  bool bends = true;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Net& net = nets[std::size_t(spec.side[k].piece)];
+    const double b = net.grid.cell, grain = net.piece().grain;
+    const Vec2 in = layout.inward[k][n], p = layout.point[k][n];
+    inner[k] = point_at(net, grid_locate(net.grid, {p[0] + b * in[0], p[1] + b * in[1]}));
+    const double c = -in[0] * std::sin(grain) + in[1] * std::cos(grain), s2 = 1 - c * c;
+    const double B = b * (link_rigidity(net, true) * c * c * c * c + link_rigidity(net, false) * s2 * s2);
+    bends = bends && B > 0;
+    compliance += b / B;
+  }
+  const bool end = !seam.closed && (n == 0 || n + 1 == layout.point[0].size());
+  seam.inner.push_back(inner);
+  seam.kappa.push_back(bends ? (end ? 1 : 2) * seam.rest / compliance : 0);
+}
+
+void add_seam_links(const std::vector<Net>& nets, const SeamSpec& spec, const SeamLayout& layout,
+                    Seam& seam) {
+  const std::size_t shorter = layout.length[1] < layout.length[0] ? 1 : 0;
+  const Net& net = nets[std::size_t(spec.side[shorter].piece)];
+  const Vec2 from = layout.point[shorter].front(), to = layout.point[shorter].back();
+  const double grain = net.piece().grain, x = to[0] - from[0], y = to[1] - from[1];
+  const bool warp = std::abs(y * std::cos(grain) - x * std::sin(grain)) >=
+                    std::abs(x * std::cos(grain) + y * std::sin(grain));
+  seam.rest = std::min(layout.spacing[0], layout.spacing[1]);
+  seam.closed = layout.closed;
+  seam.linked = std::abs(layout.spacing[0] - layout.spacing[1]) > 1e-6 * seam.rest || spec.tape > 0;
+  seam.width = net.grid.cell;
+  seam.tape = spec.tape;
+  seam.law = 3 * net.index + (warp ? 0 : 1);
+}
+
+void add_seam(const std::vector<Net>& nets, const SeamSpec& spec, double omega, Lattice& lattice) {
+  const SeamLayout layout = seam_layout(nets[0].scene, spec);
+  Seam seam{};
+  seam.name = spec.name;
+  seam.closed_at = spec.closed_at;
+  seam.gap_tolerance = spec.gap_tolerance;
+  seam.speed = spec.speed;
+  seam.pull = spec.pull > 0 ? spec.pull : omega / 10;
+  add_seam_links(nets, spec, layout, seam);
+  for (std::size_t n = 0; n < layout.point[0].size(); ++n) {
+    std::array<Point, 2> pair;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Net& net = nets[std::size_t(spec.side[k].piece)];
+      const Vec2 p = layout.point[k][n], in = layout.inward[k][n];
+      const double d = 1e-6 * net.grid.cell;
+      const int cell = grid_cell_of(net.grid, {p[0] + d * in[0], p[1] + d * in[1]});
+      pair[k] = point_at(net, grid_point(net.grid, cell, grid_coordinates(net.grid, p)));
+    }
+    seam.pairs.push_back(pair);
+    add_seam_hinge(nets, spec, layout, n, seam);
+  }
+  lattice.seams.push_back(std::move(seam));
+}
+
 Net net_make(const Scene& scene, int piece) {
   Net net{scene, piece, grid_make(scene, piece), {}, {}, {}, {}};
   for (const PinSpec& pin : scene.pins)
@@ -184,6 +257,9 @@ Lattice lattice_make(const Scene& scene) {
     const Net& net = nets[std::size_t(probe.piece)];
     lattice.probes.push_back(point_at(net, grid_locate(net.grid, probe.at)));
   }
+  double omega = 0;
+  for (const Net& net : nets) omega = std::max(omega, omega_at_rest(net, lattice));
+  for (const SeamSpec& seam : scene.seams) add_seam(nets, seam, omega, lattice);
   lattice.position = Eigen::Map<Eigen::VectorXd>(r.data(), Eigen::Index(r.size()));
   lattice.velocity = Eigen::Map<Eigen::VectorXd>(v.data(), Eigen::Index(v.size()));
   measure_start(lattice);

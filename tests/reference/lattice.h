@@ -57,6 +57,19 @@ struct Pin {
   bool clamp;
 };
 
+// Pairs of particles on two outlines.
+struct Seam {
+  std::string name;
+  std::vector<std::array<Point, 2>> pairs;
+  double closed_at, gap_tolerance, speed;   // s, m, m/s
+  double pull;                              // w, 1/s
+  std::vector<std::array<Point, 2>> inner;  // [pairs] of the hinges
+  std::vector<double> kappa;                // [pairs] N m
+  bool linked, closed;                      // along the seam; the last pair is followed by the first
+  double rest, width, tape;                 // m, m, N
+  int law;                                  // of the links
+};
+
 struct Lattice {
   int count = 0;                       // N
   std::vector<double> mass;            // [N] kg
@@ -69,6 +82,7 @@ struct Lattice {
   std::vector<Row> rows;
   std::vector<Pin> pins;
   std::vector<Point> probes;
+  std::vector<Seam> seams;
   double cell = 0;  // m, the smallest of all pieces
 };
 

@@ -2,6 +2,8 @@
 // and T being its force and torque on the outside world: every held point moves with v + w x arm.
 #include "reference/motion.h"
 
+#include "reference/sewing.h"
+
 namespace drape::reference {
 namespace {
 
@@ -15,7 +17,8 @@ struct Free {
   double given, taken;            // W, by the wind and from the cloth
 };
 
-Free free_motion(const Motion& motion, const Outside& outside, const VectorXd& r, const VectorXd& v) {
+Free free_motion(const Motion& motion, const Outside& outside, const VectorXd& r, const VectorXd& v,
+                 const VectorXd& hold) {
   const Lattice& lattice = motion.lattice;
   VectorXd F = VectorXd::Zero(3 * lattice.count);
   add_stretch(lattice, r, F);
@@ -26,7 +29,8 @@ Free free_motion(const Motion& motion, const Outside& outside, const VectorXd& r
   free.taken = add_link_damping(lattice, r, v, F);
   const AirPower air = add_air(lattice, motion.air, outside.wind, r, v, F);
   free.taken += air.taken;
-  free.given = air.given;
+  add_bonds(lattice, motion.sewing, r, F);
+  free.given = air.given + add_pulls(lattice, motion.sewing, hold, r, v, F);
   for (int n = 0; n < lattice.count; ++n) {
     const double m = lattice.mass[std::size_t(n)];
     const Vector3d speed = v.segment<3>(3 * n);
@@ -63,7 +67,9 @@ std::vector<Vector3d> each(const std::vector<Target>& targets, Vector3d Target::
 Motion motion_make(const Scene& scene) {
   Motion motion;
   motion.lattice = lattice_make(scene);
-  motion.held = held_make(motion.lattice);
+  motion.sewing = sewing_start(motion.lattice);
+  for (const Seam& seam : motion.lattice.seams) motion.pulled_from.emplace_back(seam.pairs.size(), 0.0);
+  motion.held = held_make(motion.lattice, motion.sewing);
   motion.gravity = {scene.gravity[0], scene.gravity[1], scene.gravity[2]};
   motion.damping = scene.damping;
   if (scene.has_air) motion.air = {scene.air_density, scene.air_normal, scene.air_tangential};
@@ -73,7 +79,9 @@ Motion motion_make(const Scene& scene) {
 
 Layout layout_of(const Lattice& lattice) {
   const Index n = 3 * Index(lattice.count), pins = 3 * Index(lattice.pins.size()), end = 2 * (n + pins);
-  return {n, 2 * n, 2 * n + pins, end, end + 1, end + 2, end + 3};
+  Index pairs = 0;
+  for (const Seam& seam : lattice.seams) pairs += Index(seam.pairs.size());
+  return {n, 2 * n, 2 * n + pins, end, end + 1, end + 2, end + 2 + pairs, end + 3 + pairs};
 }
 
 Turns turns_of(const Outside& outside) {
@@ -87,7 +95,8 @@ VectorXd motion_rate(const Motion& motion, const Course& course, const VectorXd&
   const Layout at = layout_of(lattice);
   const Outside outside = course_at(course, y[at.time]);
   const VectorXd r = y.head(at.velocity), v = y.segment(at.velocity, at.velocity);
-  Free free = free_motion(motion, outside, r, v);
+  const VectorXd held_back = y.segment(at.hold, at.time - at.hold);
+  Free free = free_motion(motion, outside, r, v, held_back);
   const std::vector<Target> targets = targets_of(lattice, outside.pins);
   Passed passed = hold(lattice, motion.held, each(targets, &Target::a), arms_of(lattice, outside, targets),
                        free.acceleration);
@@ -96,7 +105,8 @@ VectorXd motion_rate(const Motion& motion, const Course& course, const VectorXd&
     free.given -= passed.force.segment<3>(3 * Index(k)).dot(outside.pins[k].v) +
                   passed.torque.segment<3>(3 * Index(k)).dot(outside.pins[k].w);
   VectorXd rate(at.size);
-  rate << v, free.acceleration, passed.force, passed.torque, free.given, free.taken, 1;
+  rate << v, free.acceleration, passed.force, passed.torque, free.given, free.taken,
+      hold_rates(motion, motion.begun + y[at.time], r, v), 1;
   return rate;
 }
 
@@ -136,13 +146,16 @@ Energy motion_energy(const Motion& motion, const Turns& turns, const VectorXd& y
   double gravity = 0;
   for (int k = 0; k < lattice.count; ++k)
     gravity -= lattice.mass[std::size_t(k)] * motion.gravity.dot(r.segment<3>(3 * k));
-  return {kinetic_energy(lattice, v), stretch_energy(lattice, r), shear_energy(lattice, r),
-          bending_energy(lattice, r) + clamp_energy(lattice, turns, r), gravity};
+  const BondEnergy sewn = bond_energy(lattice, motion.sewing, r);
+  return {kinetic_energy(lattice, v), stretch_energy(lattice, r) + sewn.stretch, shear_energy(lattice, r),
+          bending_energy(lattice, r) + clamp_energy(lattice, turns, r) + sewn.bending, gravity};
 }
 
 Residual residual(const Motion& motion, const Outside& outside, const VectorXd& r) {
   const Lattice& lattice = motion.lattice;
-  VectorXd a = free_motion(motion, outside, r, VectorXd::Zero(r.size())).acceleration;
+  VectorXd a = free_motion(motion, outside, r, VectorXd::Zero(r.size()),
+                           VectorXd::Zero(layout_of(lattice).time - layout_of(lattice).hold))
+                   .acceleration;
   const std::vector<Vector3d> still(lattice.rows.size(), Vector3d::Zero());
   const Passed passed = hold(lattice, motion.held, still, still, a);
   Residual left{0, 0};

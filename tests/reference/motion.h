@@ -1,9 +1,9 @@
 // The cloth in motion: r'' = g + F(r, v, t)/m - c v under its pins, integrated by ARKODE's explicit ERKStep.
 // Equations: core/README.md, section 4. One vector holds all that is integrated,
-//     y = [r (3 N), v (3 N), J (3 pins), L (3 pins), W, D, t],
+//     y = [r (3 N), v (3 N), J (3 pins), L (3 pins), W, D, s (pairs of seams), t],
 // J and L being impulse and angular impulse (about its present position) that each pin has given to the
-// outside world since the start, W the energy given to the cloth by pins and wind, D the dissipated one, and
-// t the time since the beginning of the advance: with it in the state the equations are autonomous.
+// outside world since the start, W the energy given to the cloth by pins, wind and seams, D the dissipated
+// one, and t the time since the beginning of the advance: with it in the state the equations are autonomous.
 #pragma once
 #include <Eigen/Dense>
 #include <memory>
@@ -18,6 +18,9 @@ namespace drape::reference {
 
 struct Motion {
   Lattice lattice;
+  Sewing sewing;
+  std::vector<std::vector<double>> pulled_from;  // [Lattice::seams][pairs] s, since when
+  double begun = 0;                              // s, the present advance
   Held held;
   Eigen::Vector3d gravity;  // m/s^2
   double damping = 0;       // 1/s
@@ -28,7 +31,7 @@ Motion motion_make(const Scene& scene);
 
 // Where the parts of y begin.
 struct Layout {
-  Eigen::Index velocity, impulse, angular, given, taken, time, size;
+  Eigen::Index velocity, impulse, angular, given, taken, hold, time, size;
 };
 Layout layout_of(const Lattice& lattice);
 
@@ -70,7 +73,7 @@ using SolverHandle = std::unique_ptr<Solver, SolverClose>;
 
 // All of these throw std::runtime_error with one sentence that names the time and ARKODE's flag. The motion
 // must outlive the solver.
-SolverHandle solver_open(const Motion& motion, const Eigen::VectorXd& y, const Accuracy& accuracy);
+SolverHandle solver_open(Motion& motion, const Eigen::VectorXd& y, const Accuracy& accuracy);
 // The state at that time, with the inputs on their way to `to`; one step ends exactly there.
 Eigen::VectorXd solver_advance(Solver& solver, double time, const Outside& to);
 Eigen::VectorXd solver_advance(Solver& solver, double time);  // with the inputs staying where they are

@@ -20,7 +20,7 @@ struct Reached {
   long steps;
 };
 
-Reached state_at(const Motion& motion, double time, const Accuracy& accuracy) {
+Reached state_at(Motion motion, double time, const Accuracy& accuracy) {
   SolverHandle solver = solver_open(motion, motion_start(motion), accuracy);
   VectorXd y = solver_advance(*solver, time);
   return {y, solver_step_count(*solver)};

@@ -54,6 +54,23 @@ double beyond_test_count(const Lattice& lattice, const VectorXd& r) {
   return count;
 }
 
+// Largest gap, whether all is sewn, and the length along the middle of both sides.
+void push_seam(std::vector<double>& row, const Seam& seam, const std::vector<Stage>& stages,
+               const VectorXd& r) {
+  double gap = 0, length = 0;
+  Vector3d last = Vector3d::Zero();
+  for (std::size_t p = 0; p < seam.pairs.size(); ++p) {
+    const Vector3d a = point_value(seam.pairs[p][0], r), b = point_value(seam.pairs[p][1], r);
+    const Vector3d middle = (a + b) / 2;
+    gap = std::max(gap, (b - a).norm());
+    if (p > 0) length += (middle - last).norm();
+    last = middle;
+  }
+  const bool closed =
+      std::all_of(stages.begin(), stages.end(), [](Stage stage) { return stage == Stage::kWelded; });
+  row.insert(row.end(), {gap, double(closed), length});
+}
+
 // The solver's own error appears as balance_error: exactly it is 0.
 void push_energies(std::vector<double>& row, const Motion& motion, const Sample& sample) {
   const Layout at = layout_of(motion.lattice);
@@ -75,6 +92,9 @@ std::vector<std::string> output_columns(const Scene& scene, const Lattice& latti
     push_axes(names, variable_prefix("pin", pin.name) + "force");
     push_axes(names, variable_prefix("pin", pin.name) + "torque");
   }
+  for (const Seam& seam : lattice.seams)
+    for (const char* what : {"gap.max", "closed", "length"})
+      names.push_back(variable_prefix("seam", seam.name) + what);
   for (const char* direction : {"warp", "weft", "bias"}) {
     for (const char* what : {".min", ".max", ".mean"})
       names.push_back(std::string("strain.") + direction + what);
@@ -110,6 +130,8 @@ std::vector<double> output_row(const Scene& scene, const Motion& motion, bool no
     push(row, sample.pins.force.segment<3>(3 * Eigen::Index(k)));
     push(row, sample.pins.torque.segment<3>(3 * Eigen::Index(k)));
   }
+  for (std::size_t k = 0; k < lattice.seams.size(); ++k)
+    push_seam(row, lattice.seams[k], motion.sewing[k], r);
   push_strain(row, lattice.warp, r);
   push_strain(row, lattice.weft, r);
   push_strain(row, lattice.bias, r);

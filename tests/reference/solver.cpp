@@ -9,11 +9,12 @@
 #include <stdexcept>
 
 #include "reference/motion.h"
+#include "reference/sewing.h"
 
 namespace drape::reference {
 
 struct Solver {
-  const Motion* motion = nullptr;
+  Motion* motion = nullptr;
   SUNContext context = nullptr;
   N_Vector y = nullptr, tolerance = nullptr;
   void* arkode = nullptr;
@@ -78,6 +79,7 @@ void set_tolerance(Solver& solver, double rtol) {
   tolerance.head(at.velocity).setConstant(rtol * lattice.cell);
   tolerance.segment(at.velocity, at.velocity).setConstant(rtol * 1.0);
   tolerance.segment(at.angular, at.given - at.angular).setConstant(rtol * mass * 1.0 * lattice.cell);
+  tolerance.segment(at.hold, at.time - at.hold).setConstant(rtol * lattice.cell);
   tolerance[at.time] = 1.0;  // exact by every method
   demand(solver, ERKStepSVtolerances(solver.arkode, rtol, solver.tolerance), "ERKStepSVtolerances");
 }
@@ -92,7 +94,7 @@ void SolverClose::operator()(Solver* solver) const {
   delete solver;
 }
 
-SolverHandle solver_open(const Motion& motion, const VectorXd& y, const Accuracy& accuracy) {
+SolverHandle solver_open(Motion& motion, const VectorXd& y, const Accuracy& accuracy) {
   SolverHandle handle(new Solver);
   Solver& s = *handle;
   s.motion = &motion;
@@ -118,6 +120,7 @@ SolverHandle solver_open(const Motion& motion, const VectorXd& y, const Accuracy
 VectorXd solver_advance(Solver& s, double time, const Outside& to) {
   s.course = course_make(s.motion->lattice, s.outside, to, time - s.time);
   VectorXd y = view(s.y);
+  motion_sew(*s.motion, s.time, s.outside, y);
   motion_begin(*s.motion, s.course, y);
   view(s.y) = y;
   demand(s, ERKStepReset(s.arkode, s.time, s.y), "ERKStepReset");

@@ -40,7 +40,7 @@ struct Exact {
 };
 
 Exact exact_of(const Trial& t) {
-  const reference::Motion motion = reference::motion_make(t.scene);
+  reference::Motion motion = reference::motion_make(t.scene);
   const Eigen::VectorXd start = reference::motion_start(motion);
   const reference::SolverHandle solver = reference::solver_open(motion, start, {1e-12, 8, 0});
   const Eigen::Index n = reference::layout_of(motion.lattice).velocity;

@@ -260,7 +260,7 @@ TEST(Fit, EnlargesTheInertiaOfStiffCells) {
   Assembled a = assemble(scene);
   for (std::size_t n : a.system.particle) a.state.y[n] *= a.state.y[n] > 0.025 ? 1.3 : 1.0;
   const double h = kSafetyDamped * step_limit_of(a.system, a.state.omega2);
-  fit_scale(a.system, a.state, h);
+  fit_scale(a.system, a.motion.constraints, a.state, h);
   double least = 1, most = 0;
   for (std::size_t n : a.system.particle) {
     least = std::min(least, a.state.lightness[n]);

@@ -17,9 +17,11 @@ TEST(KeysPage, NamesEveryKey) {
   PieceSpec piece;
   CurveSpec curve;
   PinSpec pin;
+  SeamSpec seam;
   ProbeSpec probe;
-  for (const std::vector<Key>& keys : {scene_keys(scene), fabric_keys(fabric), piece_keys(piece, {}),
-                                       curve_keys(curve), pin_keys(pin, {}), probe_keys(probe, {})})
+  for (const std::vector<Key>& keys :
+       {scene_keys(scene), fabric_keys(fabric), piece_keys(piece, {}), curve_keys(curve), pin_keys(pin, {}),
+        seam_keys(seam, {}), probe_keys(probe, {})})
     for (const Key& key : keys) {
       if (std::holds_alternative<Later>(key.lands)) continue;
       const std::string name = key.name.substr(key.name.rfind('.') + 1);

@@ -1,0 +1,64 @@
+#include "forces/pull.h"
+
+#include <algorithm>
+
+#include "seam/row.h"
+
+namespace drape {
+
+using namespace vector3;
+
+double seam_mass(const System& system, const SeamPair& pair) {
+  const SeamRow& row = pair.gap;
+  double sum = 0;
+  for (int k = 0; k < row.count; ++k) sum += row.weight[k] * row.weight[k] * system.inverse_mass[row.node[k]];
+  return sum > 0 ? 1 / sum : 0;
+}
+
+Vec3 seam_pull(const System& system, const Seam& seam, std::size_t p, const State& s, double lead) {
+  if (s.sewn[p] != Sewn::kPulled) return {0, 0, 0};
+  const SeamPair& pair = system.seams.pair[p];
+  const Vec3 gap = row_value(pair.gap, s), now = row_value(pair.gap, s.vx, s.vy, s.vz);
+  const double* before = &s.gap_rate[3 * p];
+  const double w = seam.pull, length = norm(gap);
+  if (length == 0 || w == 0) return {0, 0, 0};
+  const Vec3 rate = now + lead * (now - Vec3{before[0], before[1], before[2]});
+  const double spring = w * w * (std::min(length, 2 * seam.speed / w) + s.gap_hold[p]),
+               damping = 2 * w * dot(rate, gap) / length;
+  return (-seam_mass(system, pair) * (spring + damping) / length) * gap;
+}
+
+void seams_pull(const System& system, const State& s, double lead, SideForces to) {
+  for (const Seam& seam : system.seams.seam)
+    for (std::size_t p = seam.first; p < seam.first + seam.count; ++p)
+      if (s.sewn[p] == Sewn::kPulled)
+        row_force(system.seams.pair[p].gap, seam_pull(system, seam, p, s, lead), to);
+}
+
+void seams_hold(const System& system, State& s, double h) {
+  constexpr double kWait = 20, kGain = 1.0 / 5, kStalled = 0.1;
+  for (const Seam& seam : system.seams.seam) {
+    const double w = seam.pull, reach = 2 * seam.speed / w;
+    for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
+      if (s.sewn[p] != Sewn::kPulled) continue;
+      s.pulled_for[p] += h;
+      if (s.pulled_for[p] * w < kWait) continue;
+      const SeamRow& row = system.seams.pair[p].gap;
+      const Vec3 rate = row_value(row, s.vx, s.vy, s.vz), gap = row_value(row, s) - (h / 2) * rate;
+      const double length = norm(gap), closing = -dot(rate, gap);
+      if (closing < kStalled * length * std::min(w * length, 2 * seam.speed))
+        s.gap_hold[p] += h * kGain * w * std::min(length, reach);
+    }
+  }
+}
+
+void seams_rates(const System& system, const State& s, Array& rates) {
+  rates.resize(3 * system.seams.pair.size());
+  for (std::size_t p = 0; p < system.seams.pair.size(); ++p) {
+    if (s.sewn[p] != Sewn::kPulled) continue;
+    const Vec3 rate = row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz);
+    std::copy(rate.begin(), rate.end(), &rates[3 * p]);
+  }
+}
+
+}  // namespace drape

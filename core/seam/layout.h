@@ -1,0 +1,23 @@
+// Where the particles of a seam lie on the outlines of its two sides [P section 5; core/README.md, section
+// 5].
+#pragma once
+#include "scene/scene.h"
+
+namespace drape {
+
+// The edges of a side in the order of the outline; empty where they do not follow each other.
+std::vector<int> seam_chain(const PieceSpec& piece, const SeamSide& side);
+
+// The outline of a side from its start to its end, in the piece's plane.
+std::vector<Vec2> seam_line(const PieceSpec& piece, const SeamSide& side);
+double seam_length(const std::vector<Vec2>& line);  // m
+
+struct SeamLayout {
+  bool closed = false;           // both sides are
+  double length[2], spacing[2];  // m: l and R of both sides
+  std::vector<Vec2> point[2];    // [pairs] in the planes of the pieces; both ends included
+  std::vector<Vec2> inward[2];   // [pairs] across the outline there, to the cloth; of length 1
+};
+SeamLayout seam_layout(const Scene& scene, const SeamSpec& seam);
+
+}  // namespace drape

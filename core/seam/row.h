@@ -1,0 +1,44 @@
+// Sums over nodes, and what acts on them.
+#pragma once
+#include "constraint/vector3.h"
+#include "forces/side.h"
+#include "system/system.h"
+
+namespace drape {
+
+// sum_k weight[k] f(node[k])
+inline Vec3 row_value(const SeamRow& row, const Array& x, const Array& y, const Array& z) {
+  using namespace vector3;
+  Vec3 sum{0, 0, 0};
+  for (int k = 0; k < row.count; ++k)
+    sum += row.weight[k] * Vec3{x[row.node[k]], y[row.node[k]], z[row.node[k]]};
+  return sum;
+}
+inline Vec3 row_value(const SeamRow& row, const State& s) { return row_value(row, s.x, s.y, s.z); }
+
+// A force on the sum is its nodes' by their weights.
+inline void row_force(const SeamRow& row, const Vec3& force, SideForces to) {
+  for (int k = 0; k < row.count; ++k) {
+    const auto slot = std::size_t(row.slot[k]);
+    to.x[slot] += row.weight[k] * force[0];
+    to.y[slot] += row.weight[k] * force[1];
+    to.z[slot] += row.weight[k] * force[2];
+  }
+}
+
+// A point more.
+inline void row_add(SeamRow& row, const SeamPoint& point, double factor) {
+  for (int k = 0; k < 4; ++k) {
+    if (point.weight[k] == 0) continue;
+    int at = 0;
+    while (at < row.count && row.node[at] != point.node[k]) ++at;
+    if (at == row.count) {
+      row.node[at] = point.node[k];
+      row.weight[at] = 0;
+      ++row.count;
+    }
+    row.weight[at] += factor * point.weight[k];
+  }
+}
+
+}  // namespace drape
