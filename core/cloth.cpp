@@ -198,8 +198,8 @@ drape_status drape_advance(drape_cloth* c, double length) {
   }
   say_trouble(*c, how, length);
   c->state = c->good;
-  seams_restore(c->system, c->motion, c->state);
   tuning_restore(*c, c->tuning_good);
+  seams_restore(c->system, c->motion, c->state);
   c->stuck = how == Advance::kStepAboveLimit;
   return c->stuck ? DRAPE_DISCARD : DRAPE_ERROR;
 }
@@ -237,9 +237,9 @@ drape_snapshot* drape_save(drape_cloth* c, drape_snapshot* into) {
 void drape_restore(drape_cloth* c, const drape_snapshot* from) {
   c->stuck = false;
   c->state = from->state;
-  seams_restore(c->system, c->motion, c->state);
   workspace_clear(c->motion.workspace);  // what the state before may have left there
   tuning_restore(*c, from->tuning);
+  seams_restore(c->system, c->motion, c->state);
   parameters_write(c->parameters, from->shown);
   inputs_restore(from->inputs, c->inputs);
   inputs_restore(from->input_rates, c->input_rates);

@@ -110,7 +110,7 @@ typedef struct drape_seam {
   int pair_count; /* of particles */
   double side[2]; /* m, lengths of its sides before they are sewn */
   double gap_max; /* m */
-  double closed;  /* 1 where all of it is sewn, else 0 */
+  double closed;  /* 1 where all of it is sewn and no gap is left, else 0 */
   double length;  /* m, along the middle of both sides */
 } drape_seam;
 

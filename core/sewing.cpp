@@ -2,6 +2,7 @@
 // Either changes the system in an instant; what that adds to the energies is work of the seams.
 #include "cloth.h"
 #include "motion/weld.h"
+#include "outputs/energy.h"
 
 namespace drape {
 namespace {
@@ -31,6 +32,7 @@ bool sewing_go(drape_cloth& c) {
     leapfrog_complete(c.system, c.motion, c.state);
     const double before = balance_error(c);
     seams_weld(c.system, c.motion, c.state, due);
+    if (c.state.steps == 0) energy_begin(c.system, c.state);
     c.state.input += balance_error(c) - before;
     closed_tell(c, due);
     changed = true;

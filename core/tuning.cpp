@@ -1,5 +1,6 @@
 // What may change while the cloth moves: checks of tuned values, and their way into the system.
 // core/README.md, section 4, "Tuning".
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -24,8 +25,21 @@ std::string number(double value, int digits) {
   return text;
 }
 
+namespace {
+
+// omega^2 now; where the scene gives the step, with the pull of the seams that are still open.
+double omega2_to_come(const drape_cloth& c) {
+  if (!(c.system.step_given > 0) || c.state.sewn.empty())
+    return step_limit_omega2(c.system, *c.motion.kernel, c.state);
+  State pulled = c.state;
+  std::replace(pulled.sewn.begin(), pulled.sewn.end(), Sewn::kOpen, Sewn::kPulled);
+  return step_limit_omega2(c.system, *c.motion.kernel, pulled);
+}
+
+}  // namespace
+
 void step_check(const drape_cloth& c, std::vector<Problem>& problems) {
-  const double omega2 = step_limit_omega2(c.system, *c.motion.kernel, c.state), q = c.system.communication,
+  const double omega2 = omega2_to_come(c), q = c.system.communication,
                limit = step_limit_of(c.system, omega2), steps = leapfrog_steps(c.system, omega2),
                most = kSubsMost, given = c.system.step_given, longest = given > 0 ? given : c.system.step_max;
   const auto set_by = [&] { return ", set by the " + step_limit_link(c.system, c.scene, c.state); };

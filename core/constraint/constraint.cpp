@@ -12,6 +12,9 @@ namespace {
 using namespace vector3;
 
 constexpr double kRankTolerance = 1e-10;  // of A M^-1 A^T, relative to the row's own diagonal
+// The same of a weld beside pins and other welds. What little those leave free would have to take up all of a
+// gap that they hold open.
+constexpr double kWeldTolerance = 1e-3;
 // Between rows that say the same. A row that counts as dependent may differ by the root of the above in its
 // weights.
 constexpr double kTargetTolerance = 1e-6;  // m
@@ -103,7 +106,10 @@ std::vector<const SparseRow*> pointers_to(const std::vector<OpenRow>& rows) {
 // The independent ones of the rows, in their order; the others are checked against them.
 std::vector<OpenRow> rows_independent(std::vector<OpenRow> rows, const Array& inverse_mass,
                                       const std::vector<PinBase>& pins, std::vector<Problem>& problems) {
-  const Factor all = factor_make(pointers_to(rows), inverse_mass, kRankTolerance);
+  const auto welds =
+      std::stable_partition(rows.begin(), rows.end(), [](const OpenRow& r) { return r.pin >= 0; });
+  const Factor all = factor_make(pointers_to(rows), inverse_mass, kRankTolerance,
+                                 std::size_t(welds - rows.begin()), kWeldTolerance);
   if (all.row.size() == rows.size()) return rows;
   std::vector<char> independent(rows.size(), 0);
   for (int r : all.row) independent[std::size_t(r)] = 1;

@@ -3,8 +3,10 @@
 // factor stays as narrow.
 #include "constraint/factor.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 namespace drape {
 namespace {
@@ -45,25 +47,29 @@ void eliminate(SymmetricRows& gram, int pivot, Factor& f) {
 
 }  // namespace
 
-Factor factor_make(const std::vector<const SparseRow*>& rows, const Array& inverse_mass, double tolerance) {
+Factor factor_make(const std::vector<const SparseRow*>& rows, const Array& inverse_mass, double tolerance,
+                   std::size_t late, double late_tolerance) {
   SymmetricRows gram = gram_of(rows, inverse_mass);
   std::vector<double> scale(rows.size());
   for (std::size_t r = 0; r < rows.size(); ++r) scale[r] = 1 / gram[r].at(int(r));
   Factor f;
   f.begin.push_back(0);
   std::vector<char> done(rows.size(), 0);
-  for (std::size_t step = 0; step < rows.size(); ++step) {
-    int best = -1;
-    double most = tolerance;
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-      if (done[r]) continue;
-      const double pivot = gram[r].at(int(r)) * scale[r];
-      if (pivot > most) most = pivot, best = int(r);
+  late = std::min(late, rows.size());
+  for (const auto& [from, to, least] :
+       {std::tuple{std::size_t(0), late, tolerance}, {late, rows.size(), late_tolerance}})
+    for (std::size_t step = from; step < to; ++step) {
+      int best = -1;
+      double most = least;
+      for (std::size_t r = from; r < to; ++r) {
+        if (done[r]) continue;
+        const double pivot = gram[r].at(int(r)) * scale[r];
+        if (pivot > most) most = pivot, best = int(r);
+      }
+      if (best < 0) break;
+      done[std::size_t(best)] = 1;
+      eliminate(gram, best, f);
     }
-    if (best < 0) break;
-    done[std::size_t(best)] = 1;
-    eliminate(gram, best, f);
-  }
   return f;
 }
 

@@ -24,8 +24,9 @@ struct Factor {
 };
 
 // Rows are independent where their pivot exceeds `tolerance` times their own diagonal; the others have no
-// column.
-Factor factor_make(const std::vector<const SparseRow*>& rows, const Array& inverse_mass, double tolerance);
+// column. Rows from `late` on come after all others, and must exceed `late_tolerance`.
+Factor factor_make(const std::vector<const SparseRow*>& rows, const Array& inverse_mass, double tolerance,
+                   std::size_t late = std::size_t(-1), double late_tolerance = 0);
 
 // Solves G y = b for three components at once; b [rows x 3] is overwritten by y, whose dependent rows become
 // 0.

@@ -99,8 +99,21 @@ Curve bias_law(const FabricSpec& fabric, const LawOptions& options, double cell,
 
 }  // namespace
 
-Law law_make(const FabricSpec& fabric, const LawOptions& options, double cell, const std::string& place,
+namespace {
+
+// A calibration's corrections hold for the laws that it was made with.
+FabricSpec with_its_corrections(FabricSpec fabric, const LawOptions& options) {
+  if (options.bias_model == BiasModel::kOdd && options.scaling == Scaling::kWidth) return fabric;
+  for (DiagramSpec* d : {&fabric.warp, &fabric.weft, &fabric.bias})
+    d->correction.clear(), d->correction_elongation.clear();
+  return fabric;
+}
+
+}  // namespace
+
+Law law_make(const FabricSpec& stated, const LawOptions& options, double cell, const std::string& place,
              std::vector<Problem>& problems) {
+  const FabricSpec fabric = with_its_corrections(stated, options);
   const double scale = options.scaling == Scaling::kPaperArea ? cell / fabric.strip_gauge : 1.0;
   const Continuation below{.compression = fabric.compression, .blend = fabric.compression_blend};
   const double plate = 1 / (1 - fabric.poisson * fabric.poisson);

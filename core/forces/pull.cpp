@@ -1,6 +1,7 @@
 #include "forces/pull.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "seam/row.h"
 
@@ -23,7 +24,8 @@ Vec3 seam_pull(const System& system, const Seam& seam, std::size_t p, const Stat
   const double w = seam.pull, length = norm(gap);
   if (length == 0 || w == 0) return {0, 0, 0};
   const Vec3 rate = now + lead * (now - Vec3{before[0], before[1], before[2]});
-  const double spring = w * w * (std::min(length, 2 * seam.speed / w) + s.gap_hold[p]),
+  const double held = s.gap_hold[p] * length / std::hypot(length, seam.gap_tolerance);
+  const double spring = w * w * (std::min(length, 2 * seam.speed / w) + held),
                damping = 2 * w * dot(rate, gap) / length;
   return (-seam_mass(system, pair) * (spring + damping) / length) * gap;
 }
@@ -35,8 +37,16 @@ void seams_pull(const System& system, const State& s, double lead, SideForces to
         row_force(system.seams.pair[p].gap, seam_pull(system, seam, p, s, lead), to);
 }
 
+double seams_held(const System& system, const State& s) {
+  double most = 0;
+  for (const Seam& seam : system.seams.seam)
+    for (std::size_t p = seam.first; p < seam.first + seam.count; ++p)
+      if (s.sewn[p] == Sewn::kPulled) most = std::max(most, s.gap_hold[p] / seam.gap_tolerance);
+  return most;
+}
+
 void seams_hold(const System& system, State& s, double h) {
-  constexpr double kWait = 20, kGain = 1.0 / 5, kStalled = 0.1;
+  constexpr double kWait = 20, kGain = 1.0 / 5, kStalled = 0.1, kMost = 200;
   for (const Seam& seam : system.seams.seam) {
     const double w = seam.pull, reach = 2 * seam.speed / w;
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
@@ -47,7 +57,7 @@ void seams_hold(const System& system, State& s, double h) {
       const Vec3 rate = row_value(row, s.vx, s.vy, s.vz), gap = row_value(row, s) - (h / 2) * rate;
       const double length = norm(gap), closing = -dot(rate, gap);
       if (closing < kStalled * length * std::min(w * length, 2 * seam.speed))
-        s.gap_hold[p] += h * kGain * w * std::min(length, reach);
+        s.gap_hold[p] = std::min(s.gap_hold[p] + h * kGain * w * std::min(length, reach), kMost * reach);
     }
   }
 }

@@ -7,8 +7,9 @@
 //                     o x'               along it a link to the next pair, where one side is gathered or a
 //                                        tape is sewn in
 //
-//   kappa = 2 width/(b_a/B_a + b_b/B_b),     B_k = B_warp cos^4 + B_weft sin^4 of the angle between arm and
-//   warp link:   T = w p(l/R - 1) + tape (l/R - 1)
+//   kappa = 2 width/(b_a/B_a + b_b/B_b),   B_k = B_warp cos^4 + B_weft sin^4 of the angle of arm and warp
+//
+//   T = w p(l/R - 1) + tape (l/R - 1)       of a link
 #pragma once
 #include "drape.h"
 #include "forces/side.h"

@@ -17,7 +17,10 @@ constexpr int kSecants = 12;
 constexpr double kSettled = 1e-7;  // of the overhang
 
 double weight_of(const FabricSpec& f) { return f.areal_density * kStandardGravity; }  // Pa
-double rigidity_of(const FabricSpec& f, bool warp) { return warp ? f.bending_warp : f.bending_weft; }
+// B as the law has it.
+double rigidity_of(const FabricSpec& f, bool warp) {
+  return (warp ? f.bending_warp : f.bending_weft) / (1 - f.poisson * f.poisson);
+}
 
 // A strip of cloth in the level plane whose threads of one kind run along y.
 Scene bending_scene(const FabricSpec& fabric, bool warp, double cell, double width, double length) {

@@ -9,10 +9,10 @@
 //     elastica whose end lies on this plane.
 #pragma once
 #include "scene/scene.h"
+#include "sheet/units.h"
 
 namespace drape {
 
-inline constexpr double kStandardGravity = 9.80665;                        // m/s^2
 inline constexpr double kWing = 0.07, kSupport = 0.02, kWingWidth = 0.03;  // m, PT-2
 inline constexpr double kPlane = 41.5, kOverhangWidth = 0.025;             // degrees, m, ASTM D1388
 

@@ -73,8 +73,12 @@ void beside_set(const std::string& text, const toml::table& table, const std::st
   edits.push_back({after, after, newline + before + key + " = " + list_text(values, false, newline)});
 }
 
+// Corrections of diagrams from sheets, which have no table of their own.
+using SheetCorrections = std::vector<std::pair<std::string, std::vector<double>>>;
+
 void calibration_set(const std::string& text, const toml::table& root, const Calibration& c,
-                     const std::string& date, const std::string& newline, std::vector<Edit>& edits) {
+                     const std::string& date, const SheetCorrections& sheets, const std::string& newline,
+                     std::vector<Edit>& edits) {
   const std::pair<const char*, std::string> keys[] = {
       {"cell", six_digits(c.cell)}, {"residual", six_digits(c.residuals.back())}, {"date", '"' + date + '"'}};
   const toml::table* table = root["calibration"].as_table();
@@ -86,12 +90,15 @@ void calibration_set(const std::string& text, const toml::table& root, const Cal
              "[calibration]" + newline;
     for (int k = 0; k < 3; ++k)
       added += std::string(keys[k].first) + " = " + keys[k].second + units[k] + newline;
+    for (const auto& [name, values] : sheets)
+      added += name + " = " + list_text(values, false, newline) + newline;
     edits.push_back({text.size(), text.size(), added});
     return;
   }
   for (const auto& [key, value] : keys)
     if (const toml::node* there = table->get(key))
       edits.push_back({byte_of(text, there->source().begin), byte_of(text, there->source().end), value});
+  for (const auto& [name, values] : sheets) beside_set(text, *table, "date", name, values, newline, edits);
 }
 
 std::string edited(std::string text, std::vector<Edit> edits) {
@@ -120,22 +127,31 @@ std::string calibration_store(const std::string& text, const Calibration& c, con
   try {
     const toml::table root = toml::parse(text);
     std::vector<Edit> edits;
+    SheetCorrections sheets;
     for (Thread along : threads) {
       const DiagramSpec& d = strip_diagram(c.fabric, along);
       const toml::table* table = root[thread_name(along)].as_table();
-      if (!table || d.correction.empty()) continue;
+      if (d.correction.empty()) continue;
+      if (!table) {
+        sheets.push_back({thread_name(along), d.correction});
+        continue;
+      }
       if (!d.correction_elongation.empty())
-        beside_set(text, *table, "force", "correction_elongation", d.correction_elongation, newline, edits);
-      beside_set(text, *table, "force", "correction", d.correction, newline, edits);
+        beside_set(text, *table, d.force_as.key, "correction_elongation", d.correction_elongation, newline,
+                   edits);
+      beside_set(text, *table, d.force_as.key, "correction", d.correction, newline, edits);
     }
-    calibration_set(text, root, c, date, newline, edits);
+    calibration_set(text, root, c, date, sheets, newline, edits);
     std::string stored = edited(text, edits);
     const toml::table after = toml::parse(stored);
     bool good = after["calibration"]["date"].value_or(std::string()) == date;
     for (Thread along : threads) {
       const DiagramSpec& d = strip_diagram(c.fabric, along);
-      good = good && says(after, thread_name(along), "correction", d.correction) &&
-             says(after, thread_name(along), "correction_elongation", d.correction_elongation);
+      const bool sheet = !after[thread_name(along)].is_table();
+      good = good &&
+             (sheet ? says(after, "calibration", thread_name(along), d.correction)
+                    : says(after, thread_name(along), "correction", d.correction) &&
+                          says(after, thread_name(along), "correction_elongation", d.correction_elongation));
     }
     if (good) return stored;
   } catch (const toml::parse_error&) {

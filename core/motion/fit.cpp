@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "motion/step_limit.h"
+#include "motion/weld.h"
 #include "system/links.h"
 
 namespace drape {
@@ -55,14 +56,13 @@ double norm(const Vec3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] *
 void fit_scale(const System& system, const Constraints& constraints, State& s, double h) {
   s.lightness.assign(system.nodes, 0.0);  // holds m'/rho at first
   const double drag = step_limit_drag(system, s);
-  const bool pulls = step_limit_pulls(s);
+  const SeamsBound seams = step_limit_seams(system, s);
   double most = 0;
   for (const Lattice& l : system.lattices) {
     const double clamps = step_limit_clamps(system, l, s, kScaleEvery * h);
     each_cell(system, l, [&](const std::size_t* corner, double share) {
-      const double bare =
-          step_limit_cell(l, s, corner, kScaleEvery * h) + clamps + system.seams.omega2_welded;
-      const double omega2 = step_limit_rated(system, l, bare, drag, pulls);
+      const double bare = step_limit_cell(l, s, corner, kScaleEvery * h) + clamps;
+      const double omega2 = step_limit_rated(system, l, bare, drag, seams);
       const double ratio = h / (kSafetyDamped * step_limit_of(system, omega2));
       const double quarter = share * l.cell * l.cell / 4 * std::max(1.0, ratio * ratio);
       for (int k = 0; k < 4; ++k) s.lightness[corner[k]] += quarter;
@@ -163,7 +163,8 @@ void fit_judge(const System& system, Motion& motion, State& s) {
   if (weight == 0)
     s.fit.load = std::max({s.fit.load, kFaded * s.fit.most, rounding(system, s) / kResidualRest});
   s.fit.residual = left.sum / s.fit.load;
-  s.fit.at_rest = s.fit.residual <= kResidualRest && kinetic(system, s) <= kKineticRest * s.fit.load * size;
+  s.fit.at_rest = !seams_to_close(system, s) && s.fit.residual <= kResidualRest &&
+                  kinetic(system, s) <= kKineticRest * s.fit.load * size;
   if (s.fit.at_rest) stop(system, s);
 }
 

@@ -12,6 +12,7 @@
 #include <cstdio>
 
 #include "forces/lane_scalar.h"
+#include "forces/pull.h"
 #include "motion/cell_bound.h"
 #include "system/composition.h"
 #include "system/links.h"
@@ -131,7 +132,7 @@ double step_limit_lattice(const System& system, const Kernel& kernel, const Latt
   double most = 0;
   for (int j = 0; j + 1 < l.rows; ++j) most = most_of(kernel.omega2(system, l, state, j, ahead), most);
   most = most_of(side_bound(system, l, state, ahead) / (l.law.areal_density * l.cell * l.cell), most);
-  return most + step_limit_clamps(system, l, state, ahead) + system.seams.omega2_welded;
+  return most + step_limit_clamps(system, l, state, ahead);
 }
 
 double step_limit_drag(const System& system, const State& state) {
@@ -140,23 +141,29 @@ double step_limit_drag(const System& system, const State& state) {
   return air.density * std::max(air.normal, air.tangential) * speed_against_wind(system, state);
 }
 
-bool step_limit_pulls(const State& s) {
-  return std::find(s.sewn.begin(), s.sewn.end(), Sewn::kPulled) != s.sewn.end();
+SeamsBound step_limit_seams(const System& system, const State& s) {
+  const auto any = [&](Sewn state) { return std::find(s.sewn.begin(), s.sewn.end(), state) != s.sewn.end(); };
+  SeamsBound bound;
+  if (any(Sewn::kWelded)) bound.omega2 = system.seams.omega2_welded;
+  if (!any(Sewn::kPulled)) return bound;
+  bound.omega2 += system.seams.omega2_pull * (1 + seams_held(system, s));
+  bound.d = system.seams.damping;
+  return bound;
 }
 
-double step_limit_rated(const System& system, const Lattice& l, double omega2, double drag, bool pulls) {
+double step_limit_rated(const System& system, const Lattice& l, double omega2, double drag,
+                        const SeamsBound& seams) {
   const double d = l.law.damping * omega2 + drag / l.law.areal_density;
-  if (!pulls) return omega2_with(system, omega2, d);
-  return omega2_with(system, omega2 + system.seams.omega2_pull, d + system.seams.damping);
+  return omega2_with(system, omega2 + seams.omega2, d + seams.d);
 }
 
 double step_limit_omega2(const System& system, const Kernel& kernel, const State& state, double ahead) {
   const double drag = step_limit_drag(system, state);
-  const bool pulls = step_limit_pulls(state);
+  const SeamsBound seams = step_limit_seams(system, state);
   double most = 0;
   for (const Lattice& l : system.lattices) {
     const double omega2 = step_limit_lattice(system, kernel, l, state, ahead);
-    most = most_of(step_limit_rated(system, l, omega2, drag, pulls), most);
+    most = most_of(step_limit_rated(system, l, omega2, drag, seams), most);
   }
   return most;
 }

@@ -18,8 +18,14 @@ double step_limit_clamps(const System& system, const Lattice& lattice, const Sta
 // What omega^2 of a lattice counts as where forces depend on velocity: without them, it would lead to the
 // same limit. `drag`: that of the air, N s/m per m^2.
 double step_limit_drag(const System& system, const State& state);
-double step_limit_rated(const System& system, const Lattice& lattice, double omega2, double drag, bool pulls);
-bool step_limit_pulls(const State& state);  // a seam is being pulled together
+// What seams add to omega^2 and d: the pull while there is one, hinges and links of what is sewn.
+struct SeamsBound {
+  double omega2 = 0, d = 0;  // 1/s^2, 1/s
+};
+SeamsBound step_limit_seams(const System& system, const State& state);
+
+double step_limit_rated(const System& system, const Lattice& lattice, double omega2, double drag,
+                        const SeamsBound& seams);
 
 // The largest of all lattices, raised to what leads to the same limit where forces depend on velocity.
 double step_limit_omega2(const System& system, const Kernel& kernel, const State& state, double ahead = 0);

@@ -1,6 +1,7 @@
 #include "motion/weld.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "seam/row.h"
 
@@ -35,6 +36,14 @@ bool seams_pull_begin(const System& system, State& s) {
     }
   }
   return begins;
+}
+
+bool seams_to_close(const System& system, const State& s) {
+  for (const Seam& seam : system.seams.seam)
+    for (std::size_t p = seam.first; p < seam.first + seam.count; ++p)
+      if (s.sewn[p] == Sewn::kPulled || (s.sewn[p] == Sewn::kOpen && std::isfinite(seam.closed_at)))
+        return true;
+  return false;
 }
 
 std::vector<std::size_t> seams_due(const System& system, const State& s) {

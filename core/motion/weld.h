@@ -8,6 +8,9 @@ namespace drape {
 // Begins to pull the pairs of seams whose time has come; true if there are any new ones.
 bool seams_pull_begin(const System& system, State& state);
 
+// True while a pair is being pulled, or waits for its time.
+bool seams_to_close(const System& system, const State& state);
+
 // The pulled pairs whose gap is at most their seam's tolerance.
 std::vector<std::size_t> seams_due(const System& system, const State& state);
 

@@ -58,8 +58,8 @@ void seams_fill(Outputs& o, const System& system, const State& s) {
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
       const SeamPair& pair = system.seams.pair[p];
       const Vec3 a = point_now(pair.side[0], s), b = point_now(pair.side[1], s), middle = 0.5 * (a + b);
-      if (s.sewn[p] != Sewn::kWelded) shown.closed = 0;
       shown.gap_max = std::max(shown.gap_max, norm(b - a));
+      if (s.sewn[p] != Sewn::kWelded || shown.gap_max > seam.gap_tolerance) shown.closed = 0;
       if (p > seam.first) shown.length += norm(middle - before);
       before = middle;
     }

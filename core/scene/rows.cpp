@@ -82,10 +82,12 @@ std::vector<Key> fabric_keys(FabricText& t) {
   diagram("weft", f.weft);
   diagram("bias", f.bias);
   keys.push_back({"bias.jaws", Flag{&f.bias.jaws}});
-  // What a calibration says of itself; only the corrections act.
+  // What a calibration says of itself, and the corrections of diagrams that stand nowhere: those from sheets.
   keys.push_back({"calibration.cell", &t.calibration_cell, kRequired, {0, 10, kAbove}, "m"});
   keys.push_back({"calibration.residual", &t.calibration_residual, kRequired, {0, 1e3}});
   keys.push_back({"calibration.date", &t.calibration_date, kRequired});
+  for (std::size_t k = 0; k < 3; ++k)
+    keys.push_back({std::string("calibration.") + kDiagrams[k], &t.calibration[k], kOptional, {1e-3, 1e3}});
   for (Key& key : sheet_keys(t)) keys.push_back(std::move(key));
   return keys;
 }

@@ -19,6 +19,7 @@ struct FabricText {
   std::string file, description, source;
   double calibration_cell = 0, calibration_residual = 0;
   std::string calibration_date;
+  std::vector<double> calibration[3];  // corrections of diagrams from sheets, by kDiagrams
   SheetText sheet;
 };
 

@@ -101,6 +101,8 @@ FabricText fabric_read(Faults& faults, const toml::table& table, const std::stri
 void fabric_flatten(toml::table& table, const FabricText& text) {
   for (const char* sheet : {"kes", "fast"}) table.erase(sheet);
   for (const std::string& name : text.sheet.replaced) table.erase(name);
+  if (toml::table* calibration = table["calibration"].as_table())
+    for (const char* name : kDiagrams) calibration->erase(name);
   if (text.sheet.strip_by_name) table.erase("strip");
   if (toml::table* bending = table["bending"].as_table())
     for (const char* key : {"gost_10550", "length_mm", "overhang_mm"}) bending->erase(key);

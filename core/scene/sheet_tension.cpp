@@ -27,6 +27,7 @@ void diagram_insert(FabricText& t, std::size_t k, const SheetDiagram& d, bool ja
   for (const double f : d.force_per_width) force.push_back(f * t.spec.strip_width);
   toml::table diagram{{"elongation_percent", array_of(d.percent)}, {"force", array_of(force)}};
   if (!jaws) diagram.insert("jaws", false);
+  if (!t.calibration[k].empty()) diagram.insert("correction", array_of(t.calibration[k]));
   spec_of(t, k) = {};
   t.sheet.replaced.push_back(kDiagrams[k]);
   t.sheet.plain.insert_or_assign(kDiagrams[k], diagram);
@@ -67,6 +68,8 @@ void lists_settle(const Settling& s, FabricText& t, std::size_t k) {
   std::vector<std::string> ways_e{name + ".elongation_percent"}, ways_f{name + ".force"};
   for (const OtherUnit& unit : kExtensions) ways_e.push_back(name + "." + unit.as.key);
   for (const OtherUnit& unit : kForces) ways_f.push_back(name + "." + unit.as.key);
+  if (const std::string own = "calibration." + name; stated(s, own))
+    fault_at(s, own, "belongs to a diagram from a sheet; wanted: " + name + ".correction");
   const std::string way_e = way_of(s, "elongation", ways_e), way_f = way_of(s, "force", ways_f);
   if (way_e.empty()) missing(s, t, ways_e[0]);
   if (way_f.empty()) missing(s, t, ways_f[0]);

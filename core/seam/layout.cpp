@@ -47,6 +47,15 @@ void points_along(const std::vector<Vec2>& line, double length, int n, std::vect
   left_of();
 }
 
+bool is_clockwise(const PieceSpec& piece) {  // with its curves
+  std::vector<Vec2> points;
+  for (int e = 0; e < int(piece.outline.size()); ++e) {
+    const std::vector<Vec2> edge = outline_edge(piece, e);
+    points.insert(points.end(), edge.begin(), edge.end() - 1);
+  }
+  return polygon_area(points) < 0;
+}
+
 }  // namespace
 
 std::vector<int> seam_chain(const PieceSpec& piece, const SeamSide& side) {
@@ -104,7 +113,7 @@ SeamLayout seam_layout(const Scene& scene, const SeamSpec& seam) {
     points_along(line[k], layout.length[k], n, layout.point[k], layout.inward[k]);
     if (layout.closed) layout.point[k].pop_back(), layout.inward[k].pop_back();
     const PieceSpec& piece = scene.pieces[std::size_t(seam.side[k].piece)];
-    if ((polygon_area(piece.outline) < 0) != seam.side[k].reverse)
+    if (is_clockwise(piece) != seam.side[k].reverse)
       for (Vec2& v : layout.inward[k]) v = {-v[0], -v[1]};
   }
   return layout;

@@ -64,6 +64,8 @@ void pairs_tie(const std::vector<Grid>& grids, const SeamLayout& layout, const S
       for (std::size_t side : {0u, 1u}) row_add(hinge.arm[k], pair.side[side], sign / 2);
       row_add(hinge.arm[k], inner[k], -sign);
     }
+    if (std::all_of(pair.gap.weight, pair.gap.weight + pair.gap.count, [](double w) { return w == 0; }))
+      hinge.width = 0;  // a corner sewn to itself
     system.seams.pair.push_back(pair);
     system.seams.hinge.push_back(hinge);
   }

@@ -171,6 +171,11 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
 
   system_retune(system, scene.fabrics, problems);
   if (!problems.empty()) return system;
+  for (std::size_t k = 0; k < scene.seams.size(); ++k)
+    if (system.seams.seam[k].pull == 0)
+      problems.push_back({"seam." + scene.seams[k].name + ".pull",
+                          "= \"auto\" finds no stiffness in any piece; wanted: a number, 1/s"});
+  if (!problems.empty()) return system;
   system.pin_rows = pin_rows(scene, grids, system, start);
   system.constraints =
       constraints_make(system.pin_rows, system.inverse_mass, pins_make(scene, grids), problems);

@@ -76,19 +76,25 @@ std::string rated_text(const Quantity& q, double value, int order) {
   return text + order_allows(order);
 }
 
-// The first point of a diagram that lies below the one before it; its size where none does.
-std::size_t fall_of(const std::vector<double>& force) {
+// The first point of a diagram whose law, force x correction, lies below that of the one before it; its size
+// where none does.
+std::size_t fall_of(const std::vector<double>& force, const DiagramSpec& diagram) {
+  const std::vector<double>& correction = diagram.correction;
   double before = 0;
-  for (std::size_t i = 0; i < force.size(); before = force[i++])
-    if (force[i] < before) return i;
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    const double law = correction.empty() ? force[i] : force[i] * correction[i + 1];
+    if (law < before || (i > 0 && force[i] < force[i - 1])) return i;
+    before = law;
+  }
   return force.size();
 }
 
 std::string fall_text(const std::vector<double>& force, std::size_t i) {
   char text[160];
-  std::snprintf(text, sizeof text,
-                "= %.9g N; allowed: at least the force before it, %.9g N: a diagram does not fall", force[i],
-                i > 0 ? force[i - 1] : 0.0);
+  const double before = i > 0 ? force[i - 1] : 0.0;
+  const char* why = force[i] < before ? "at least the force before it, %.9g N: a diagram does not fall"
+                                      : "what does not let force x correction fall after %.9g N";
+  std::snprintf(text, sizeof text, (std::string("= %.9g N; allowed: ") + why).c_str(), force[i], before);
   return text;
 }
 
@@ -225,7 +231,7 @@ void parameters_mend(Parameters& p, const Scene& scene, const ParameterValues& i
   for (std::size_t list = p.force.size(); list-- > 0;) {
     std::vector<double>& force = p.force[list];
     first -= force.size();
-    const std::size_t fall = fall_of(force);
+    const std::size_t fall = fall_of(force, *diagrams_of(scene.fabrics[list / 3], int(list % 3)));
     if (fall == force.size()) continue;
     problems.push_back({rows[first + fall].place, fall_text(force, fall)});
     for (std::size_t i = 0; i < force.size(); ++i) force[i] = in_force.value[first + i];

@@ -226,6 +226,7 @@ void add_seam(const std::vector<Net>& nets, const SeamSpec& spec, double omega, 
     }
     seam.pairs.push_back(pair);
     add_seam_hinge(nets, spec, layout, n, seam);
+    if (pair[0].node == pair[1].node && pair[0].weight == pair[1].weight) seam.kappa.back() = 0;
   }
   lattice.seams.push_back(std::move(seam));
 }

@@ -34,9 +34,17 @@ std::vector<double> elongations(const DiagramSpec& d) {
   return e;
 }
 
+// Stored corrections are those of the default laws.
+DiagramSpec used(const Scene& scene, DiagramSpec d) {
+  if (scene.bias_model != BiasModel::kOdd || scene.scaling != Scaling::kWidth)
+    d.correction.clear(), d.correction_elongation.clear();
+  return d;
+}
+
 }  // namespace
 
-Law thread_law(const Scene& scene, const FabricSpec& fabric, const DiagramSpec& d, double b) {
+Law thread_law(const Scene& scene, const FabricSpec& fabric, const DiagramSpec& diagram, double b) {
+  const DiagramSpec d = used(scene, diagram);
   if (!switched_on(d)) return {Curve{}, std::numeric_limits<double>::infinity()};
   const double z = scene.scaling == Scaling::kPaperArea ? b / fabric.strip_gauge : 1;
   const std::vector<double> P = corrected(per_width(d, z, 1, fabric.strip_width), d);
@@ -55,7 +63,7 @@ double clamp_stiffening(const FabricSpec& fabric) {
 }  // namespace
 
 Law bias_law(const Scene& scene, const FabricSpec& fabric, double b) {
-  const DiagramSpec& d = fabric.bias;
+  const DiagramSpec d = used(scene, fabric.bias);
   if (!switched_on(d)) return {Curve{}, std::numeric_limits<double>::infinity()};
   const double z = scene.scaling == Scaling::kPaperArea ? kRoot2 * b / fabric.strip_gauge : 1;
   const bool stored = !d.correction.empty();

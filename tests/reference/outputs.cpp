@@ -68,7 +68,7 @@ void push_seam(std::vector<double>& row, const Seam& seam, const std::vector<Sta
   }
   const bool closed =
       std::all_of(stages.begin(), stages.end(), [](Stage stage) { return stage == Stage::kWelded; });
-  row.insert(row.end(), {gap, double(closed), length});
+  row.insert(row.end(), {gap, double(closed && gap <= seam.gap_tolerance), length});
 }
 
 // The solver's own error appears as balance_error: exactly it is 0.

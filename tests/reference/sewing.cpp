@@ -1,6 +1,7 @@
 #include "reference/sewing.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace drape::reference {
 namespace {
@@ -133,7 +134,9 @@ double add_pulls(const Lattice& lattice, const Sewing& sewing, const VectorXd& h
       const double length = d.norm(), w = seam.pull;
       if (length == 0) continue;
       const Vector3d n = d / length;
-      const double reach = std::min(length, 2 * seam.speed / w) + hold[number];
+      const double held =
+          std::min(hold[number], 400 * seam.speed / w) * length / std::hypot(length, seam.gap_tolerance);
+      const double reach = std::min(length, 2 * seam.speed / w) + held;
       const Vector3d on_a = closing_mass(lattice, pair) * (w * w * reach + 2 * w * rate.dot(n)) * n;
       for (std::size_t side = 0; side < 2; ++side)
         for (std::size_t k = 0; k < pair[side].node.size(); ++k)

@@ -54,7 +54,7 @@ std::vector<Candidate> candidates() {
       leapfrogs("Suzuki 1990", 4, {1 / (4 - fourth), 1 / (4 - fourth)}, 2.7209),
       leapfrogs("McLachlan 1995, 5", 4, {0.28, 0.62546642846767004501}, 3.0182),
       {"Omelyan et al. 2002, VEFRL", 4, around({0.1644986515575760, 1.235692651138917}, true),
-       around({(1 - 2 * lambda) / 2}, false), 3.4697},
+       around({(1 - 2 * lambda) / 2}, false), 3.4696},
       {"Blanes, Moan 2002, S_6", 4,
        around({0.0792036964311957, 0.353172906049774, -0.0420650803577195}, true),
        around({0.209515106613362, -0.143851773179818}, false), 3.1329},
@@ -83,7 +83,7 @@ std::vector<Candidate> candidates() {
        around(
            {0.123229775946271, 0.290553797799558, -0.127049212625417, -0.246331761062075, 0.357208872795928},
            true),
-       3.1415},
+       3.1414},
   };
 }
 

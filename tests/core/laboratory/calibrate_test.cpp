@@ -122,5 +122,28 @@ TEST(Store, KeepsTheText) {
   }
 }
 
+// Diagrams of a sheet have no table of their own: their corrections stand in [calibration].
+TEST(Store, KeepsASheet) {
+  const std::string text =
+      "thickness = 0.0004\n[fast]\nW = 168\nC = [15, 14.5]\nE5 = [0.67, 0.4]\nE20 = [1.87, 1.87]\n"
+      "E100 = [4.6, 5.87]\nEB5 = 4.7\n";
+  const Calibration c = calibrated(read(text));
+  ASSERT_TRUE(c.converged);
+  std::vector<Problem> problems;
+  const std::string stored = calibration_store(text, c, "2026-11-25", problems);
+  ASSERT_TRUE(problems.empty());
+  EXPECT_EQ(stored.substr(0, text.size()), text);
+  const FabricSpec again = read(stored);
+  for (Thread along : {Thread::kWarp, Thread::kWeft, Thread::kBias}) {
+    const DiagramSpec &a = strip_diagram(again, along), &b = strip_diagram(c.fabric, along);
+    ASSERT_EQ(a.correction.size(), b.correction.size());
+    for (std::size_t k = 0; k < a.correction.size(); ++k)
+      EXPECT_NEAR(a.correction[k] / b.correction[k], 1, 1e-5);
+  }
+  EXPECT_NE(again.warp.correction[1], 1);
+  const std::string twice = calibration_store(stored, c, "2027-01-01", problems);
+  EXPECT_EQ(twice.size(), stored.size());
+}
+
 }  // namespace
 }  // namespace drape

@@ -367,6 +367,11 @@ const Case kSheets[] = {
      "areal_density = 0.132\n",
      "",
      {"scene.toml:3: fabric.wool.areal_density is missing; wanted: a number in kg/m^2"}},
+    {"strips_calibrated_as_a_sheet",
+     "thickness = 0.0005\n",
+     "thickness = 0.0005\ncalibration = { cell = 0.01, residual = 0, date = \"today\", weft = [1, 1] }\n",
+     {"wool.toml:3: fabric.wool.calibration.weft belongs to a diagram from a sheet; wanted: "
+      "weft.correction"}},
     {"strips_extension_huge",
      "extension_in = [0, 0.1]",
      "extension_in = [0, 30]",

@@ -146,5 +146,18 @@ TEST(SeamLayout, KnowsTheInside) {
     }
 }
 
+// The points of a flat half disc go round the other way than its outline with the arc does.
+TEST(SeamLayout, KnowsTheInsideOfCurves) {
+  for (double bow : {5e-4, -5e-4}) {
+    PieceSpec piece = square(0.1, 0.01);
+    piece.outline = {{0, 0}, {0.05, bow}, {0.1, 0}};
+    piece.curves = {{2, {}, 0.05, false, true}};
+    Scene scene = two_pieces(piece, square(0.1, 0.01));
+    scene.seams[0].side[0].edges = {0, 1};
+    const SeamLayout layout = seam_layout(scene, scene.seams[0]);
+    for (const Vec2& v : layout.inward[0]) EXPECT_GT(v[1], 0.99);
+  }
+}
+
 }  // namespace
 }  // namespace drape

@@ -10,6 +10,7 @@
 #include "reference/run.h"
 #include "reference/sewing.h"
 #include "seam/row.h"
+#include "system/links.h"
 
 namespace drape {
 namespace {
@@ -143,6 +144,7 @@ TEST(Sewing, KeepsMomentum) {
 // by that of the displacement and of the impulse alone; on two free particles mu d x v'.
 TEST(Sewing, JumpsAtAWeldByWhatTheGapCarries) {
   Scene scene = pair_of(loose(), 0.01, 0.01, 1, {5e-5, 3e-5, 2e-5});
+  scene.seams[0].pull = 100;
   Assembled a = assemble(scene);
   seams_pull_begin(a.system, a.state);
   for (std::size_t n : a.system.particle)
@@ -225,6 +227,33 @@ TEST(Sewing, BondsAsTheJudgeSays) {
   const reference::BondEnergy wanted = reference::bond_energy(motion.lattice, motion.sewing, r);
   EXPECT_NEAR(told.bending, wanted.bending, 1e-12 * wanted.bending);
   EXPECT_NEAR(told.stretch, wanted.stretch, 1e-12 * wanted.stretch);
+}
+
+// Pins hold both edges 5e-5 m apart, off the grid: their rows leave the welds next to nothing, and the welds
+// must not make up for the gap with what is left. The cloth stays as it is.
+TEST(Sewing, LeavesToPinsWhatTheyHold) {
+  Scene scene = pair_of(curved_fabric(), 0.1, 0.02, 1, {5e-5, 0, 0});
+  scene.pieces[0].grain = 0.02;
+  scene.pieces[1].grain = -0.02;
+  scene.pins = {{"a", 0, {}, {1}}, {"b", 1, {}, {3}}};
+  Assembled a = assemble(scene);
+  for (int k = 0; k < 20; ++k) sewn_advance(a, 1e-3);
+  for (const Lattice& l : a.system.lattices)
+    each_link(a.system, l, [&](const Link& link) { EXPECT_LE(std::abs(link_strain(a.state, link)), 5e-3); });
+}
+
+// A fit does not rest while a seam waits for its time or is being pulled.
+TEST(Sewing, KeepsAFitAwake) {
+  Scene scene = pair_of(curved_fabric(), 0.05, 0.01, 1, {0.002, 0, 0});
+  scene.mode = Mode::kFit;
+  scene.seams[0].closed_at = 0.3;
+  Assembled a = assemble(scene);
+  for (int k = 0; k < 300; ++k) sewn_advance(a, 1e-3);
+  EXPECT_FALSE(a.state.fit.at_rest);
+  for (int k = 0; k < 1500 && !a.state.fit.at_rest; ++k) sewn_advance(a, 1e-3);
+  EXPECT_TRUE(a.state.fit.at_rest);
+  EXPECT_EQ(std::count(a.state.sewn.begin(), a.state.sewn.end(), Sewn::kWelded),
+            std::ptrdiff_t(a.state.sewn.size()));
 }
 
 // Pulled pairs stay bounded at 0.99 of the limit and grow at 1.01 (the nodes of single cells share nothing,
