@@ -64,11 +64,18 @@ bool wishes_check(const Options& options, const FabricSpec& f) {
                        " m; allowed: from " + text_of(f.strip_width / kMostCells) + " to " + text_of(least) +
                        " m, four cells across and along a strip of " + text_of(f.strip_width) + " x " +
                        text_of(f.strip_gauge) + " m");
+  if (f.strip_gauge > kLongestCells * cell)
+    problems.push_back("strip: " + text_of(f.strip_gauge / cell) + " cells along its gauge of " +
+                       text_of(f.strip_gauge) + " m; allowed: at most " + text_of(kLongestCells));
   bool any = false;
   for (Thread along : kThreads) {
     const DiagramSpec& d = strip_diagram(f, along);
     if (!there(d)) continue;
     any = true;
+    if (is_along(options, along) && options.pull >= 0 && options.pull < 100 * d.elongation[1] * (1 - 1e-12))
+      problems.push_back("--pull = " + text_of(options.pull) + " percent; allowed: at least " +
+                         text_of(100 * d.elongation[1]) + " percent, the first point of the diagram of the " +
+                         thread_name(along));
     if (is_along(options, along) && options.pull > 100 * d.elongation.back() * (1 + 1e-12))
       problems.push_back("--pull = " + text_of(options.pull) + " percent; allowed: at most " +
                          text_of(100 * d.elongation.back()) + " percent, where the diagram of the " +
@@ -249,8 +256,10 @@ int calibrate_fabric(const Options& options) {
     const double least =
         c.residuals.empty() ? NAN : *std::min_element(c.residuals.begin(), c.residuals.end());
     return fail(kFailedRun, "the calibration of " + f.name + " does not converge: " + c.why +
-                                "; least difference reached: " + text_of(100 * least, "%.3g") +
-                                " %; the corrections of the file stay as they were");
+                                (c.residuals.empty()
+                                     ? ""
+                                     : "; least difference reached: " + text_of(100 * least, "%.3g") + " %") +
+                                "; the corrections of the file stay as they were");
   }
   std::ifstream in(options.fabric_file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};

@@ -143,6 +143,7 @@ StripExcess strip_excess(const FabricSpec& fabric, Thread along, const LawOption
   if (d.elongation.empty()) return {};
   const std::vector<double> elongation = strip_elongations(fabric, along, d.elongation.back());
   const double cell = std::min(fabric.strip_width / kExcessCells, fabric.strip_gauge / kLeastCells);
+  if (fabric.strip_gauge > kLongestCells * cell) return {};
   std::vector<Problem> problems;
   const StripPull pull = strip_pull(fabric, along, cell, elongation, problems, options);
   StripExcess most;

@@ -7,9 +7,10 @@
 
 namespace drape {
 
-inline constexpr int kStripCells = 16;  // across the strip, unless told otherwise: the calibration's cell
-inline constexpr int kLeastCells = 4;   // across and along a specimen
-inline constexpr int kExcessCells = 8;  // across the strip: quick, and good to some percent of the force
+inline constexpr int kStripCells = 16;      // across the strip, unless told otherwise: the calibration's cell
+inline constexpr int kLeastCells = 4;       // across and along a specimen
+inline constexpr int kLongestCells = 2000;  // along a strip, at most
+inline constexpr int kExcessCells = 8;      // across the strip: quick, and good to some percent of the force
 
 // The strip between the pins "low" and "high"; the pull is along y, the threads `along` run along it.
 Scene strip_scene(const FabricSpec& fabric, Thread along, double cell, const LawOptions& options = {});

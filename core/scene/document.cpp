@@ -52,7 +52,7 @@ void table_underlay(toml::table& over, toml::table&& base) {
 }
 
 // Corrections belong to the points that they were found for: a diagram with elongations of its own, or from a
-// sheet of the scene's, does not take those of the file.
+// sheet or on a strip of the scene's, does not take those of the file.
 void corrections_drop(const toml::table& own, toml::table& base) {
   toml::table* calibration = base["calibration"].as_table();
   for (const char* diagram : {"warp", "weft", "bias"}) {
@@ -60,7 +60,9 @@ void corrections_drop(const toml::table& own, toml::table& base) {
       calibration->erase(diagram);
     toml::table* table = base[diagram].as_table();
     const auto has = [&](const char* key) { return bool(own[diagram][key]); };
-    if (!table || !(has("elongation_percent") || has("extension_mm") || has("extension_in"))) continue;
+    const bool elsewhere = own.contains("strip") || has("jaws");
+    if (!table || !(elsewhere || has("elongation_percent") || has("extension_mm") || has("extension_in")))
+      continue;
     table->erase("correction");
     table->erase("correction_elongation");
   }
