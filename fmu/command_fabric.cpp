@@ -64,7 +64,7 @@ bool wishes_check(const Options& options, const FabricSpec& f) {
                        " m; allowed: from " + text_of(f.strip_width / kMostCells) + " to " + text_of(least) +
                        " m, four cells across and along a strip of " + text_of(f.strip_width) + " x " +
                        text_of(f.strip_gauge) + " m");
-  if (f.strip_gauge > kLongestCells * cell)
+  if (problems.empty() && f.strip_gauge > kLongestCells * cell)
     problems.push_back("strip: " + text_of(f.strip_gauge / cell) + " cells along its gauge of " +
                        text_of(f.strip_gauge) + " m; allowed: at most " + text_of(kLongestCells));
   bool any = false;
