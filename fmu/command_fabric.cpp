@@ -253,12 +253,11 @@ int calibrate_fabric(const Options& options) {
   for (std::size_t k = 0; k < c.residuals.size(); ++k)
     std::printf("sweep %zu: strips at most %.4f %% off their diagrams\n", k + 1, 100 * c.residuals[k]);
   if (!c.converged) {
-    const double least =
-        c.residuals.empty() ? NAN : *std::min_element(c.residuals.begin(), c.residuals.end());
-    return fail(kFailedRun, "the calibration of " + f.name + " does not converge: " + c.why +
-                                (c.residuals.empty()
-                                     ? ""
-                                     : "; least difference reached: " + text_of(100 * least, "%.3g") + " %") +
+    std::string reached;
+    if (!c.residuals.empty())
+      reached = "; least difference reached: " +
+                text_of(100 * *std::min_element(c.residuals.begin(), c.residuals.end()), "%.3g") + " %";
+    return fail(kFailedRun, "the calibration of " + f.name + " does not converge: " + c.why + reached +
                                 "; the corrections of the file stay as they were");
   }
   std::ifstream in(options.fabric_file, std::ios::binary);

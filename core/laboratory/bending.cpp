@@ -15,9 +15,9 @@ namespace {
 constexpr int kShapePoints = 512;
 constexpr int kSecants = 12;
 constexpr double kSettled = 1e-7;  // of the overhang
+constexpr double kLimpest = 1e5;   // beta of a wing; limper cloth hangs straight down
 
 double weight_of(const FabricSpec& f) { return f.areal_density * kStandardGravity; }  // Pa
-constexpr double kLimpest = 1e5;  // beta of a wing; limper cloth hangs straight down
 
 // B as the law has it.
 double rigidity_of(const FabricSpec& f, bool warp) {
@@ -106,8 +106,7 @@ Scene pt2_scene(const FabricSpec& fabric, bool warp, double cell) {
 }
 
 Scene overhang_scene(const FabricSpec& fabric, bool warp, double cell, double length) {
-  const double width =
-      std::min(kOverhangWidth, length);  // a short overhang is as well told by a narrow strip
+  const double width = std::min(kOverhangWidth, length);  // a narrow strip tells a short overhang as well
   Scene scene = bending_scene(fabric, warp, cell, width, length);
   scene.name = "overhang";
   scene.pins[0].name = "edge";

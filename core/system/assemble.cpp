@@ -194,7 +194,6 @@ void system_retune(System& system, const std::vector<FabricSpec>& fabrics, std::
   if (problems.size() > before) return;
   for (std::size_t k = 0; k < laws.size(); ++k) system.lattices[k].law = std::move(laws[k]);
   masses_set(system);
-  constraints_refactor(system.constraints, system.inverse_mass);
   seams_retune(system);
 }
 

@@ -93,7 +93,7 @@ struct System {
   Seams seams;
   std::vector<std::size_t> particle;  // [particles] their nodes: pieces in order, row by row
   std::vector<ConstraintRow> pin_rows;
-  Constraints constraints;    // of the pins
+  Constraints constraints;    // of the pins, at the masses of the assembly
   std::vector<Probe> probes;  // as Scene::probes
 };
 
