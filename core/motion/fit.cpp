@@ -60,9 +60,10 @@ void fit_scale(const System& system, const Constraints& constraints, State& s, d
   double most = 0;
   for (const Lattice& l : system.lattices) {
     const double clamps = step_limit_clamps(system, l, s, kScaleEvery * h);
+    const double contact = touch_omega2(system, s, l.piece);
     each_cell(system, l, [&](const std::size_t* corner, double share) {
       const double bare = step_limit_cell(l, s, corner, kScaleEvery * h) + clamps;
-      const double omega2 = step_limit_rated(system, l, bare, drag, seams);
+      const double omega2 = step_limit_rated(system, l, bare, drag, seams, contact);
       const double ratio = h / (kSafetyDamped * step_limit_of(system, omega2));
       const double quarter = share * l.cell * l.cell / 4 * std::max(1.0, ratio * ratio);
       for (int k = 0; k < 4; ++k) s.lightness[corner[k]] += quarter;
@@ -128,6 +129,9 @@ Left forces_left(const System& system, Motion& motion, const State& s) {
   Array* a[] = {&motion.now_x, &motion.now_y, &motion.now_z};
   for (std::size_t n : system.particle)
     for (std::size_t k = 0; k < 3; ++k) (*a[k])[n] = (*a[k])[n] * system.inverse_mass[n] + system.gravity[k];
+  if (touch_any(s))
+    touch_synchronous(system, *motion.kernel, motion.touch, s, 0, 1, motion.now_x.data(), motion.now_y.data(),
+                      motion.now_z.data());
   std::vector<PinLoad> load(s.pin_impulse.size());
   held_refresh(motion.constraints, s, motion.held);
   held_rates(motion.constraints, s, Rate::kAcceleration, motion.held);

@@ -49,7 +49,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"pin", Elsewhere{}},
       {"probe", Elsewhere{}},
       {"seam", Elsewhere{}},
-      {"body", Later{}},
+      {"body", Elsewhere{}},
   };
 }
 
@@ -151,6 +151,19 @@ std::vector<Key> seam_keys(SeamSpec& s, const std::vector<std::string>& pieces) 
     keys.push_back({name + ".reverse", Flag{&side.reverse}});
   }
   return keys;
+}
+
+std::vector<Key> body_keys(BodySpec& b, BodyText& text) {
+  return {
+      {"name", Name{&b.name}, kRequired},
+      {"mesh", &text.mesh, kRequired},
+      {"friction", Pair{&b.friction, "[static, kinetic]"}, kOptional, range_of(kFriction)},
+      {"damping", &b.damping, kOptional, {0, 100}},
+      {"moves", Flag{&b.moves}},
+      {"position", &b.position, kOptional, kPosition, "m"},
+      {"orientation", &text.orientation, kOptional, range_of(kPinOrientation)},
+      {"scale", &b.scale, kOptional, {0, 1e6, kAbove}, "m per unit of the mesh"},
+  };
 }
 
 std::vector<Key> probe_keys(ProbeSpec& p, const std::vector<std::string>& pieces) {

@@ -1,5 +1,6 @@
 #include "scene/settle.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace drape {
@@ -96,6 +97,24 @@ void seam_settle(Faults& faults, const toml::table& table, const std::string& pa
   for (const char* side : {"a", "b"})
     if (!table.contains(side))
       fault_add(faults, path + "." + side, "is missing; wanted: a table { piece, edges }");
+}
+
+void body_settle(Faults& faults, const std::string& path, const std::filesystem::path& folder,
+                 const BodyText& text, BodySpec& body) {
+  const std::filesystem::path file = (folder / text.mesh).lexically_normal();
+  body.mesh = file.string();
+  std::error_code error;
+  if (!text.mesh.empty() && !std::filesystem::is_regular_file(file, error))
+    fault_add(faults, path + ".mesh",
+              "= " + in_quotes(text.mesh) + ": there is no such file (looked for " + file.string() + ")");
+  if (text.orientation.empty() || fault_within(faults, path + ".orientation")) return;
+  if (text.orientation.size() != 4)
+    return fault_add(faults, path + ".orientation",
+                     "has " + entries_text(text.orientation.size()) + "; wanted: 4 numbers, w, x, y, z");
+  std::copy(text.orientation.begin(), text.orientation.end(), body.orientation.begin());
+  const auto& q = body.orientation;
+  if (q[0] == 0 && q[1] == 0 && q[2] == 0 && q[3] == 0)
+    fault_add(faults, path + ".orientation", "has length 0; allowed: any length above 0");
 }
 
 void pin_settle(Faults& faults, const toml::table& table, const std::string& path) {
