@@ -23,7 +23,8 @@ std::vector<std::vector<std::size_t>> rows_gather(const System& system, const st
     }
   std::vector<std::vector<std::size_t>> sets(rows.size());
   for (std::size_t r = 0; r < rows.size(); ++r) sets[root_of(r)].push_back(r);
-  sets.erase(std::remove_if(sets.begin(), sets.end(), [](const auto& set) { return set.empty(); }), sets.end());
+  sets.erase(std::remove_if(sets.begin(), sets.end(), [](const auto& set) { return set.empty(); }),
+             sets.end());
   return sets;
 }
 

@@ -15,16 +15,16 @@
 namespace drape {
 
 struct HeldBlock {
-  std::vector<std::size_t> row;                // [m]
+  std::vector<std::size_t> row;                 // [m]
   std::vector<std::size_t> following, leading;  // [m], [n - m] nodes
-  Eigen::MatrixXd inverse;                     // [m x m] A1^-1
-  Eigen::MatrixXd follow;                      // [m x n - m] -A1^-1 A2
+  Eigen::MatrixXd inverse;                      // [m x m] A1^-1
+  Eigen::MatrixXd follow;                       // [m x n - m] -A1^-1 A2
 };
 
 struct HeldBasis {
   std::vector<HeldBlock> blocks;
-  Unknowns all;                     // of every particle
-  Eigen::SparseMatrix<double> z;    // [all.count x free] dr = Z dy
+  Unknowns all;                   // of every particle
+  Eigen::SparseMatrix<double> z;  // [all.count x free] dr = Z dy
 };
 
 // `rows` are independent, and act on particles.

@@ -33,6 +33,7 @@ constexpr double kFarthest = 4;         // cells, the longest way of a particle 
 constexpr double kArmijo = 1e-4;        // of the promised fall
 constexpr int kCutsMost = 20;
 constexpr double kRounding = 1e-13;  // of an energy
+constexpr double kShifts[] = {0, 1e-6, 1e-4, 1e-2};
 
 Array* const* places_of(State& s, Array* (&to)[3]) {
   to[0] = &s.x, to[1] = &s.y, to[2] = &s.z;
@@ -125,11 +126,14 @@ bool rest_judge(const RestSearch& search, const System& system, Motion& motion, 
   return found.residual <= kResidualRest || rounded;
 }
 
-// Z^T K Z, factorised. False where it is not positive.
-bool factor_take(RestSearch& search, const System& system, const State& s, Stiffness which) {
+// Z^T (K + shift 1) Z, factorised; the shift over the largest entry of K. False where it is not positive.
+bool factor_take(RestSearch& search, const System& system, const State& s, Stiffness which, double shift) {
   Triplets triplets;
   const HeldBasis& basis = search.basis;
   stiffness_add(system, s, which, basis.all, triplets);
+  double largest = 0;
+  for (const auto& t : triplets) largest = std::max(largest, std::abs(t.value()));
+  for (Index i = 0; shift > 0 && i < basis.all.count; ++i) triplets.emplace_back(i, i, shift * largest);
   Eigen::SparseMatrix<double> k(basis.all.count, basis.all.count);
   k.setFromTriplets(triplets.begin(), triplets.end());
   const Eigen::SparseMatrix<double> matrix = basis.z.transpose() * k * basis.z;
@@ -162,11 +166,17 @@ bool way_go(const RestSearch& search, const System& system, const VectorXd& way,
   return false;
 }
 
+// The tangent, or the nearest to it that is positive.
+bool positive_take(RestSearch& search, const System& system, const State& s) {
+  if (factor_take(search, system, s, Stiffness::kTangent, 0)) return true;
+  for (double shift : kShifts)
+    if (factor_take(search, system, s, Stiffness::kBlunt, shift)) return true;
+  return false;
+}
+
 // One step; false where there is none.
 bool step_take(RestSearch& search, const System& system, Motion& motion, State& s) {
-  if (!factor_take(search, system, s, Stiffness::kTangent) &&
-      !factor_take(search, system, s, Stiffness::kBlunt))
-    return false;
+  if (!positive_take(search, system, s)) return false;
   const VectorXd b = search.basis.z.transpose() * forces_of(search, system, motion);
   const VectorXd free = search.factor.solve(b), way = search.basis.z * free;
   search.way = way.lpNorm<Eigen::Infinity>();

@@ -79,6 +79,12 @@ StripPull trellis_pull(const FabricSpec& fabric, double cell, const std::vector<
 
 }  // namespace
 
+double strip_cell(const FabricSpec& fabric, Thread along, double cell) {
+  if (along != Thread::kBias) return cell;
+  const double width = fabric.strip_width / std::numbers::sqrt2;
+  return width / std::max(1.0, std::round(width / cell));
+}
+
 Scene strip_scene(const FabricSpec& fabric, Thread along, double cell, const LawOptions& options) {
   const double w = fabric.strip_width, h = fabric.strip_gauge, quarter = std::numbers::pi / 4;
   Scene scene;
@@ -91,7 +97,7 @@ Scene strip_scene(const FabricSpec& fabric, Thread along, double cell, const Law
   PieceSpec piece;
   piece.name = "strip";
   piece.fabric = 0;
-  piece.cell = cell;
+  piece.cell = strip_cell(fabric, along, cell);
   piece.outline = {{0, 0}, {w, 0}, {w, h}, {0, h}};
   piece.grain = along == Thread::kWarp ? 0 : along == Thread::kWeft ? 2 * quarter : quarter;
   scene.pieces = {piece};
