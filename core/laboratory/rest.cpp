@@ -29,6 +29,7 @@ using Eigen::VectorXd;
 
 constexpr int kStepsMost = 100;
 constexpr double kResidualRest = 1e-7;  // of the load
+constexpr double kLeastLoad = 1e-3;     // N, of slack cloth, which carries nothing
 constexpr double kFarthest = 4;         // cells, the longest way of a particle in one step
 constexpr double kArmijo = 1e-4;        // of the promised fall
 constexpr int kCutsMost = 20;
@@ -120,8 +121,7 @@ bool rest_judge(const RestSearch& search, const System& system, Motion& motion, 
   }
   found.force = pin_forces(search, system, motion);
   for (const Vec3& f : found.force) pulled += norm(f);
-  const double load = std::max(weight, pulled);
-  found.residual = load > 0 ? sum / load : sum;
+  found.residual = sum / std::max({weight, pulled, kLeastLoad});
   const bool rounded = search.way <= std::numeric_limits<double>::epsilon() * far;
   return found.residual <= kResidualRest || rounded;
 }

@@ -47,9 +47,10 @@ StripPull strip_pull(const FabricSpec& fabric, Thread along, double cell,
 std::vector<double> strip_elongations(const FabricSpec& fabric, Thread along, double pull);
 
 // What a strip of a diagram gives that has no correction, as far from it as it gets: S/F - 1 at an elongation
-// (fraction). On kExcessCells across; 0 where a strip finds no rest.
+// (fraction). On kExcessCells across.
 struct StripExcess {
   double excess = 0, elongation = 0;
+  std::string why;  // where it is not known
 };
 StripExcess strip_excess(const FabricSpec& fabric, Thread along, const LawOptions& options);
 
