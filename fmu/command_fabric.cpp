@@ -108,7 +108,7 @@ void cells_tell(const FabricSpec& f, double cell, const std::vector<double>& elo
   const StripOrder o = strip_order(f, cell, elongation, problems);
   if (!o.told) return;
   if (!o.why.empty())
-    return void(std::printf("  on cells of twice and half the edge the strip %s\n", o.why.c_str()));
+    return void(std::printf("  on cells of twice and half the edge %s\n", o.why.c_str()));
   std::printf("  on cells of %.6g mm at most %.3f %% off, of %.6g mm %.3f %%; order %.2f\n", 1e3 * o.cell[0],
               100 * o.off[0], 1e3 * o.cell[2], 100 * o.off[2], o.order);
 }
@@ -195,8 +195,12 @@ int test(const Options& options) {
               1e3 * f.strip_gauge, standards_of(f).c_str());
   int code = kDone;
   std::vector<PlotPanel> panels;
-  for (Thread along : kThreads)
-    if (is_along(options, along)) code = std::max(code, strip_test(options, f, along, panels));
+  for (Thread along : kThreads) {
+    if (!is_along(options, along)) continue;
+    const int done = strip_test(options, f, along, panels);
+    if (done == kBadInput) return done;
+    code = std::max(code, done);
+  }
   if (f.bending_warp > 0 || f.bending_weft > 0) {
     std::printf("bending (GOST 10550, cells of %.6g mm; ASTM D1388, %d cells), EI on %.6g mm\n",
                 1e3 * kBendingCell, kOverhangCells, 1e3 * f.bending_width);

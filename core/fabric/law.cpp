@@ -95,7 +95,10 @@ Curve bias_law(const FabricSpec& fabric, const LawOptions& options, double cell,
   Curve curve = odd_law(e, p, at_rest);
   if (!at_rest)
     problems.push_back(
-        {place + ".bias", "its odd law finds no rest in 1000 sweeps; smooth the diagram's last points"});
+        {place + ".bias",
+         "has no odd law: g(L) + g(|e2|) l1/l2 = P(L) finds no rest in 1000 sweeps; wanted: a diagram whose "
+         "points begin nearer to 0 percent and whose last ones, towards 41.4 percent, rise more gently, or "
+         "end earlier"});
   return curve;
 }
 

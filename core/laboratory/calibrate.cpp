@@ -116,8 +116,10 @@ bool sweep(FabricSpec& f, bool placing, Mixing& mixing, Calibration& c, std::vec
     const StripPull pull = strip_pull(f, along, c.cell, elongation, problems);
     if (!problems.empty()) return false;
     if (pull.force.size() < elongation.size()) {
-      c.why = std::string("the strip of the ") + thread_name(along) + " finds no rest at " +
-              percent(elongation[pull.force.size()]);
+      c.why = law_problem(f);
+      if (c.why.empty())
+        c.why = std::string("the strip of the ") + thread_name(along) + " finds no rest at " +
+                percent(elongation[pull.force.size()]);
       return false;
     }
     residual = std::max(residual, difference_most(d, pull));

@@ -27,9 +27,9 @@ using namespace vector3;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr int kStepsMost = 100;
+constexpr int kStepsMost = 300;
 constexpr double kResidualRest = 1e-7;  // of the load
-constexpr double kLeastLoad = 1e-3;     // N, of slack cloth, which carries nothing
+constexpr double kLeastLoad = 1e-2;     // N, of slack cloth, which carries nothing
 constexpr double kFarthest = 4;         // cells, the longest way of a particle in one step
 constexpr double kArmijo = 1e-4;        // of the promised fall
 constexpr int kCutsMost = 20;

@@ -33,7 +33,7 @@ using RestSearchHandle = std::unique_ptr<RestSearch, RestSearchCloser>;
 RestSearchHandle rest_search_make(const System& system, bool flat);
 
 // Moves the state from its present places to the rest. The load is the largest of the weight, the pins'
-// forces and 1e-3 N.
+// forces and 1e-2 N.
 RestFound rest_find(RestSearch& search, const System& system, Motion& motion, State& state);
 
 }  // namespace drape

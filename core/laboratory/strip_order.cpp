@@ -29,7 +29,7 @@ StripOrder strip_order(const FabricSpec& f, double cell, const std::vector<doubl
   for (std::size_t i = 0; i < 3; ++i) {
     pull[i] = strip_pull(f, Thread::kBias, o.cell[i], elongation, problems);
     if (pull[i].force.size() == elongation.size()) continue;
-    o.why = "finds no rest";
+    o.why = "the strip finds no rest";
     return o;
   }
   double change[2] = {0, 0};
