@@ -4,7 +4,7 @@
 //     A = [A1 A2],   r_1 = A1^-1 (t - A2 r_2),   dr_1 = -A1^-1 A2 dr_2,
 //
 // A1 square. The pivots are the largest entries left, so that A1^-1 A2 stays of the order of 1 where rows
-// nearly say the same (those of a jaw across a grid at 45 degrees leave one another 1e-5 of their weights).
+// nearly say the same, as those of a jaw's corner and of a thread beside it.
 // The forces f that nodes at rest exert are f = A^T q with A1^T q = f_1.
 #pragma once
 #include <Eigen/SparseCore>

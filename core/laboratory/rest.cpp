@@ -36,16 +36,11 @@ constexpr int kCutsMost = 20;
 constexpr double kRounding = 1e-13;  // of an energy
 constexpr double kShifts[] = {0, 1e-6, 1e-4, 1e-2};
 
-Array* const* places_of(State& s, Array* (&to)[3]) {
-  to[0] = &s.x, to[1] = &s.y, to[2] = &s.z;
-  return to;
-}
-
 // Puts the nodes that follow where their rows want them.
 void held_place(const RestSearch& search, const HeldMotion& held, State& s) {
-  Array* axes[3];
+  Array* const axes[] = {&s.x, &s.y, &s.z};
   for (std::size_t k = 0; k < 3; ++k) {
-    Array& r = *places_of(s, axes)[k];
+    Array& r = *axes[k];
     for (const HeldBlock& block : search.basis.blocks) {
       VectorXd gap(Index(block.row.size()));
       for (std::size_t i = 0; i < block.row.size(); ++i) {
@@ -144,10 +139,10 @@ bool factor_take(RestSearch& search, const System& system, const State& s, Stiff
 }
 
 void state_move(const RestSearch& search, const System& system, const VectorXd& way, double share, State& s) {
-  Array* axes[3];
+  Array* const axes[] = {&s.x, &s.y, &s.z};
   const Unknowns& all = search.basis.all;
   for (std::size_t n : system.particle)
-    for (int k = 0; k < all.dimension; ++k) (*places_of(s, axes)[k])[n] += share * way[all.first[n] + k];
+    for (int k = 0; k < all.dimension; ++k) (*axes[k])[n] += share * way[all.first[n] + k];
 }
 
 // Along `way`, which promises a fall of the energy by `slope` a whole way; false where none is found.
