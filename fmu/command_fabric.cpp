@@ -107,8 +107,7 @@ void cells_tell(const FabricSpec& f, double cell, const std::vector<double>& elo
   std::vector<Problem> problems;
   const StripOrder o = strip_order(f, cell, elongation, problems);
   if (!o.told) return;
-  if (!o.why.empty())
-    return void(std::printf("  on cells of twice and half the edge %s\n", o.why.c_str()));
+  if (!o.why.empty()) return void(std::printf("  on cells of twice and half the edge %s\n", o.why.c_str()));
   std::printf("  on cells of %.6g mm at most %.3f %% off, of %.6g mm %.3f %%; order %.2f\n", 1e3 * o.cell[0],
               100 * o.off[0], 1e3 * o.cell[2], 100 * o.off[2], o.order);
 }
