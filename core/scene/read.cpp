@@ -118,11 +118,13 @@ Scene scene_read(const std::filesystem::path& file, std::vector<Problem>& proble
   return scene;
 }
 
-FabricSpec fabric_read(const std::filesystem::path& file, std::vector<Problem>& problems) {
+FabricSpec fabric_read(const std::filesystem::path& file, std::vector<Problem>& problems,
+                       Corrections corrections) {
   FabricSpec fabric;
   Faults faults;
-  const Document document = document_load_file(file, faults);
+  Document document = document_load_file(file, faults);
   if (document.loaded) {
+    if (corrections == Corrections::kDropped) calibration_drop(document.root);
     const std::string name = file.stem().string(), path = "fabric." + name;
     fabric = fabric_read(faults, document.root, path).spec;
     fabric.name = name;

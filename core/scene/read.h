@@ -10,8 +10,11 @@ namespace drape {
 // each fault; the scene is usable only when none was appended.
 Scene scene_read(const std::filesystem::path& file, std::vector<Problem>& problems);
 
-// Reads a fabric file by itself; its name is that of the file, without the ending.
-FabricSpec fabric_read(const std::filesystem::path& file, std::vector<Problem>& problems);
+// Reads a fabric file by itself; its name is that of the file, without the ending. kDropped: as it stood
+// before its calibration.
+enum class Corrections { kKept, kDropped };
+FabricSpec fabric_read(const std::filesystem::path& file, std::vector<Problem>& problems,
+                       Corrections corrections = Corrections::kKept);
 
 // A dotted path with where it stands, "scene.toml:12: scene.step", for faults that only the assembled cloth
 // shows. Reads the files once more.
