@@ -25,9 +25,9 @@
 namespace drape {
 namespace {
 
-constexpr int kAround = 96;                               // points of a ring
+constexpr int kAround = 72;                               // points of a ring
 constexpr double kReference = 1.66;                       // m, height of the body of the table
-constexpr double kStepBelow = 0.038, kStepAbove = 0.019;  // m between rings, up to the armholes and above
+constexpr double kStepBelow = 0.026, kStepAbove = 0.016;  // m between rings, up to the armholes and above
 constexpr int kColumns = 6;                               // y, w, f, b, p, l
 using Section = std::array<double, kColumns>;
 
