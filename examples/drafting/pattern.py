@@ -8,6 +8,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 WOOL = ROOT / "examples" / "fabrics" / "wool.toml"
 CLEARANCE = 0.02  # m, from the form to cloth that is wrapped round it
+DART_SPEED = 2  # m/s: the points next to the tip of a dart have to fold a cell, for which those of other seams are too weak
 
 
 def metres(*values):
@@ -82,7 +83,8 @@ class Garment:
             text += piece.text(cell, f"{{ origin = {metres(0, low, middle + out * radius[1])}, axis_x = [{out}, 0, 0], axis_y = [0, 1, 0], "
                                      f"cylinder = {{ axis_point = {metres(0, 0, middle)}, axis = [0, 1, 0], radius = {metres(*radius)} }} }}")
         for name, a, edges_a, b, edges_b in self.seams:
-            text += f'\n[[seam]]\nname = "{name}"\na = {{ piece = "{a.name}", edges = {edges_a} }}\nb = {{ piece = "{b.name}", edges = {edges_b}, reverse = true }}\n'
+            speed = f"speed = {DART_SPEED}  # m/s\n" if a is b else ""
+            text += f'\n[[seam]]\nname = "{name}"\n{speed}a = {{ piece = "{a.name}", edges = {edges_a} }}\nb = {{ piece = "{b.name}", edges = {edges_b}, reverse = true }}\n'
         return text
 
 
