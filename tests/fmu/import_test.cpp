@@ -364,5 +364,38 @@ TEST_F(Import, tells_what_is_wrong_with_a_panel) {
                        "pattern.stitches[2][0].edge = 2; allowed: 0 to 1"});
 }
 
+// Texts with bytes and words exchanged: each is a scene that passes its checks, or is told what is wrong.
+TEST_F(Import, survives_any_text) {
+  const std::vector<std::string> words = {"null", "[]",        "{}",   "-1",       "1e9",        "1e999",
+                                          "0.5",  "\"\"",      "true", "[[0, 1]]", "\"circle\"", "\"cubic\"",
+                                          "7",    "[0, 0, 0]", ",",    "}"};
+  std::uint64_t state = 1;
+  const auto below = [&](std::size_t n) {  // Knuth's MMIX generator
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return std::size_t(state >> 33) % n;
+  };
+  int sound = 0;
+  for (int k = 0; k < 3000; ++k) {
+    std::string text = kTunic;
+    for (std::size_t edit = 1 + below(2); edit-- > 0;) {
+      const std::size_t at = text.find_first_of("[{\"-0123456789", below(text.size()));
+      if (at == std::string::npos) continue;
+      const std::size_t end = text.find_first_of(",]}:", at + 1);
+      text.replace(at, below(3) ? end - at : 1, words[below(words.size())]);
+    }
+    write("any.json", text);
+    std::vector<Problem> problems;
+    const Pattern pattern = pattern_read(folder / "any.json", problems);
+    if (problems.empty()) {
+      const Scene scene = garment_scene(pattern, {}, {});
+      scene_check(scene, problems);
+      sound += problems.empty();
+      EXPECT_FALSE(garment_text(scene, pattern, {}).empty());
+    }
+    for (const Problem& p : problems) EXPECT_FALSE(p.place.empty() || p.message.empty()) << text;
+  }
+  EXPECT_GT(sound, 0);
+}
+
 }  // namespace
 }  // namespace drape
