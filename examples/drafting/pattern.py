@@ -8,7 +8,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 WOOL = ROOT / "examples" / "fabrics" / "wool.toml"
 CLEARANCE = 0.02  # m, from the form to cloth that is wrapped round it
-DART_SPEED = 2  # m/s: the points next to the tip of a dart have to fold a cell, for which those of other seams are too weak
+DART_SPEED = 4  # m/s: the points next to the tip of a dart have to fold a cell, for which those of other seams are too weak
 
 
 def metres(*values):
