@@ -1,6 +1,7 @@
 #include "import/garment.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <map>

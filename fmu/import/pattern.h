@@ -1,5 +1,4 @@
-// A sewing pattern as GarmentCode writes it: panels and what is stitched to what. core/README.md has no part
-// in it: coordinates become metres here, and everything else is the scene's.
+// A sewing pattern as GarmentCode writes it: panels, and what is stitched to what; lengths in metres.
 #pragma once
 #include <filesystem>
 
