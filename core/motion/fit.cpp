@@ -11,7 +11,8 @@
 namespace drape {
 namespace {
 
-constexpr int kScaleEvery = 16;         // steps
+constexpr int kScaleEvery = 16;         // steps, at most
+constexpr double kScaleWithin = 0.02;   // of a cell, by which no particle moves until then
 constexpr int kJudgeEvery = 8;          // intervals
 constexpr double kResidualRest = 1e-5;  // of the load
 constexpr double kKineticRest = 1e-9;   // of that times the size of the largest piece
@@ -36,6 +37,16 @@ void rows_even(const Constraints& constraints, State& s) {
   for (const FixedNode& f : constraints.fixed) s.lightness[f.node] = 1;
 }
 
+// Steps until the inertia is scaled anew: what is pulled onto a seam can cross a cell within kScaleEvery.
+int steps_ahead(const System& system, const State& s, double h) {
+  double cell = INFINITY, fastest = 0;
+  for (const Lattice& l : system.lattices) cell = std::min(cell, l.cell);
+  for (std::size_t n : system.particle)
+    fastest = std::max(fastest, s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n]);
+  const double steps = kScaleWithin * cell / (h * std::sqrt(fastest));
+  return steps < kScaleEvery ? std::max(1, int(steps)) : kScaleEvery;
+}
+
 double kinetic(const System& system, const State& s) {
   double sum = 0;
   for (std::size_t n : system.particle)
@@ -54,15 +65,16 @@ double norm(const Vec3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] *
 }  // namespace
 
 void fit_scale(const System& system, const Constraints& constraints, State& s, double h) {
+  const int steps = steps_ahead(system, s, h);
   s.lightness.assign(system.nodes, 0.0);  // holds m'/rho at first
   const double drag = step_limit_drag(system, s);
   const SeamsBound seams = step_limit_seams(system, s);
   double most = 0;
   for (const Lattice& l : system.lattices) {
-    const double clamps = step_limit_clamps(system, l, s, kScaleEvery * h);
+    const double clamps = step_limit_clamps(system, l, s, steps * h);
     const double contact = touch_omega2(system, s, l.piece);
     each_cell(system, l, [&](const std::size_t* corner, double share) {
-      const double bare = step_limit_cell(l, s, corner, kScaleEvery * h) + clamps;
+      const double bare = step_limit_cell(l, s, corner, steps * h) + clamps;
       const double omega2 = step_limit_rated(system, l, bare, drag, seams, contact);
       const double ratio = h / (kSafetyDamped * step_limit_of(system, omega2));
       const double quarter = share * l.cell * l.cell / 4 * std::max(1.0, ratio * ratio);
@@ -73,7 +85,7 @@ void fit_scale(const System& system, const Constraints& constraints, State& s, d
   for (std::size_t n : system.particle) s.lightness[n] = std::min(1.0, system.area[n] / s.lightness[n]);
   rows_even(constraints, s);
   s.omega2 = most;
-  s.watch_wait = kScaleEvery;
+  s.watch_wait = steps;
 }
 
 namespace {

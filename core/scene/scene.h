@@ -51,11 +51,11 @@ struct FabricSpec {
   Vec2 friction{0.3, 0.3};                       // static, kinetic
 };
 
-// r = origin + x axis_x + y axis_y; the axes orthonormal after reading. On a cylinder the plane is rolled up:
-// core/README.md, section 1.
+// r = origin + x axis_x + y axis_y; the axes orthonormal after reading. On a cylinder, round or elliptic, the
+// plane is rolled up: core/README.md, section 1.
 struct PlaceSpec {
   Vec3 origin{0, 0, 0}, axis_x{1, 0, 0}, axis_y{0, 1, 0};
-  double radius = 0;                        // m, of the cylinder; 0: flat
+  Vec2 radius{0, 0};                        // m, of the cylinder: along the plane, across it; 0: flat
   Vec3 axis_point{0, 0, 0}, axis{0, 0, 1};  // of the cylinder; axis of length 1 after reading
 };
 

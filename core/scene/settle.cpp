@@ -8,6 +8,7 @@ namespace drape {
 namespace {
 
 constexpr double kTolerance = 1e-6;  // directions as typed have six digits or so
+constexpr double kFlattest = 20;     // of an elliptic cylinder: one radius over the other
 
 double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -62,6 +63,11 @@ void cylinder_settle(Faults& faults, const std::string& path, PlaceSpec& place) 
                   "the plane, within " + number_text(kTolerance));
   remove(place.axis, normal);
   normalise(place.axis);
+  const auto [a, b] = place.radius;
+  if (!(std::max(a, b) <= kFlattest * std::min(a, b)))
+    fault_add(faults, path + ".radius",
+              "= [" + number_text(a) + ", " + number_text(b) + "] m; allowed: neither above " +
+                  number_text(kFlattest) + " times the other");
 }
 
 void curves_settle(Faults& faults, const toml::table& table, const std::string& path) {
