@@ -181,7 +181,7 @@ ContactSummary self_summary(const System& system, const State& s) {
     for (NodeIndex n : t.node) area = std::min(area, system.area[n]);
     ++sum.count;
     sum.penetration = std::max(sum.penetration, depth);
-    sum.pressure = std::max(sum.pressure, t.stiffness * self_penalty(kContactBlend * t.layer, depth) / area);
+    sum.pressure = std::max(sum.pressure, t.stiffness * self_penalty(kSelfBlend * t.layer, depth) / area);
   }
   return sum;
 }
@@ -189,7 +189,7 @@ ContactSummary self_summary(const System& system, const State& s) {
 double self_energy(const System& system, const State& s) {
   double sum = 0;
   for (const SelfTouch& t : touching(system, s))
-    sum += t.stiffness * self_penalty_energy(kContactBlend * t.layer, t.layer - t.distance);
+    sum += t.stiffness * self_penalty_energy(kSelfBlend * t.layer, t.layer - t.distance);
   return sum;
 }
 

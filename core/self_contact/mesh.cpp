@@ -12,7 +12,7 @@
 namespace drape {
 namespace {
 
-constexpr int kApart = 2;            // cells along the cloth, at least
+constexpr int kApart = 1;            // cells along the cloth, at least
 constexpr double kApartThick = 2;    // thicknesses along the cloth, at least
 constexpr double kSamePlace = 1e-3;  // cells: sewn points nearer than that are one
 constexpr double kTooNear = 1e-3;    // of the thickness: what starts nearer never touches
@@ -105,7 +105,7 @@ std::vector<SewnPoint> sewn_points(const System& system) {
 void seams_near(const System& system, SelfMesh& mesh) {
   const std::vector<SewnPoint> points = sewn_points(system);
   for (const Lattice& l : system.lattices)
-    mesh.seam_apart = std::max(mesh.seam_apart, (mesh.apart[std::size_t(l.piece)] + 1) * l.cell);
+    mesh.seam_apart = std::max(mesh.seam_apart, (mesh.apart[std::size_t(l.piece)] + 2) * l.cell);
   for (SelfCell& cell : mesh.cell) {
     cell.seam_first = int(mesh.near_seam.size());
     const double b = system.lattices[std::size_t(cell.lattice)].cell;

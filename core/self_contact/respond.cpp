@@ -113,7 +113,7 @@ void tangential_push(SelfTouches& all, const SelfTouch& t, const Vec3& j) {
 
 // Penalty and damping; the change of w_n.
 double normal_begin(const ContactCoefficients& c, SelfTouches& all, SelfTouch& t) {
-  const double blend = kContactBlend * t.layer, depth = t.layer - t.distance;
+  const double blend = kSelfBlend * t.layer, depth = t.layer - t.distance;
   const double u = std::clamp(depth / blend, 0.0, 1.0), slope = u * u * (3 - 2 * u);
   const double stored = c.kick * t.stiffness * self_penalty(blend, std::max(depth, 0.0));
   const double w = dot(t.n, gap_rate(all, t, &SelfNode::v)), old = dot(t.n, gap_rate(all, t, &SelfNode::old));

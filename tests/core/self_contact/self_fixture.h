@@ -65,7 +65,7 @@ inline std::vector<PlainTriangle> triangles_of(const System& system) {
 
 inline Vec3 at_node(const State& s, std::size_t n) { return {s.x[n], s.y[n], s.z[n]}; }
 
-// Sides of triangles that go through triangles with which they share no node.
+// Sides of triangles that go through triangles of cells that do not adjoin theirs.
 inline int crossings(const Assembled& a) {
   using namespace vector3;
   const std::vector<PlainTriangle> all = triangles_of(a.system);
@@ -83,12 +83,12 @@ inline int crossings(const Assembled& a) {
   int count = 0;
   for (std::size_t s = 0; s < all.size(); ++s)
     for (std::size_t t = 0; t < all.size(); ++t) {
-      bool apart = false, shared = false;
+      bool apart = false;
       for (std::size_t k = 0; k < 3; ++k) apart = apart || low[s][k] > high[t][k] || low[t][k] > high[s][k];
       if (apart) continue;
-      for (std::size_t n : all[s].node)
-        for (std::size_t m : all[t].node) shared = shared || n == m;
-      if (shared) continue;
+      if (all[s].lattice == all[t].lattice && std::abs(all[s].i - all[t].i) <= 1 &&
+          std::abs(all[s].j - all[t].j) <= 1)
+        continue;
       const Vec3 p = at_node(a.state, all[t].node[0]), e = at_node(a.state, all[t].node[1]) - p,
                  f = at_node(a.state, all[t].node[2]) - p;
       for (int k = 0; k < 3; ++k) {  // p + u e + v f = from + w g
