@@ -16,6 +16,7 @@ using namespace vector3;
 constexpr double kReachSteps = 2;    // at the present speed, for which pairs are looked at before they touch
 constexpr double kReachLayer = 0.1;  // of the layer, likewise
 constexpr double kSearchSteps = 48;  // at the present speed, which a search is to last
+constexpr double kSearchAlone = 4;   // times as many, where nothing was near
 constexpr double kMarginLeast = 0.25, kMarginMost = 2;  // cells, of a search
 constexpr double kMarginReach = 4;                      // reaches, at least
 constexpr double kSettled = 1e-3;                       // of the first change of a velocity: sweeps end
@@ -47,8 +48,9 @@ double reach_of(const System& system, const State& s, double h) {
 void search(const System& system, State& s, double h) {
   const double cell = system.self.cell_least;
   SelfState& self = s.self;
+  const double steps = kSearchSteps * (self.pairs && self.pairs->size() == 0 ? kSearchAlone : 1);
   self.margin = std::max(kMarginReach * reach_of(system, s, h),
-                         std::clamp(kSearchSteps * self.speed * h, kMarginLeast * cell, kMarginMost * cell));
+                         std::clamp(steps * self.speed * h, kMarginLeast * cell, kMarginMost * cell));
   self.searched = self.way;
   self.pairs = std::make_shared<const SelfPairs>(self_search(system, system.self, s, self.margin));
   self.wake.assign(self.pairs->size(), self.way);
@@ -107,7 +109,7 @@ void self_hurry(const System& system, State& s, double moved) {
 void self_keep(const System& system, SelfRoom& room, State& s, double h) {
   const double reach = reach_of(system, s, h);
   if (s.self.way + reach > s.self.searched + s.self.margin) search(system, s, h);
-  self_look(system, s, reach, room.touches.touch, &s.self);
+  self_look(system, s, reach, room.touches, &s.self);
   self_prepare(system, s, true, room.touches);
 }
 
@@ -145,7 +147,7 @@ void self_synchronous(const System& system, SelfRoom& room, const State& s, doub
                       double* vx, double* vy, double* vz) {
   SelfTouches& all = room.touches;
   room.dissipated = 0;
-  self_look(system, s, 0, all.touch, nullptr);
+  self_look(system, s, 0, all, nullptr);
   self_prepare(system, s, false, all);
   ContactCoefficients c = half_kick(half, centred);
   if (half == 0) c.kick = 1;
@@ -166,7 +168,7 @@ namespace {
 std::vector<SelfTouch> touching(const System& system, const State& s) {
   SelfTouches all;
   if (!self_any(s)) return {};
-  self_look(system, s, 0, all.touch, nullptr);
+  self_look(system, s, 0, all, nullptr);
   self_prepare(system, s, false, all);
   return all.touch;
 }

@@ -5,9 +5,9 @@
 //   stop       d_{n+1} >= least: what is left of the approach is taken away
 //   friction   J on the tangential w, |J| <= mu P (Coulomb); what sticks has no tangential w at all
 //
-// First all normals. Then stops and friction in turn, pair by pair, until nothing changes (projected
-// Gauss-Seidel; Jourdan, Alart, Jean 1998). Friction begins with what it held in the step before, so that
-// cloth at rest is done in one sweep, and does not creep.
+// First all penalties. Then damping, stops and friction in turn, pair by pair, until nothing changes
+// (projected Gauss-Seidel; Jourdan, Alart, Jean 1998). Friction begins with what it held in the step before,
+// so that cloth at rest is done in one sweep, and does not creep.
 #include <algorithm>
 #include <cmath>
 
@@ -40,12 +40,13 @@ void inverse_set(const double* i, double* to) {
   for (int k = 0; k < 6; ++k) to[k] = over * minor[k];
 }
 
-void levers_set(const State& s, SelfTouch& t) {
+// p_k and I^-1; only what rubs needs them.
+void levers_set(const SelfTouches& all, SelfTouch& t) {
+  if (t.inverse[0] > 0) return;
   Vec3 mean{0, 0, 0};
   double sum = 0;
   for (int k = 0; k < 4; ++k) {
-    const NodeIndex n = t.node[std::size_t(k)];
-    t.lever[k] = {s.x[n], s.y[n], s.z[n]};
+    t.lever[k] = all.place[t.node[std::size_t(k)]];
     mean += t.turn[k] * t.lever[k];
     sum += t.turn[k];
   }
@@ -89,7 +90,8 @@ Vec3 gap_rate(const SelfTouches& all, const SelfTouch& t, Vec3 SelfNode::*field)
 }
 
 // The tangential w.
-Vec3 slip(const SelfTouches& all, const SelfTouch& t, Vec3 SelfNode::*field) {
+Vec3 slip(const SelfTouches& all, SelfTouch& t, Vec3 SelfNode::*field) {
+  levers_set(all, t);
   Vec3 turning{0, 0, 0};
   for (int k = 0; k < 4; ++k) turning += t.turn[k] * cross(t.lever[k], all.node[std::size_t(t.at[k])].*field);
   const Vec3 w = gap_rate(all, t, field) - cross(times(t.inverse, turning), t.arm);
@@ -105,24 +107,35 @@ void normal_push(SelfTouches& all, const SelfTouch& t, double p) {
   for (int k = 0; k < 4; ++k) node_push(all.node[std::size_t(t.at[k])], (t.weight[k] * p) * t.n);
 }
 
-void tangential_push(SelfTouches& all, const SelfTouch& t, const Vec3& j) {
+void tangential_push(SelfTouches& all, SelfTouch& t, const Vec3& j) {
+  levers_set(all, t);
   const Vec3 turned = times(t.inverse, cross(t.arm, j));
   for (int k = 0; k < 4; ++k)
     node_push(all.node[std::size_t(t.at[k])], t.weight[k] * j - t.turn[k] * cross(turned, t.lever[k]));
 }
 
-// Penalty and damping; the change of w_n.
+// The penalty; the change of w_n.
 double normal_begin(const ContactCoefficients& c, SelfTouches& all, SelfTouch& t) {
   const double blend = kSelfBlend * t.layer, depth = t.layer - t.distance;
-  const double u = std::clamp(depth / blend, 0.0, 1.0), slope = u * u * (3 - 2 * u);
-  const double stored = c.kick * t.stiffness * self_penalty(blend, std::max(depth, 0.0));
-  const double w = dot(t.n, gap_rate(all, t, &SelfNode::v)), old = dot(t.n, gap_rate(all, t, &SelfNode::old));
-  const double drag = t.lightness * t.drag * slope;
-  const double after = (w + t.lightness * stored - drag * c.old_time * old) / (1 + drag * c.new_time);
-  t.normal = std::max((after - w) / t.lightness, 0.0);
-  t.stored = t.normal > 0 ? stored : 0;
+  if (!(depth > 0)) return 0;
+  const double u = std::min(depth / blend, 1.0);
+  t.resist = t.lightness * t.drag * u * u * (3 - 2 * u);
+  t.before = dot(t.n, gap_rate(all, t, &SelfNode::old));
+  t.stored = t.normal = c.kick * t.stiffness * self_penalty(blend, depth);
   normal_push(all, t, t.normal);
   return t.lightness * t.normal;
+}
+
+// With damping: what P is to be, given what all others do.
+double normal_sweep(const ContactCoefficients& c, SelfTouches& all, SelfTouch& t) {
+  if (t.stored == 0) return 0;
+  const double rest = dot(t.n, gap_rate(all, t, &SelfNode::v)) - t.lightness * t.normal;
+  const double after =
+      (rest + t.lightness * t.stored - t.resist * c.old_time * t.before) / (1 + t.resist * c.new_time);
+  const double normal = std::max((after - rest) / t.lightness, 0.0), more = normal - t.normal;
+  t.normal = normal;
+  normal_push(all, t, more);
+  return t.lightness * std::abs(more);
 }
 
 double stop_sweep(const ContactCoefficients& c, SelfTouches& all, SelfTouch& t) {
@@ -185,10 +198,7 @@ void self_prepare(const System& system, const State& s, bool inertia_of_fit, Sel
       t.at[k] = at;
     }
   for (const SelfNode& n : all.node) all.index[n.node] = -1;
-  for (SelfTouch& t : all.touch) {
-    law_set(system, all.node, t);
-    levers_set(s, t);
-  }
+  for (SelfTouch& t : all.touch) law_set(system, all.node, t);
   std::erase_if(all.touch, [](const SelfTouch& t) { return !(t.lightness > 0); });  // held on both sides
   auto held = s.self.hold.begin();                                                  // in the same order
   for (SelfTouch& t : all.touch) {
@@ -208,6 +218,7 @@ void self_respond(const ContactCoefficients& c, double settled, int sweeps, Self
   for (int k = 0; k < sweeps; ++k) {
     double most = 0;
     for (SelfTouch& t : all.touch) {
+      most = std::max(most, normal_sweep(c, all, t));
       most = std::max(most, stop_sweep(c, all, t));
       if (!(t.normal + t.stop > 0) && dot(t.friction, t.friction) == 0) continue;
       const Vec3 w = slip(all, t, &SelfNode::v);
@@ -218,12 +229,13 @@ void self_respond(const ContactCoefficients& c, double settled, int sweeps, Self
   }
 }
 
-double self_dissipated(const ContactCoefficients& c, const SelfTouches& all) {
+double self_dissipated(const ContactCoefficients& c, SelfTouches& all) {
   double sum = 0;
-  for (const SelfTouch& t : all.touch) {
+  for (SelfTouch& t : all.touch) {
+    if (!(t.stored + t.stop > 0)) continue;
     const double w = dot(t.n, gap_rate(all, t, &SelfNode::old) + gap_rate(all, t, &SelfNode::v)) / 2;
     const Vec3 along = 0.5 * (slip(all, t, &SelfNode::old) + slip(all, t, &SelfNode::v));
-    sum -= c.impulse * ((t.normal + t.stop - t.stored) * w + dot(t.friction, along));
+    sum -= c.impulse * ((t.normal + t.stop - (t.normal > 0 ? t.stored : 0)) * w + dot(t.friction, along));
   }
   return sum;
 }

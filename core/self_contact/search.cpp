@@ -65,17 +65,28 @@ Buckets buckets_fill(std::vector<Ball>& balls, double width) {
   return b;
 }
 
-// Visits all cells in the buckets around one.
+// Visits all pairs of cells in one bucket or in two that adjoin, once.
 template <class Visit>
-void each_near(const Buckets& b, const std::vector<Ball>& balls, const Ball& ball, Visit visit) {
-  for (int x = -1; x <= 1; ++x)
-    for (int y = -1; y <= 1; ++y)
-      for (int z = -1; z <= 1; ++z) {
-        const std::array<std::int64_t, 3> at{ball.bucket[0] + x, ball.bucket[1] + y, ball.bucket[2] + z};
-        const std::size_t hash = bucket_hash(b, at);
-        for (std::uint32_t k = b.start[hash]; k < b.start[hash + 1]; ++k)
-          if (balls[b.item[k]].bucket == at) visit(std::size_t(b.item[k]));
-      }
+void each_near(const Buckets& b, const std::vector<Ball>& balls, Visit visit) {
+  std::vector<std::uint32_t> here, around;
+  const auto take = [&](const std::array<std::int64_t, 3>& at, std::vector<std::uint32_t>& to) {
+    const std::size_t hash = bucket_hash(b, at);
+    for (std::uint32_t k = b.start[hash]; k < b.start[hash + 1]; ++k)
+      if (balls[b.item[k]].bucket == at) to.push_back(b.item[k]);
+  };
+  for (std::size_t a = 0; a < balls.size(); ++a) {
+    const auto& at = balls[a].bucket;
+    here.clear();
+    around.clear();
+    take(at, here);
+    if (here.front() != a) continue;  // its first cell stands for a bucket
+    for (int k = 14; k < 27; ++k)     // half of the 26 around
+      take({at[0] + k / 9 - 1, at[1] + k / 3 % 3 - 1, at[2] + k % 3 - 1}, around);
+    for (std::size_t p = 0; p < here.size(); ++p) {
+      for (std::size_t q = p + 1; q < here.size(); ++q) visit(here[p], here[q]);
+      for (std::uint32_t q : around) visit(here[p], q);
+    }
+  }
 }
 
 struct Search {
@@ -85,6 +96,10 @@ struct Search {
   double margin;
 };
 
+double layer_of(const Search& s, NodeIndex a, NodeIndex b) {
+  return self_layer(s.system, s.mesh.lattice_of[a], s.mesh.lattice_of[b]);
+}
+
 // Particles of one cell and triangles of another.
 void points_find(const Search& s, const SelfCell& of, const SelfCell& on, SelfPairs& found) {
   for (int k = of.node_first; k < of.node_end; ++k) {
@@ -92,8 +107,8 @@ void points_find(const Search& s, const SelfCell& of, const SelfCell& on, SelfPa
     const Vec3 at = place(s.state, n);
     for (const auto& t :
          {std::array{on.node[0], on.node[1], on.node[3]}, std::array{on.node[0], on.node[3], on.node[2]}}) {
-      const SelfPoint pair{{n, t[0], t[1], t[2]}};
-      const double reach = self_pair_layer(s.system, s.mesh, pair) + s.margin;
+      const SelfPoint pair{{n, t[0], t[1], t[2]}, std::min(layer_of(s, n, t[0]), s.mesh.layer_most[n])};
+      const double reach = pair.layer + s.margin;
       const TriangleFoot foot =
           triangle_foot(at, place(s.state, t[0]), place(s.state, t[1]), place(s.state, t[2]));
       if (foot.distance2 <= reach * reach) found.point.push_back(pair);
@@ -104,11 +119,12 @@ void points_find(const Search& s, const SelfCell& of, const SelfCell& on, SelfPa
 void crosses_find(const Search& s, const SelfCell& a, const SelfCell& b, SelfPairs& found) {
   for (int i = a.edge_first; i < a.edge_end; ++i)
     for (int j = b.edge_first; j < b.edge_end; ++j) {
-      const SelfEdge *e = &s.mesh.edge[std::size_t(i)], *f = &s.mesh.edge[std::size_t(j)];
-      if (f->node[0] < e->node[0]) std::swap(e, f);
-      const SelfCross pair{{e->node[0], e->node[1], f->node[0], f->node[1]},
-                           {e->across[0], e->across[1], f->across[0], f->across[1]}};
-      const double reach = self_pair_layer(s.system, s.mesh, pair) + s.margin;
+      NodeIndex e = NodeIndex(i), f = NodeIndex(j);
+      if (s.mesh.edge[f].node[0] < s.mesh.edge[e].node[0]) std::swap(e, f);
+      const NodeIndex *from = s.mesh.edge[e].node, *to = s.mesh.edge[f].node;
+      SelfCross pair{{from[0], from[1], to[0], to[1]}, {e, f}, layer_of(s, from[0], to[0])};
+      for (NodeIndex n : pair.node) pair.layer = std::min(pair.layer, s.mesh.layer_most[n]);
+      const double reach = pair.layer + s.margin;
       const Vec3 a0 = place(s.state, pair.node[0]), a1 = place(s.state, pair.node[1]),
                  b0 = place(s.state, pair.node[2]), b1 = place(s.state, pair.node[3]);
       const double far = reach + 0.5 * (norm(a1 - a0) + norm(b1 - b0));
@@ -117,24 +133,6 @@ void crosses_find(const Search& s, const SelfCell& a, const SelfCell& b, SelfPai
       if (edges_foot(a0, a1, b0, b1).distance2 <= reach * reach) found.cross.push_back(pair);
     }
 }
-
-double layer_of(const System& system, const SelfMesh& mesh, NodeIndex a, NodeIndex b) {
-  return self_layer(system, mesh.lattice_of[a], mesh.lattice_of[b]);
-}
-
-}  // namespace
-
-double self_pair_layer(const System& system, const SelfMesh& mesh, const SelfPoint& pair) {
-  return std::min(layer_of(system, mesh, pair.node[0], pair.node[1]), mesh.layer_most[pair.node[0]]);
-}
-
-double self_pair_layer(const System& system, const SelfMesh& mesh, const SelfCross& pair) {
-  double layer = layer_of(system, mesh, pair.node[0], pair.node[2]);
-  for (NodeIndex n : pair.node) layer = std::min(layer, mesh.layer_most[n]);
-  return layer;
-}
-
-namespace {
 
 // Visits all cells that do not adjoin and whose balls are nearer than `reach`.
 template <class Visit>
@@ -148,14 +146,13 @@ void each_pair(const SelfMesh& mesh, const State& state, double reach, Visit vis
   const double width = 2 * most + reach;
   if (!(width > 0 && farthest < kFarthest * width)) return;  // a run that leaves the finite numbers
   const Buckets buckets = buckets_fill(balls, width);
-  for (std::size_t a = 0; a < balls.size(); ++a)
-    each_near(buckets, balls, balls[a], [&](std::size_t b) {
-      if (b <= a) return;
-      const Vec3 between = balls[b].centre - balls[a].centre;
-      const double far = balls[a].radius + balls[b].radius + reach;
-      const SelfCell &on = mesh.cell[a], &of = mesh.cell[b];
-      if (dot(between, between) <= far * far && !self_cells_adjoin(mesh, on, of)) visit(on, of);
-    });
+  each_near(buckets, balls, [&](std::size_t p, std::size_t q) {
+    const std::size_t a = std::min(p, q), b = std::max(p, q);
+    const Vec3 between = balls[b].centre - balls[a].centre;
+    const double far = balls[a].radius + balls[b].radius + reach;
+    if (dot(between, between) <= far * far && !self_cells_adjoin(mesh, mesh.cell[a], mesh.cell[b]))
+      visit(mesh.cell[a], mesh.cell[b]);
+  });
 }
 
 }  // namespace

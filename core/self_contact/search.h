@@ -15,8 +15,4 @@ struct SelfCut {
 };
 std::vector<SelfCut> self_cuts(const SelfMesh& mesh, const State& state);
 
-// m, at which a pair touches: the mean thickness, or how near it started.
-double self_pair_layer(const System& system, const SelfMesh& mesh, const SelfPoint& pair);
-double self_pair_layer(const System& system, const SelfMesh& mesh, const SelfCross& pair);
-
 }  // namespace drape

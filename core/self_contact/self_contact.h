@@ -44,23 +44,26 @@ struct SelfMesh {
   std::vector<NodeIndex> own_node;
   std::vector<SelfEdge> edge;
   std::vector<NearSeam> near_seam;
-  std::vector<NodeSpan> span;   // runs of particles in the arrays of nodes
-  std::vector<int> lattice_of;  // [nodes]
-  std::vector<char> fixed;      // [nodes] 1 where a pin holds it
-  Array layer_most;             // [nodes] m: nearer than the thickness at the start, else infinite
-  std::vector<int> apart;       // [lattices] cells as near as this along the cloth do not touch
-  double seam_apart = 0;        // m, likewise along the cloth across a seam
-  double layer = 0;             // m, the thickest
-  double cell_least = 0;        // m
+  std::vector<NodeSpan> span;      // runs of particles in the arrays of nodes
+  std::vector<int> lattice_of;     // [nodes]
+  std::vector<char> fixed;         // [nodes] 1 where a pin holds it
+  Array layer_most;                // [nodes] m: nearer than the thickness at the start, else infinite
+  std::vector<int> apart;          // [lattices] cells as near as this along the cloth do not touch
+  std::vector<double> stands_out;  // [lattices] sine from which edges do: look.cpp
+  double seam_apart = 0;           // m, likewise along the cloth across a seam
+  double layer = 0;                // m, the thickest
+  double cell_least = 0;           // m
 };
 
-// A particle and a triangle; two edges with the corners across them.
+// A particle and a triangle; two edges.
 struct SelfPoint {
   NodeIndex node[4];
+  double layer;  // m, at which the pair touches: the mean thickness, or how near it started
 };
 struct SelfCross {
   NodeIndex node[4];
-  NodeIndex across[4];
+  NodeIndex edge[2];  // of SelfMesh
+  double layer;       // m
 };
 struct SelfPairs {
   std::vector<SelfPoint> point;  // sorted by their nodes

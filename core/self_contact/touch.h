@@ -27,7 +27,7 @@ struct SelfNode {
 
 struct SelfTouch {
   std::array<NodeIndex, 4> node;
-  bool cross;
+  bool cross, drop = false;
   double weight[4], turn[4];  // W, u
   double distance, layer;     // m
   Vec3 arm, n;
@@ -41,19 +41,22 @@ struct SelfTouch {
   Vec3 lever[4];                       // p_k
   double inverse[6];                   // I^-1: xx xy xz yy yz zz
   double normal = 0, stored = 0, stop = 0;  // N s
+  double resist, before;                    // 2 zeta sqrt(k K) phi', 1/s; w_n of v_{n-1/2}
   Vec3 friction{0, 0, 0};                   // N s
 };
 
 struct SelfTouches {
+  std::vector<Vec3> place;   // [nodes] m, of particles
+  std::vector<char> stands;  // [edges] whether they may stand out, once somebody has asked
   std::vector<SelfTouch> touch;
   std::vector<SelfNode> node;
   std::vector<int> index;  // [nodes] in `node`, or -1
 };
 
-// Pairs of a state that are nearer than their layer and `reach` (m), each local minimum of the distance once;
-// points first, in the order of their nodes. With `wake`, tells pairs when they are to be looked at again.
-void self_look(const System& system, const State& state, double reach, std::vector<SelfTouch>& touch,
-               SelfState* wake);
+// Finds the pairs of a state that are nearer than their layer and `reach` (m), each local minimum of the
+// distance once; points first, in the order of their nodes. With `wake`, tells pairs when they are to be
+// looked at again.
+void self_look(const System& system, const State& state, double reach, SelfTouches& touches, SelfState* wake);
 
 // Room for the nodes of `touch`, and all that does not depend on velocities.
 void self_prepare(const System& system, const State& state, bool inertia_of_fit, SelfTouches& touches);
@@ -63,7 +66,7 @@ void self_prepare(const System& system, const State& state, bool inertia_of_fit,
 void self_respond(const ContactCoefficients& c, double settled, int sweeps, SelfTouches& touches);
 
 // J that damping, stops and friction have taken.
-double self_dissipated(const ContactCoefficients& c, const SelfTouches& touches);
+double self_dissipated(const ContactCoefficients& c, SelfTouches& touches);
 
 // phi and its integral, at a depth, with a penalty that reaches its slope at `blend`.
 inline constexpr double kSelfBlend = kContactBlend / 2;  // of the layer, which is that of two cloths

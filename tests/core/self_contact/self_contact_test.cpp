@@ -128,15 +128,16 @@ double mean_x(const Assembled& a) {
 // F = mu N: it sticks iff tan a <= mu, and does not creep ...
 TEST(SelfContact, SticksUpToTheCoefficient) {
   const double mu = 0.4;
-  Assembled below = leaning(mu, std::atan(0.995 * mu)), above = leaning(mu, std::atan(1.005 * mu));
+  Assembled below = leaning(mu, std::atan(0.999 * mu)), above = leaning(mu, std::atan(1.001 * mu));
   const double x = mean_x(below);
   advance(below, 0.2);
   const double settled = mean_x(below);
   advance(below, 0.8);
-  EXPECT_LT(std::abs(settled - x), 1e-6);
+  EXPECT_LT(std::abs(settled - x), 1e-5);  // while the gravity that leans of a sudden shakes it
   EXPECT_LT(std::abs(mean_x(below) - settled), 1e-8);
   advance(above, 0.2);
-  EXPECT_GT(mean_x(above) - x, 1e-5);
+  const double angle = std::atan(1.001 * mu), way = 9.81 * (std::sin(angle) - mu * std::cos(angle)) * 0.02;
+  EXPECT_GT(mean_x(above) - x, 0.5 * way);
 }
 
 // ... and slides by g (sin a - mu cos a) t^2/2.
@@ -145,7 +146,7 @@ TEST(SelfContact, SlidesAgainstTheCoefficient) {
   Assembled a = leaning(mu, angle);
   const double x = mean_x(a), way = 9.81 * (std::sin(angle) - mu * std::cos(angle)) * t * t / 2;
   advance(a, t);
-  EXPECT_NEAR(mean_x(a) - x, way, 2e-3 * way);
+  EXPECT_NEAR(mean_x(a) - x, way, 1e-3 * way);
 }
 
 // Layers that start at a third of their thickness keep that distance: not a node moves.
@@ -261,6 +262,20 @@ TEST(SelfContact, EnergyIsBalanced) {
   EXPECT_LT(std::abs(e.balance_error), 2e-3 * kinetic);
 }
 
+// A fit comes to rest where the motion does.
+TEST(SelfContact, AFitRestsOnTheSheetBelow) {
+  Scene scene = on_a_sheet(1.2e-3);
+  scene.mode = Mode::kFit;
+  Assembled a = assemble(scene);
+  for (int k = 0; k < 2000 && !a.state.fit.at_rest; ++k) advance(a, 1e-3);
+  EXPECT_TRUE(a.state.fit.at_rest) << a.state.fit.residual;
+  const double layer = scene.fabrics[0].thickness;
+  for (std::size_t n : nodes_of(a.system, 1)) {
+    EXPECT_LT(a.state.z[n], layer);
+    EXPECT_GT(a.state.z[n], 0.9 * layer);
+  }
+}
+
 // Off, nothing of it is there.
 TEST(SelfContact, OffCostsNothing) {
   Scene scene = on_a_sheet(1e-3);
@@ -309,7 +324,7 @@ TEST(SelfContact, ACrumpledDropDoesNotTunnel) {
   Assembled a = assemble(scene);
   int worst = 0;
   std::size_t most = 0;
-  for (int k = 0; k < 80; ++k) {
+  for (int k = 0; k < 100; ++k) {
     advance(a, 5e-3);
     worst = std::max(worst, crossings(a));
     most = std::max(most, self_summary(a.system, a.state).count);
