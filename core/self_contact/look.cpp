@@ -2,9 +2,9 @@
 // place, and counts once, where none of these triangles is nearer still. Two edges count where both stand out
 // of their cloth, for elsewhere a particle is as near: with m from an edge into either of its triangles,
 //
-//   D.m >= s |D| |m| on the first edge, -D.m likewise on the second, s = thickness/(2 b):
+//   D.m >= s |D| |m| on the first edge, -D.m likewise on the second, s = thickness/(8 b):
 //
-// the middle of an edge of length b is then at most thickness/4 above particles at its ends.
+// the middle of an edge of length b is then at most thickness/16 above particles at its ends.
 #include <algorithm>
 #include <cmath>
 

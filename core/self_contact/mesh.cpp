@@ -157,7 +157,7 @@ SelfMesh self_mesh_make(const System& system, const State& start) {
   for (const Lattice& l : system.lattices) {
     mesh.layer = std::max(mesh.layer, 2 * l.touch.layer);
     mesh.cell_least = std::min(mesh.cell_least, l.cell);
-    mesh.stands_out.push_back(l.touch.layer / l.cell);
+    mesh.stands_out.push_back(l.touch.layer / (4 * l.cell));
     mesh.apart.push_back(std::max(kApart, int(std::ceil(kApartThick * 2 * l.touch.layer / l.cell))));
   }
   seams_near(system, mesh);
