@@ -16,11 +16,10 @@ using namespace vector3;
 constexpr double kReachSteps = 2;    // at the present speed, for which pairs are looked at before they touch
 constexpr double kReachLayer = 0.1;  // of the layer, likewise
 constexpr double kSearchSteps = 48;  // at the present speed, which a search is to last
-constexpr double kSearchAlone = 4;   // times as many, where nothing was near
-constexpr double kMarginLeast = 0.25, kMarginMost = 2;  // cells, of a search
-constexpr double kMarginReach = 4;                      // reaches, at least
-constexpr double kSettled = 1e-3;                       // of the first change of a velocity: sweeps end
-constexpr int kSweeps = 10;                             // of a step
+constexpr double kMarginLeast = 0.25, kMarginMost = 0.5;  // cells, of a search
+constexpr double kMarginReach = 4;                        // reaches, at least
+constexpr double kSettled = 1e-3;                         // of the first change of a velocity: sweeps end
+constexpr int kSweeps = 10;                               // of a step
 constexpr double kSettledRest = 1e-9;
 constexpr int kSweepsRest = 1000;  // of the forces at rest
 
@@ -48,9 +47,8 @@ double reach_of(const System& system, const State& s, double h) {
 void search(const System& system, State& s, double h) {
   const double cell = system.self.cell_least;
   SelfState& self = s.self;
-  const double steps = kSearchSteps * (self.pairs && self.pairs->size() == 0 ? kSearchAlone : 1);
   self.margin = std::max(kMarginReach * reach_of(system, s, h),
-                         std::clamp(steps * self.speed * h, kMarginLeast * cell, kMarginMost * cell));
+                         std::clamp(kSearchSteps * self.speed * h, kMarginLeast * cell, kMarginMost * cell));
   self.searched = self.way;
   self.pairs = std::make_shared<const SelfPairs>(self_search(system, system.self, s, self.margin));
   self.wake.assign(self.pairs->size(), self.way);
