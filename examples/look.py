@@ -3,7 +3,7 @@
     .venv/bin/python examples/look.py OUTDIR --field tension_warp -o picture.png
 
 OUTDIR is the folder of `drape run SCENE -o OUTDIR --frames`. The last frame is drawn unless --time says otherwise; each --view
-(front, back, left, right, top, or a direction X,Y,Z to look from) is a panel.
+(front, back, left, right, oblique, top, or a direction X,Y,Z to look from) is a panel.
 """
 import argparse
 import io
@@ -32,7 +32,7 @@ FIELDS = {  # of the frames: what it is called, unit, factor to this unit
 }
 VIEWS = {  # where one looks from, with y up
     "front": (0, 0, 1), "back": (0, 0, -1), "left": (1, 0, 0), "right": (-1, 0, 0), "top": (0, 1, 1e-3),
-    "half": (0.6, 0.25, 1),
+    "oblique": (0.6, 0.25, 1),
 }
 RISING = colors.LinearSegmentedColormap.from_list("zones", ["#f3ead6", "#f2c879", "#e2703a", "#a41d2c", "#43071a"])
 SIGNED = colors.LinearSegmentedColormap.from_list("signed", ["#123f78", "#6aa5d8", "#f3ead6", "#e2703a", "#7d0f22"])

@@ -1,4 +1,5 @@
 """Sets an example up: its scene and the meshes of its bodies in one folder, the `drape` command, the FMU under FMPy."""
+import csv
 import math
 import os
 import shutil
@@ -36,6 +37,12 @@ def scene_put(folder, scene, **changed):
     file = folder / "scene.toml"
     file.write_text(text)
     return file
+
+
+def last_row(folder):
+    """The end of a run's outputs.csv, by name."""
+    with open(folder / "outputs.csv") as table:
+        return {name: float(value) for name, value in list(csv.DictReader(table))[-1].items()}
 
 
 def mesh_write(file, points, faces):

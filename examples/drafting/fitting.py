@@ -1,6 +1,5 @@
 """A drafted garment on its form: fitted, reported, drawn, checked."""
 import argparse
-import csv
 import subprocess
 import sys
 from pathlib import Path
@@ -8,7 +7,7 @@ from pathlib import Path
 EXAMPLES = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(EXAMPLES))
 from look import picture
-from stage import ROOT, drape
+from stage import ROOT, drape, last_row
 
 THICKNESS = 0.0005  # m, of the wool
 GAP = 1e-3  # m
@@ -25,8 +24,7 @@ def fit(scene, folder, seconds, frames=4):
     report = folder / "report.txt"
     drape("run", scene, "-o", folder / "run", "--until", seconds, "--every", seconds / frames, "--frames", "--report", report)
     print(report.read_text())
-    with open(folder / "run" / "outputs.csv") as table:
-        return {name: float(value) for name, value in list(csv.DictReader(table))[-1].items()}
+    return last_row(folder / "run")
 
 
 def check(end):
@@ -56,5 +54,5 @@ def fitted(name, text, quick, full):
     scene = draft(EXAMPLES / name / "draft.py", options.folder, *draft_options)
     end = fit(scene, options.folder, seconds)
     for field in ("tension_warp", "strain_weft"):
-        picture(options.folder / "run", options.folder / f"{name}_{field}.png", field=field, views=["front", "back", "half"])
+        picture(options.folder / "run", options.folder / f"{name}_{field}.png", field=field, views=["front", "back", "oblique"])
     check(end)

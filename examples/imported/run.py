@@ -20,7 +20,7 @@ def main():
     drape("form", "-o", folder / "form.obj")
     drape("import", HERE / "tunic.json", "--body", folder / "form.obj", "-o", scene, "--cell", 0.025 if options.quick else 0.01)
     end = fit(scene, folder, 1 if options.quick else 4)
-    picture(folder / "run", folder / "imported.png", field="tension_warp", views=["front", "back", "half"])
+    picture(folder / "run", folder / "imported.png", field="tension_warp", views=["front", "back", "oblique"])
     check(end)
 
 
