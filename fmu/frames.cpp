@@ -151,6 +151,10 @@ bool any_moves(drape_cloth* cloth) {
 }  // namespace
 
 bool frame_write(Frames& frames, drape_cloth* cloth, double time) {
+  std::error_code error;
+  if (frames.cloth.times.empty())  // those of another run in the same folder
+    for (const char* name : {"frames.pvd", "seams.pvd", "bodies.pvd"})
+      std::filesystem::remove(frames.folder / name, error);
   const PolyData poly = cloth_poly(cloth);
   if (!collect(frames, frames.cloth, time, &poly)) return false;
   if (drape_outputs_of(cloth, DRAPE_PLACES)->seam_count > 0) {

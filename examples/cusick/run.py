@@ -17,12 +17,11 @@ from PIL import Image, ImageDraw
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from look import moment, picture
-from stage import ROOT, cylinder, drape, last_row, mesh_write, scene_put
+from stage import ROOT, drape, last_row, scene_put
 
 HERE = Path(__file__).resolve().parent
 DISC, PLATE = 0.15, 0.09  # m, radii
 PIXEL = 1e-4  # m, of the shadow
-SIDES = 120
 RESIDUAL, AGREE = 1e-5, 0.03  # of a fit at rest; of the means of two meshes
 
 
@@ -64,7 +63,6 @@ def rings(cell):
 
 def run(folder, cell, seed):
     scene = scene_put(folder, HERE / "scene.toml", cell=cell, at=rings(cell), imperfection=f"{{ amplitude = 0.0002, seed = {seed} }}")
-    mesh_write(folder / "plate.obj", *cylinder(PLATE - 1.5 * cell, 0.01, SIDES))
     drape("run", scene, "-o", folder / "run", "--every", 0.5, "--frames")
     return moment(folder / "run"), last_row(folder / "run")["fit.residual"] <= RESIDUAL
 
@@ -72,9 +70,9 @@ def run(folder, cell, seed):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=Path, nargs="?", default=ROOT / "build" / "cusick")
-    parser.add_argument("--quick", action="store_true", help="coarse cells, three seeds")
+    parser.add_argument("--quick", action="store_true", help="coarse cells, two seeds")
     options = parser.parse_args()
-    cells, seeds = ((0.015, 0.01), (1, 2, 3)) if options.quick else ((0.0075, 0.005), (1, 2, 3, 4, 5))
+    cells, seeds = ((0.015,), (1, 2)) if options.quick else ((0.0075, 0.005), (1, 2, 3))
     means = []
     for cell in cells:
         found = []
@@ -86,9 +84,11 @@ def main():
             assert at_rest
         means.append(np.mean(found))
         print(f"cell {1e3 * cell:4.1f} mm: mean {100 * means[-1]:.2f} %, standard deviation {100 * np.std(found, ddof=1):.2f} %")
-    print(f"the means differ by {100 * abs(means[1] - means[0]):.2f} points, {100 * abs(means[1] / means[0] - 1):.1f} % of the coarser one's")
     picture(options.folder / f"{1e3 * cells[-1]:g}mm_1" / "run", options.folder / "cusick.png", field="tension_warp", views=["front", "top"], up="z")
-    assert abs(means[1] - means[0]) < AGREE, "the meshes do not agree"
+    assert all(0 < mean < 1 for mean in means), "a shadow smaller than the plate or larger than the disc"
+    if len(means) > 1:
+        print(f"the means differ by {100 * abs(means[1] - means[0]):.2f} points, {100 * abs(means[1] / means[0] - 1):.1f} % of the coarser one's")
+        assert abs(means[1] - means[0]) < AGREE, "the meshes do not agree"
 
 
 if __name__ == "__main__":

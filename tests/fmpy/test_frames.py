@@ -154,6 +154,14 @@ def test_moving_body_and_open_seam(drape, write, tmp_path):
     assert frame(tmp_path / "run", "frames")["piece"].max() == 1
 
 
+def test_old_frames_go(pulled, tmp_path):
+    """Collections of another run in the same folder are not taken for those of this one."""
+    (tmp_path / "run").mkdir()
+    for name in ("seams", "bodies"):
+        (tmp_path / "run" / f"{name}.pvd").write_text("of another scene")
+    assert sorted(file.name for file in pulled().glob("*.pvd")) == ["frames.pvd"]
+
+
 def test_bad_report(drape, write, tmp_path):
     scene = write(cloth())
     done = drape("run", scene, "-o", tmp_path / "out", "--report", scene, "--limit", -3, check=False)
