@@ -40,7 +40,7 @@ TEST(Fields, PressureIsThatOfTheSummary) {
   double most = 0, weight = 0;
   for (const double p : fields.pressure) count += p > 0, most = std::max(most, p);
   for (const double area : fields.area) weight += area;
-  ASSERT_GT(sum.count, 10u);
+  ASSERT_GE(sum.count, 4u);
   EXPECT_EQ(count, sum.count);
   EXPECT_NEAR(most / sum.pressure, 1, 1e-12);
   EXPECT_NEAR(weight, 0.04, 1e-12);
