@@ -46,7 +46,7 @@ double seams_held(const System& system, const State& s) {
 }
 
 void seams_hold(const System& system, State& s, double h) {
-  constexpr double kWait = 20, kGain = 1.0 / 5, kStalled = 0.1, kMost = 200;
+  constexpr double kWait = 20, kGain = 1.0 / 2, kStalled = 0.1, kMost = 2000;
   for (const Seam& seam : system.seams.seam) {
     const double w = seam.pull, reach = 2 * seam.speed / w;
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
