@@ -123,11 +123,13 @@ def test_picture_shows_the_seam(drape, write, tmp_path):
     assert "join a" in picture and "join b" in picture and "seam, its particles and its start" in picture
 
 
-def test_frill(tmp_path):
-    """The example ends with a check of its own."""
-    done = subprocess.run([sys.executable, ROOT / "examples" / "frill" / "run.py", tmp_path], capture_output=True, text=True)
+@pytest.mark.parametrize("example", ["frill", "two_strips", "tube", "sleeve"])
+def test_example(example, tmp_path):
+    """The examples end with checks of their own."""
+    run = ROOT / "examples" / example / "run.py"
+    done = subprocess.run([sys.executable, run, tmp_path], capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr
-    assert (tmp_path / "frill.png").exists()
+    assert (tmp_path / f"{example}.png").exists()
 
 
 def test_random_pairs():
