@@ -73,20 +73,28 @@ Factor factor_make(const std::vector<const SparseRow*>& rows, const Array& inver
   return f;
 }
 
-void factor_solve(const Factor& f, double* b) {
+namespace {
+
+template <int kWidth>
+void solve(const Factor& f, double* b) {
   const std::size_t rank = f.row.size();
   for (std::size_t k = 0; k < rank; ++k) {
-    double* y = b + 3 * f.row[k];
-    for (int c = 0; c < 3; ++c) y[c] *= f.inverse[k];
+    double* y = b + kWidth * f.row[k];
+    for (int c = 0; c < kWidth; ++c) y[c] *= f.inverse[k];
     for (std::size_t e = f.begin[k]; e < f.begin[k + 1]; ++e)
-      for (int c = 0; c < 3; ++c) b[3 * f.entry_row[e] + c] -= f.entry[e] * y[c];
+      for (int c = 0; c < kWidth; ++c) b[kWidth * f.entry_row[e] + c] -= f.entry[e] * y[c];
   }
   for (std::size_t k = rank; k-- > 0;) {
-    double* y = b + 3 * f.row[k];
+    double* y = b + kWidth * f.row[k];
     for (std::size_t e = f.begin[k]; e < f.begin[k + 1]; ++e)
-      for (int c = 0; c < 3; ++c) y[c] -= f.entry[e] * b[3 * f.entry_row[e] + c];
-    for (int c = 0; c < 3; ++c) y[c] *= f.inverse[k];
+      for (int c = 0; c < kWidth; ++c) y[c] -= f.entry[e] * b[kWidth * f.entry_row[e] + c];
+    for (int c = 0; c < kWidth; ++c) y[c] *= f.inverse[k];
   }
 }
+
+}  // namespace
+
+void factor_solve(const Factor& f, double* b) { solve<3>(f, b); }
+void factor_solve_scalar(const Factor& f, double* b) { solve<1>(f, b); }
 
 }  // namespace drape

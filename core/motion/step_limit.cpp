@@ -120,11 +120,11 @@ void link_offer(WorstPart& worst, const Scene& scene, const Lattice& l, const St
 }  // namespace
 
 double step_limit_cell(const Lattice& l, const State& s, const std::size_t* corner, double ahead) {
-  return cell_bound(l, s, corner, ahead) / (l.law.areal_density * l.cell * l.cell);
+  return cell_bound(l, s, corner, ahead) / (l.mass_kept * l.law.areal_density * l.cell * l.cell);
 }
 
 double step_limit_clamps(const System& system, const Lattice& l, const State& s, double ahead) {
-  return clamps_bound(system, l, s, ahead) / (l.law.areal_density * l.cell * l.cell);
+  return clamps_bound(system, l, s, ahead) / (l.mass_kept * l.law.areal_density * l.cell * l.cell);
 }
 
 double step_limit_lattice(const System& system, const Kernel& kernel, const Lattice& l, const State& state,
@@ -132,7 +132,7 @@ double step_limit_lattice(const System& system, const Kernel& kernel, const Latt
   double most = 0;
   for (int j = 0; j + 1 < l.rows; ++j) most = most_of(kernel.omega2(system, l, state, j, ahead), most);
   most = most_of(side_bound(system, l, state, ahead) / (l.law.areal_density * l.cell * l.cell), most);
-  return most + step_limit_clamps(system, l, state, ahead);
+  return most / l.mass_kept + step_limit_clamps(system, l, state, ahead);
 }
 
 double step_limit_drag(const System& system, const State& state) {
