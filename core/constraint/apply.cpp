@@ -183,6 +183,17 @@ void rigid_project(const System& system, const Constraints& c, const Field& f, H
   std::copy_n(now.y.begin(), held.y.size(), held.y.begin());
 }
 
+// Of a link along itself: what turning asks, and what a step does against what it is off; in a fit a step
+// moves by h^2 times the lightness.
+double link_acceleration(const RigidLink& link, const State& s) {
+  const auto [a, b] = link.node;
+  const Vec3 turns = Vec3{s.vx[b], s.vy[b], s.vz[b]} - Vec3{s.vx[a], s.vy[a], s.vz[a]};
+  const double turning = -dot(turns, turns) / link.length;
+  if (s.h_old == 0) return turning;
+  const double step2 = s.h_old * s.h_old * (s.lightness.empty() ? 1 : s.lightness[a]);
+  return turning - rigid_excess(link, s.x.data(), s.y.data(), s.z.data()) / step2;
+}
+
 // As rows_apply, with links.
 void rigid_apply(const System& system, const Constraints& c, const HeldStep& step, HeldMotion& held,
                  State& s) {
@@ -259,11 +270,8 @@ void held_rates(const Constraints& c, const State& s, Rate which, HeldMotion& he
     }
     set(held.rate, k, sum);
   });
-  for (std::size_t k = 0; k < c.rigid.link.size(); ++k) {
-    const auto [a, b] = c.rigid.link[k].node;
-    const Vec3 turns = Vec3{s.vx[b], s.vy[b], s.vz[b]} - Vec3{s.vx[a], s.vy[a], s.vz[a]};
-    held.rigid.rate[k] = which == Rate::kVelocity ? 0 : -dot(turns, turns) / c.rigid.link[k].length;
-  }
+  for (std::size_t k = 0; k < c.rigid.link.size(); ++k)
+    held.rigid.rate[k] = which == Rate::kVelocity ? 0 : link_acceleration(c.rigid.link[k], s);
 }
 
 void held_keep(const Constraints& c, const State& s, HeldMotion& held) {

@@ -11,7 +11,7 @@
 namespace drape {
 namespace {
 
-constexpr double kSoft = 0.05;  // e
+constexpr double kSoft = 0.01;  // e
 
 // The entries of all scalar rows.
 void entries_fill(const std::vector<HeldRow>& rows, const std::vector<FixedNode>& fixed, Rigid& rigid) {
@@ -60,7 +60,8 @@ std::vector<std::size_t> elimination_order(const Rigid& rigid) {
 }
 
 // Pairs of columns that share a node along an axis, with what they share.
-using Shared = std::map<std::pair<std::size_t, std::size_t>, std::vector<std::pair<std::size_t, std::size_t>>>;
+using Shared =
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<std::pair<std::size_t, std::size_t>>>;
 Shared shared_of(const Rigid& rigid) {
   std::map<std::pair<std::size_t, int>, std::vector<std::pair<std::size_t, std::size_t>>> on;
   for (std::size_t r = 0; r + 1 < rigid.begin.size(); ++r)
@@ -172,8 +173,8 @@ double rigid_excess(const RigidLink& link, const double* x, const double* y, con
   return (dx * dx + dy * dy + dz * dz - link.length * link.length) / (2 * link.length);
 }
 
-double rigid_along(const Rigid& rigid, const RigidNow& now, std::size_t link, const double* x, const double* y,
-                   const double* z) {
+double rigid_along(const Rigid& rigid, const RigidNow& now, std::size_t link, const double* x,
+                   const double* y, const double* z) {
   const double* f[] = {x, y, z};
   double sum = 0;
   for (std::size_t e = rigid.begin[rigid.held + link]; e < rigid.begin[rigid.held + link + 1]; ++e)

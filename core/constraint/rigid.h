@@ -6,12 +6,13 @@
 // instead of one link after another), J at the beginning of the step:
 //
 //   [ A M^-1 A^T    A M^-1 J^T          ] [y]   [A r - t]
-//   [ J M^-1 A^T    J M^-1 J^T + e D    ] [z] = [C(r)   ],    r <- r - M^-1 (A^T y + J^T z),     again until C is small
+//   [ J M^-1 A^T    J M^-1 J^T + e D    ] [z] = [C(r)   ],    r <- r - M^-1 (A^T y + J^T z),     again until
+//   C is small
 //
-// D is the diagonal of J M^-1 J^T. Links may say the same as others, or what others do not allow (in a plane a
-// truss of more than 2 n - 3 links): e D leaves such a part of C where it is instead of dividing by nothing.
-// A displacement beyond what links ask is at most 1/(2 sqrt e) of what they do; what one sweep leaves of a link
-// that is free to follow is e.
+// D is the diagonal of J M^-1 J^T. Links may say the same as others, or what others do not allow (in a plane
+// a truss of more than 2 n - 3 links): e D leaves such a part of C where it is instead of dividing by
+// nothing. A displacement beyond what links ask is at most 1/(2 sqrt e) of what they do; what one sweep
+// leaves of a link that is free to follow is e.
 #pragma once
 #include "constraint/factor.h"
 
@@ -51,13 +52,13 @@ Rigid rigid_make(const std::vector<HeldRow>& rows, const std::vector<FixedNode>&
 
 // Its numbers at a state.
 struct RigidNow {
-  Array weight;       // [entries]
-  Array slot;         // of the matrix
-  Factor factor;      // as Rigid::shape
-  bool ready = false; // the factor is that of the weights
-  Array rate;         // [links] m/s or m/s^2 that links are to have along themselves
-  Array y;            // [scalar rows] sum of what sweeps took
-  Array b;            // [scalar rows] the right hand side
+  Array weight;        // [entries]
+  Array slot;          // of the matrix
+  Factor factor;       // as Rigid::shape
+  bool ready = false;  // the factor is that of the weights
+  Array rate;          // [links] m/s or m/s^2 that links are to have along themselves
+  Array y;             // [scalar rows] sum of what sweeps took
+  Array b;             // [scalar rows] the right hand side
 };
 RigidNow rigid_now(const Rigid& rigid);
 
@@ -69,8 +70,8 @@ void rigid_factor(const Rigid& rigid, const Array& inverse_mass, RigidNow& now);
 double rigid_excess(const RigidLink& link, const double* x, const double* y, const double* z);
 
 // (J f) of a link, from the weights.
-double rigid_along(const Rigid& rigid, const RigidNow& now, std::size_t link, const double* x, const double* y,
-                   const double* z);
+double rigid_along(const Rigid& rigid, const RigidNow& now, std::size_t link, const double* x,
+                   const double* y, const double* z);
 
 // Solves for now.b, adds it to now.y, and takes s M^-1 (A^T y + J^T z) out of each field.
 struct RigidField {

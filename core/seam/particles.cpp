@@ -8,9 +8,9 @@
 namespace drape {
 namespace {
 
-constexpr double kReach = 1.5;   // cells, of a tie [P]
+constexpr double kReach = 1.5;     // cells, of a tie [P]
 constexpr std::size_t kLeast = 3;  // ties of a particle that has fewer within reach: to the nearest
-constexpr double kSame = 1e-9;   // cells: particles nearer than that are one
+constexpr double kSame = 1e-9;     // cells: particles nearer than that are one
 
 double distance(Vec2 p, Vec2 q) { return std::hypot(q[0] - p[0], q[1] - p[1]); }
 

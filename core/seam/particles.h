@@ -18,8 +18,8 @@ struct GridTie {
   double length;  // m
 };
 
-// The grids of all pieces. With outline = "paper" the particles of seams are their last twins, `ties` [pieces]
-// what ties them; nothing else uses those.
+// The grids of all pieces. With outline = "paper" the particles of seams are their last twins, `ties`
+// [pieces] what ties them; nothing else uses those.
 std::vector<Grid> grids_make(const Scene& scene, std::vector<std::vector<GridTie>>* ties = nullptr);
 
 // The particle of a seam at a point of the outline.

@@ -57,8 +57,9 @@ void pairs_tie(const std::vector<Grid>& grids, const SeamLayout& layout, const S
       const auto piece = std::size_t(seam.piece[k]);
       const Grid& grid = grids[piece];
       const Vec2 p = layout.point[k][n], in = layout.inward[k][n], deep = inside(p, in, grid.cell);
-      pair.side[k] = grid.paper ? particle_tie(grid, system.lattices[piece], p)
-                                : point_tie(grid, system.lattices[piece], p, inside(p, in, kInside * grid.cell));
+      pair.side[k] = grid.paper
+                         ? particle_tie(grid, system.lattices[piece], p)
+                         : point_tie(grid, system.lattices[piece], p, inside(p, in, kInside * grid.cell));
       inner[k] = point_tie(grid, system.lattices[piece], deep, deep);
       row_add(pair.gap, pair.side[k], k == 0 ? -1 : 1);
       const double warp = in[1] * grid.cosine - in[0] * grid.sine,
