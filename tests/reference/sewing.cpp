@@ -114,7 +114,7 @@ VectorXd hold_rates(const Motion& motion, double time, const VectorXd& r, const 
       const Vector3d d = gap_of(seam.pairs[p], r), rate = gap_of(seam.pairs[p], v);
       const double length = d.norm();
       if (-rate.dot(d) < length * std::min(w * length, 2 * seam.speed) / 10)
-        rates[k] = w / 2 * std::min(length, 2 * seam.speed / w);
+        rates[k] = w * std::min(length, 2 * seam.speed / w);
     }
   }
   return rates;
