@@ -17,7 +17,7 @@ struct drape_snapshot {
   drape::ParameterValues shown;  // also what is set but not committed yet
   struct Inputs {
     double wind[3];
-    std::vector<drape_pin_input> pin;
+    std::vector<drape_pin_input> pin, body;
   } inputs, input_rates;
 };
 
@@ -29,11 +29,13 @@ constexpr double kIntervalsMost = 1e9;  // in one advance
 void inputs_save(const drape_inputs& from, drape_snapshot::Inputs& to) {
   std::copy(from.wind, from.wind + 3, to.wind);
   to.pin.assign(from.pin, from.pin + from.pin_count);
+  to.body.assign(from.body, from.body + from.body_count);
 }
 
 void inputs_restore(const drape_snapshot::Inputs& from, drape_inputs& to) {
   std::copy(from.wind, from.wind + 3, to.wind);
   std::copy(from.pin.begin(), from.pin.end(), to.pin);
+  std::copy(from.body.begin(), from.body.end(), to.body);
 }
 
 // Sides of very different length are likely to be a mistake.
@@ -56,6 +58,7 @@ void cloth_assemble(drape_cloth& c, std::vector<Problem>& problems) {
   c.motion = motion_make(c.system);
   leapfrog_begin(c.system, c.motion, c.state);
   energy_begin(c.system, c.state);
+  touch_start_check(c.system, c.scene, c.motion.touch, c.state, problems);
   step_check(c, problems);
   if (!problems.empty()) return;
   c.good = c.state;
@@ -64,6 +67,8 @@ void cloth_assemble(drape_cloth& c, std::vector<Problem>& problems) {
   inputs_make(c);
   outputs_make(c.outputs, c.scene, c.system);
   seams_warn(c);
+  for (const Body& body : c.system.bodies)
+    for (const std::string& remark : body.remarks) say(c, DRAPE_LOG_WARNING, remark);
 }
 
 // Where a run left the finite numbers, and the likely reason.
@@ -120,6 +125,7 @@ drape_cloth* drape_open(const char* scene_file, drape_log_fn* log, void* user) {
   try {
     c->scene = scene_read(scene_file, problems);
     if (problems.empty()) c->text = scene_resolve(scene_file, problems);
+    for (const BodySpec& body : c->scene.bodies) c->files.push_back(body_file(body.name, body.mesh));
     if (problems.empty()) {
       cloth_assemble(*c, problems);
       for (Problem& p : problems) p.place = scene_place(scene_file, p.place);
@@ -138,6 +144,11 @@ void drape_close(drape_cloth* c) { delete c; }
 
 const char* drape_scene_name(const drape_cloth* c) { return c->scene.name.c_str(); }
 const char* drape_scene_text(const drape_cloth* c) { return c->text.c_str(); }
+int drape_file_count(const drape_cloth* c) { return int(c->scene.bodies.size()); }
+const char* drape_file_path(const drape_cloth* c, int k) {
+  return c->scene.bodies[std::size_t(k)].mesh.c_str();
+}
+const char* drape_file_name(const drape_cloth* c, int k) { return c->files[std::size_t(k)].c_str(); }
 double drape_duration(const drape_cloth* c) { return c->scene.duration; }
 double drape_communication(const drape_cloth* c) { return c->system.communication; }
 

@@ -21,14 +21,17 @@ struct drape_cloth {
   void* log_user = nullptr;
   drape::Scene scene;
   std::string text;
+  std::vector<std::string> files;  // [bodies] their names beside the text
   drape::System system;
   drape::Motion motion;
   drape::State state, good;  // now, and when the running advance began
   drape::Parameters parameters;
   drape_inputs inputs{}, input_rates{};
-  std::vector<drape_pin_input> pin_inputs, pin_rates;  // [driven pins]
-  std::vector<std::size_t> driven;                     // theirs among Scene::pins
-  drape::Tuning tuning, tuning_good;                   // as state, good
+  std::vector<drape_pin_input> pin_inputs, pin_rates;    // [driven pins]
+  std::vector<std::size_t> driven;                       // theirs among Scene::pins
+  std::vector<drape_pin_input> body_inputs, body_rates;  // [moving bodies]
+  std::vector<std::size_t> moving;                       // theirs among Scene::bodies
+  drape::Tuning tuning, tuning_good;                     // as state, good
   drape::Outputs outputs;
   struct Piece {
     int first = 0;

@@ -46,7 +46,7 @@ typedef struct drape_fabric {
   double poisson;                    /* 1 */
   double compression;                /* 1 */
   double damping;                    /* s, of the springs */
-  double friction;                   /* 1 */
+  double friction;                   /* 1, static; the kinetic one keeps its ratio to it */
 } drape_fabric;
 
 typedef struct drape_seam_parameters {
@@ -87,6 +87,8 @@ typedef struct drape_inputs {
   double wind[3]; /* m/s */
   int pin_count;
   drape_pin_input* pin; /* [pin_count] the driven ones */
+  int body_count;
+  drape_pin_input* body; /* [body_count] those that move; orientations are those in space */
 } drape_inputs;
 
 /* What a cloth tells of itself at the present time. */
@@ -114,8 +116,15 @@ typedef struct drape_seam {
   double length;  /* m, along the middle of both sides */
 } drape_seam;
 
+typedef struct drape_body {
+  const char* name;
+  double
+      force[3]; /* N, of the cloth on the body: impulse over the last drape_advance divided by its length */
+  double torque[3]; /* N m likewise, about the body's present origin */
+} drape_body;
+
 typedef struct drape_energy { /* J; only with scene.energy */
-  double kinetic, stretch, shear, bending, gravity;
+  double kinetic, stretch, shear, bending, gravity, contact;
   double dissipated, input, balance_error; /* since the start */
 } drape_energy;
 
@@ -134,10 +143,15 @@ typedef struct drape_outputs {
   int pin_count;
   drape_pin* pin; /* [pin_count] */
   int seam_count;
-  drape_seam* seam;      /* [seam_count] */
-  int node_count;        /* particles of all pieces in order, row by row */
-  double* node_position; /* [node_count x 3] m; NULL until first asked for */
-  double* node_velocity; /* [node_count x 3] m/s, synchronous; likewise */
+  drape_seam* seam; /* [seam_count] */
+  int body_count;
+  drape_body* body;           /* [body_count] */
+  double contact_count;       /* particles that touch a body */
+  double contact_penetration; /* m, the most that one is pressed into the cloth's thickness */
+  double contact_pressure;    /* Pa, the largest */
+  int node_count;             /* particles of all pieces in order, row by row */
+  double* node_position;      /* [node_count x 3] m; NULL until first asked for */
+  double* node_velocity;      /* [node_count x 3] m/s, synchronous; likewise */
 } drape_outputs;
 
 /* A piece as its particles and the cells between them, and as polygons that follow its outline. The corners
@@ -172,12 +186,16 @@ typedef struct drape_piece {
 drape_cloth* drape_open(const char* scene_file, drape_log_fn* log, void* user);
 void drape_close(drape_cloth*);
 
-/* Scene facts. The text is the scene with every file it names folded in; a scene file of that text gives the
- * same cloth. */
+/* Scene facts. The text is the scene with every file it names folded in, but for the meshes of bodies; a
+ * scene file of that text, with the meshes beside it, gives the same cloth. */
 const char* drape_scene_name(const drape_cloth*);
 const char* drape_scene_text(const drape_cloth*);
 double drape_duration(const drape_cloth*);      /* s, scene.duration */
 double drape_communication(const drape_cloth*); /* s, scene.communication */
+/* The files that the text names: where each is now, and by what name it must lie beside the text. */
+int drape_file_count(const drape_cloth*);
+const char* drape_file_path(const drape_cloth*, int index);
+const char* drape_file_name(const drape_cloth*, int index);
 int drape_piece_count(const drape_cloth*);
 drape_piece drape_piece_at(drape_cloth*, int index);
 

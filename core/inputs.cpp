@@ -1,4 +1,5 @@
 // The inputs of the C interface: what may be written, and how it becomes the end of the next advance's paths.
+#include <algorithm>
 #include <cmath>
 
 #include "cloth.h"
@@ -38,10 +39,9 @@ void orientation_take(const VectorInput& v, double* reached, std::vector<Problem
   for (int k = 0; k < 4; ++k) v.value[k] = v.now[k], v.rate[k] = 0;
 }
 
-void pin_take(const drape_cloth& c, drape_pin_input& in, drape_pin_input& rate, std::size_t pin,
+// Of a pin or a body: `name`.
+void pin_take(const std::string& name, const Frame& now, drape_pin_input& in, drape_pin_input& rate,
               double length, Frame& to, std::vector<Problem>& problems) {
-  const Frame& now = c.state.pin_frame[pin];
-  const std::string name = std::string("pin.") + in.name;
   const auto take = [&](const char* what, const Quantity& limits, int size, double* value, double* by,
                         const double* present, double* reached) {
     const VectorInput v{name + "." + what, &limits, size, value, by, present};
@@ -81,24 +81,43 @@ void inputs_make(drape_cloth& c) {
     c.pin_inputs.push_back(in);
     c.driven.push_back(p);
   }
+  for (std::size_t b = 0; b < c.system.bodies.size(); ++b) {
+    const Body& body = c.system.bodies[b];
+    if (!body.moves) continue;
+    drape_pin_input in{};
+    in.name = body.name.c_str();
+    in.drive = DRAPE_DRIVE_POSITION | DRAPE_DRIVE_VELOCITY;
+    in.clamp = 1;
+    c.body_rates.push_back(in);
+    std::copy(body.start.position.begin(), body.start.position.end(), in.position);
+    std::copy(body.start.turn.begin(), body.start.turn.end(), in.orientation);
+    c.body_inputs.push_back(in);
+    c.moving.push_back(b);
+  }
   for (drape_inputs* inputs : {&c.inputs, &c.input_rates}) {
     inputs->has_wind = c.scene.has_air;
+    inputs->body_count = int(c.moving.size());
     inputs->pin_count = int(c.driven.size());
   }
   for (std::size_t k = 0; k < 3; ++k) c.inputs.wind[k] = c.scene.wind[k];
   c.inputs.pin = c.pin_inputs.data();
   c.input_rates.pin = c.pin_rates.data();
+  c.inputs.body = c.body_inputs.data();
+  c.input_rates.body = c.body_rates.data();
 }
 
 void inputs_mend(drape_cloth& c, std::vector<Problem>& problems) {
-  for (std::size_t k = 0; k < c.driven.size(); ++k) {
-    drape_pin_input &in = c.pin_inputs[k], &rate = c.pin_rates[k];
-    if (!in.clamp || !(in.drive & DRAPE_DRIVE_POSITION) || !all_zero(rate.orientation)) continue;
+  const auto mend = [&](const char* kind, drape_pin_input& in, drape_pin_input& rate, const Frame& now) {
+    if (!in.clamp || !(in.drive & DRAPE_DRIVE_POSITION) || !all_zero(rate.orientation)) return;
     double reached[4] = {in.orientation[0], in.orientation[1], in.orientation[2], in.orientation[3]};
-    orientation_take({std::string("pin.") + in.name + ".orientation", &kPinOrientation, 4, in.orientation,
-                      rate.orientation, c.state.pin_frame[c.driven[k]].turn.data()},
+    orientation_take({std::string(kind) + in.name + ".orientation", &kPinOrientation, 4, in.orientation,
+                      rate.orientation, now.turn.data()},
                      reached, problems);
-  }
+  };
+  for (std::size_t k = 0; k < c.driven.size(); ++k)
+    mend("pin.", c.pin_inputs[k], c.pin_rates[k], c.state.pin_frame[c.driven[k]]);
+  for (std::size_t k = 0; k < c.moving.size(); ++k)
+    mend("body.", c.body_inputs[k], c.body_rates[k], c.state.body[c.moving[k]].frame);
 }
 
 bool inputs_take(drape_cloth& c, double length, std::vector<Problem>& problems) {
@@ -108,7 +127,11 @@ bool inputs_take(drape_cloth& c, double length, std::vector<Problem>& problems) 
     vector_take({"wind", &kWind, 3, c.inputs.wind, c.input_rates.wind, c.state.wind.data()}, length,
                 to.wind.data(), problems);
   for (std::size_t k = 0; k < c.driven.size(); ++k)
-    pin_take(c, c.pin_inputs[k], c.pin_rates[k], c.driven[k], length, to.pin[c.driven[k]], problems);
+    pin_take(std::string("pin.") + c.pin_inputs[k].name, c.state.pin_frame[c.driven[k]], c.pin_inputs[k],
+             c.pin_rates[k], length, to.pin[c.driven[k]], problems);
+  for (std::size_t k = 0; k < c.moving.size(); ++k)
+    pin_take(std::string("body.") + c.body_inputs[k].name, c.state.body[c.moving[k]].frame, c.body_inputs[k],
+             c.body_rates[k], length, to.body[c.moving[k]], problems);
   if (problems.size() > before) return false;
   c.motion.inputs = to;
   return true;
@@ -116,11 +139,12 @@ bool inputs_take(drape_cloth& c, double length, std::vector<Problem>& problems) 
 
 void inputs_taken(drape_cloth& c) {
   for (double& rate : c.input_rates.wind) rate = 0;
-  for (drape_pin_input& rate : c.pin_rates) {
-    for (double* v : {rate.position, rate.velocity, rate.angular_velocity})
-      for (int k = 0; k < 3; ++k) v[k] = 0;
-    for (double& q : rate.orientation) q = 0;
-  }
+  for (std::vector<drape_pin_input>* rates : {&c.pin_rates, &c.body_rates})
+    for (drape_pin_input& rate : *rates) {
+      for (double* v : {rate.position, rate.velocity, rate.angular_velocity})
+        for (int k = 0; k < 3; ++k) v[k] = 0;
+      for (double& q : rate.orientation) q = 0;
+    }
 }
 
 }  // namespace drape

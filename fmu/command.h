@@ -22,6 +22,8 @@ void command_reference(CLI::App& app, int& exit_code);
 void command_variables(CLI::App& app, int& exit_code);
 void command_bench(CLI::App& app, int& exit_code);
 void command_fabric(CLI::App& app, int& exit_code);
+void command_import(CLI::App& app, int& exit_code);
+void command_form(CLI::App& app, int& exit_code);
 
 // Options that several commands share.
 CLI::Option* option_scene(CLI::App& command, std::string& scene_file);

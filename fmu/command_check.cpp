@@ -67,12 +67,27 @@ void print_excess(const Scene& scene) {
     for (Thread along : {Thread::kWarp, Thread::kWeft, Thread::kBias}) {
       if (!strip_diagram(f, along).correction.empty()) continue;
       const StripExcess e = strip_excess(f, along, options);
+      if (!e.why.empty())
+        std::printf("fabric %s: %s is not calibrated; %s\n", f.name.c_str(), thread_name(along),
+                    e.why.c_str());
       if (std::abs(e.excess) < 1e-3) continue;
       std::printf(
           "fabric %s: %s is not calibrated; a simulated strip pulls up to %.3g %% too %s (at %.4g %%)\n",
           f.name.c_str(), thread_name(along), 100 * std::abs(e.excess), e.excess > 0 ? "hard" : "little",
           100 * e.elongation);
     }
+}
+
+// Where jaws are taken out of a diagram by a formula that does not hold for its strip.
+void print_jaws(const Scene& scene) {
+  const LawOptions options{scene.scaling, scene.bias_model, scene.clamp_correction};
+  for (const FabricSpec& f : scene.fabrics)
+    if (const double r = f.strip_gauge / f.strip_width;
+        !f.bias.elongation.empty() && law_takes_jaws_out(f, options) && r < kJawRatioLeast * (1 - 1e-9))
+      std::printf(
+          "fabric %s: strip has gauge/width = %.4g; the clamp correction of bias holds from %.4g on: "
+          "calibrate it\n",
+          f.name.c_str(), r, kJawRatioLeast);
 }
 
 // False, with the reason in errno, where the file cannot be written.
@@ -130,7 +145,9 @@ int check(const Options& options) {
   std::printf("step limit: %.6g us, set by %s\n", 1e6 * limit, set_by ? set_by : "nothing");
   std::printf("step: %.6g us\n", 1e6 * drape_outputs_at(cloth.get(), 0)->step_size);
   std::vector<Problem> problems;  // none: the cloth has just been opened from the same file
-  print_excess(scene_read(options.scene_file, problems));
+  const Scene scene = scene_read(options.scene_file, problems);
+  print_jaws(scene);
+  print_excess(scene);
   return print_cost(cloth.get()) ? kDone : kFailedRun;
 }
 

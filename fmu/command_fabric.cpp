@@ -16,7 +16,9 @@
 #include "fabric_plot.h"
 #include "laboratory/bending.h"
 #include "laboratory/store.h"
+#include "laboratory/strip_order.h"
 #include "scene/read.h"
+#include "sheet/strip.h"
 
 namespace drape {
 namespace {
@@ -47,6 +49,15 @@ double cell_of(const Options& options, const FabricSpec& f) {
 
 bool there(const DiagramSpec& d) {
   return std::any_of(d.force.begin(), d.force.end(), [](double f) { return f > 0; });
+}
+
+// " (A, B)", the standards whose strips have this size; else nothing.
+std::string standards_of(const FabricSpec& f) {
+  std::string list;
+  for (const StripStandard& s : kStripStandards)
+    if (std::abs(s.width / f.strip_width - 1) < 1e-9 && std::abs(s.gauge / f.strip_gauge - 1) < 1e-9)
+      list += (list.empty() ? " (" : ", ") + std::string(s.name);
+  return list.empty() ? "" : list + ")";
 }
 
 std::string text_of(double value, const char* format = "%.6g") {
@@ -94,23 +105,11 @@ bool problems_tell(const std::vector<Problem>& problems) {
 // A bias strip on other cells too: the largest difference, and the order by which it changes.
 void cells_tell(const FabricSpec& f, double cell, const std::vector<double>& elongation) {
   std::vector<Problem> problems;
-  std::vector<std::vector<double>> force;
-  for (double b : {2 * cell, cell, cell / 2}) {
-    if (b > std::min(f.strip_width, f.strip_gauge) / kLeastCells) return;
-    force.push_back(strip_pull(f, Thread::kBias, b, elongation, problems).force);
-    if (force.back().size() < elongation.size()) {
-      std::printf("  on cells of %.6g mm the strip finds no rest\n", 1e3 * b);
-      return;
-    }
-  }
-  double change[2] = {0, 0}, off[2] = {0, 0};
-  for (std::size_t k = 0; k < elongation.size(); ++k)
-    for (std::size_t i : {0, 1}) {
-      change[i] = std::max(change[i], std::abs(force[i][k] - force[i + 1][k]) / force[1][k]);
-      off[i] = std::max(off[i], std::abs(force[2 * i][k] / f.bias.force[k + 1] - 1));
-    }
-  std::printf("  on cells of %.6g mm at most %.3f %% off, of %.6g mm %.3f %%; order %.2f\n", 2e3 * cell,
-              100 * off[0], 500 * cell, 100 * off[1], std::log2(change[0] / change[1]));
+  const StripOrder o = strip_order(f, cell, elongation, problems);
+  if (!o.told) return;
+  if (!o.why.empty()) return void(std::printf("  on cells of twice and half the edge %s\n", o.why.c_str()));
+  std::printf("  on cells of %.6g mm at most %.3f %% off, of %.6g mm %.3f %%; order %.2f\n", 1e3 * o.cell[0],
+              100 * o.off[0], 1e3 * o.cell[2], 100 * o.off[2], o.order);
 }
 
 int strip_test(const Options& options, const FabricSpec& f, Thread along, std::vector<PlotPanel>& panels) {
@@ -124,7 +123,7 @@ int strip_test(const Options& options, const FabricSpec& f, Thread along, std::v
   if (!problems_tell(problems)) return kBadInput;
   const bool free = along == Thread::kBias && !f.bias.jaws;
   std::printf("%s, %s, cells of %.6g mm, %s\n", name, free ? "a trellis without jaws" : "between jaws",
-              1e3 * cell, d.correction.empty() ? "not calibrated" : "calibrated");
+              1e3 * strip_cell(f, along, cell), d.correction.empty() ? "not calibrated" : "calibrated");
   std::printf("  elongation, %%      input, N  simulated, N  difference, %%\n");
   PlotPanel panel{name, {}, {}, strip.force};
   for (std::size_t k = 0; k < strip.force.size(); ++k) {
@@ -191,12 +190,16 @@ int test(const Options& options) {
     if (const std::string problem = target_problem("--picture", *options.picture, options.fabric_file, "");
         !problem.empty())
       return fail(kBadInput, problem);
-  std::printf("fabric %s, strips of %.6g x %.6g mm (GOST 3813)\n\n", f.name.c_str(), 1e3 * f.strip_width,
-              1e3 * f.strip_gauge);
+  std::printf("fabric %s, strips of %.6g x %.6g mm%s\n\n", f.name.c_str(), 1e3 * f.strip_width,
+              1e3 * f.strip_gauge, standards_of(f).c_str());
   int code = kDone;
   std::vector<PlotPanel> panels;
-  for (Thread along : kThreads)
-    if (is_along(options, along)) code = std::max(code, strip_test(options, f, along, panels));
+  for (Thread along : kThreads) {
+    if (!is_along(options, along)) continue;
+    const int done = strip_test(options, f, along, panels);
+    if (done == kBadInput) return done;
+    code = std::max(code, done);
+  }
   if (f.bending_warp > 0 || f.bending_weft > 0) {
     std::printf("bending (GOST 10550, cells of %.6g mm; ASTM D1388, %d cells), EI on %.6g mm\n",
                 1e3 * kBendingCell, kOverhangCells, 1e3 * f.bending_width);
@@ -246,7 +249,7 @@ int calibrate_fabric(const Options& options) {
         !problem.empty())
       return fail(kBadInput, problem);
   std::vector<Problem> problems;
-  const FabricSpec f = fabric_read(options.fabric_file, problems);
+  const FabricSpec f = fabric_read(options.fabric_file, problems, Corrections::kDropped);
   if (!problems_tell(problems) || !wishes_check(options, f)) return kBadInput;
   const Calibration c = calibrate(f, {.cell = options.cell}, problems);
   if (!problems_tell(problems)) return kBadInput;

@@ -120,6 +120,8 @@ int main(int argc, char** argv) {
   command_variables(app, exit_code);
   command_bench(app, exit_code);
   command_fabric(app, exit_code);
+  command_import(app, exit_code);
+  command_form(app, exit_code);
   if (const std::string problem = command_problem(app, argc, argv); !problem.empty())
     return fail(kBadInput, problem);
   try {

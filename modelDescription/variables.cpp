@@ -117,7 +117,7 @@ void add_fabric(Table& table, drape_fabric& f) {
   add(table, name + ".damping", &f.damping, tunable(kSpringDamping),
       "tension of the springs per rate, over their stiffness");
   add(table, name + ".friction", &f.friction, tunable(kFriction),
-      "coefficient of friction; without effect as long as nothing touches");
+      "coefficient of static friction; the kinetic one keeps its ratio to it");
 }
 
 void add_seams(Table& table, drape_parameters& p) {
@@ -162,6 +162,39 @@ void add_inputs(Table& table, drape_inputs& u, drape_inputs& rates) {
   }
 }
 
+void add_bodies(Table& table, drape_inputs& u, drape_inputs& rates) {
+  for (int i = 0; i < u.body_count; ++i) {
+    drape_pin_input &body = u.body[i], &rate = rates.body[i];
+    const std::string name = "body." + name_part(body.name);
+    add_input(table, name + ".position", body.position, rate.position, input(kPinPosition), "xyz",
+              "where the body's origin is to be at the end of the step");
+    add_input(table, name + ".orientation", body.orientation, rate.orientation, input(kPinOrientation),
+              "wxyz", "rotation of the body from its mesh, a quaternion of any length above 0");
+    add_input(table, name + ".velocity", body.velocity, rate.velocity, input(kPinVelocity), "xyz",
+              "velocity that the body's origin is to have at the end of the step");
+    add_input(table, name + ".angular_velocity", body.angular_velocity, rate.angular_velocity,
+              input(kPinAngularVelocity), "xyz",
+              "angular velocity that the body is to have at the end of the step");
+  }
+}
+
+void add_contact(Table& table, drape_outputs& o) {
+  for (int i = 0; i < o.body_count; ++i) {
+    const std::string name = "body." + name_part(o.body[i].name);
+    add_vector(table, name + ".force", o.body[i].force, output(DRAPE_MOTION, "N"),
+               "mean force of the cloth on the body over the last communication step");
+    add_vector(table, name + ".torque", o.body[i].torque, output(DRAPE_MOTION, "N.m"),
+               "mean torque of the cloth on the body likewise, about the body's origin");
+  }
+  if (o.body_count == 0) return;
+  add(table, "contact.count", &o.contact_count, output_discrete(DRAPE_STRAIN, "1"),
+      "particles that touch a body");
+  add(table, "contact.penetration.max", &o.contact_penetration, output(DRAPE_STRAIN, "m"),
+      "the most that a particle is pressed into the thickness of its cloth");
+  add(table, "contact.pressure.max", &o.contact_pressure, output(DRAPE_STRAIN, "Pa"),
+      "largest pressure of a body on the cloth");
+}
+
 void add_outputs(Table& table, drape_outputs& o) {
   for (int i = 0; i < o.probe_count; ++i) {
     const std::string name = "probe." + name_part(o.probe[i].name);
@@ -185,6 +218,7 @@ void add_outputs(Table& table, drape_outputs& o) {
     add(table, name + ".length", &o.seam[i].length, output(DRAPE_PLACES, "m"),
         "length of the seam, along the middle of its sides");
   }
+  add_contact(table, o);
   add_strain(table, "strain.warp", o.strain_warp, "along the warp");
   add_strain(table, "strain.weft", o.strain_weft, "along the weft");
   add_strain(table, "strain.bias", o.strain_bias, "along the diagonals");
@@ -206,11 +240,14 @@ void add_outputs(Table& table, drape_outputs& o) {
   add(table, "energy.bending", &o.energy.bending, output(DRAPE_ENERGY, "J"), "energy of the hinges");
   add(table, "energy.gravity", &o.energy.gravity, output(DRAPE_ENERGY, "J"),
       "potential energy of the weight");
+  if (o.body_count > 0)
+    add(table, "energy.contact", &o.energy.contact, output(DRAPE_ENERGY, "J"),
+        "energy of what is pressed on bodies");
   if (!o.has_balance) return;
   add(table, "energy.dissipated", &o.energy.dissipated, output(DRAPE_ENERGY, "J"),
-      "energy that damping and air have taken");
+      "energy that damping, air and friction have taken");
   add(table, "energy.input", &o.energy.input, output(DRAPE_ENERGY, "J"),
-      "work of pins, wind, seams and tuning on the cloth");
+      "work of pins, bodies, wind, seams and tuning on the cloth");
   add(table, "energy.balance_error", &o.energy.balance_error, output(DRAPE_ENERGY, "J"),
       "growth of all energies since the start, minus input, plus dissipated");
 }
@@ -252,6 +289,7 @@ std::vector<Variable> variables_of(drape_cloth* cloth, Nodes nodes) {
   Table table;
   add_parameters(table, *drape_parameters_of(cloth));
   add_inputs(table, *drape_inputs_of(cloth), *drape_input_rates_of(cloth));
+  add_bodies(table, *drape_inputs_of(cloth), *drape_input_rates_of(cloth));
   add_outputs(table, outputs);
   const std::vector<int> wanted = nodes_wanted(cloth, nodes, outputs.node_count);
   add_nodes(table, wanted, "node.position", outputs.node_position, "m", DRAPE_NODE_PLACES,

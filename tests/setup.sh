@@ -8,7 +8,8 @@ python="$root/.venv/bin/python"
 # The one list of Debian packages. The last line is what VTK loads to draw without a screen.
 debian_packages=(
   g++ cmake ninja-build pkg-config python3 python3-venv
-  libeigen3-dev libsundials-dev libtomlplusplus-dev libzip-dev libcli11-dev libpugixml-dev libgtest-dev
+  libeigen3-dev libsundials-dev libtomlplusplus-dev libzip-dev libfcl-dev libtinyobjloader-dev nlohmann-json3-dev
+  libcli11-dev libpugixml-dev libgtest-dev
   libegl1 libgl1-mesa-dri
 )
 

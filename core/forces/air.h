@@ -14,11 +14,6 @@
 namespace drape {
 namespace {
 
-template <class L>
-DRAPE_INLINE Vec<L> cross(Vec<L> a, Vec<L> b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 // What a corner of a cell feels; `speed` the mean velocity of its corners.
 template <class L>
 DRAPE_INLINE Vec<L> air_quarter(const Air& air, const Vec3& wind, Vec<L> d1, Vec<L> d2, Vec<L> speed,

@@ -56,6 +56,10 @@ DRAPE_INLINE L dot(Vec<L> a, Vec<L> b) {
   return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z));
 }
 template <class L>
+DRAPE_INLINE Vec<L> cross(Vec<L> a, Vec<L> b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class L>
 DRAPE_INLINE Vec<L> shifted(Vec<L> a, Vec<L> b) {
   return {shifted(a.x, b.x), shifted(a.y, b.y), shifted(a.z, b.z)};
 }

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "laboratory/elastica.h"
 #include "laboratory/rest.h"
 #include "motion/leapfrog.h"
+#include "sheet/cantilever.h"
 #include "system/assemble.h"
 
 namespace drape {
@@ -57,7 +57,7 @@ Hung hang(const Scene& scene, double low, double high, double wing, double beta,
   System system = system_assemble(scene, s, problems);
   if (!problems.empty()) return {};
   Motion motion = motion_make(system);
-  const std::vector<Vec2> shape = elastica_shape(beta, kShapePoints);
+  const std::vector<std::array<double, 2>> shape = cantilever_shape(beta, kShapePoints);
   for (std::size_t n : system.particle) {
     const double beyond = std::max(low - s.y[n], s.y[n] - high);
     if (beyond <= 0) continue;
@@ -119,18 +119,18 @@ BendingTest pt2_test(const FabricSpec& fabric, bool warp, double cell, std::vect
   BendingTest test;
   const double load = weight_of(fabric) * kWing * kWing * kWing, beta = load / rigidity_of(fabric, warp);
   if (beta > kLimpest) return test;
-  test.expected = kWing * elastica_of_load(beta).down;
+  test.expected = kWing * cantilever_of_load(beta).drop;
   const Hung hung = hang(pt2_scene(fabric, warp, cell), kWing, kWing + kSupport, kWing, beta, problems);
   test.found = hung.found;
   if (!test.found) return test;
   test.reading = -(hung.probe[0][2] + hung.probe[1][2]) / 2;
-  test.rigidity = load / elastica_of_drop(test.reading / kWing).beta;
+  test.rigidity = load / cantilever_with(test.reading / kWing).beta;
   return test;
 }
 
 BendingTest overhang_test(const FabricSpec& fabric, bool warp, int cells, std::vector<Problem>& problems) {
   BendingTest test;
-  const double plane = kPlane * std::numbers::pi / 180, beta = elastica_of_slope(plane).beta;
+  const double plane = kPlane * std::numbers::pi / 180, beta = cantilever_of_slope(plane).beta;
   test.expected = std::cbrt(beta * rigidity_of(fabric, warp) / weight_of(fabric));
   const double cell = test.expected / cells;
   double length = test.expected, before = 0.98 * length;

@@ -2,7 +2,7 @@
 //
 //     PT-2 (GOST 10550): a strip of 160 x 30 mm lies with its middle 20 mm on a support, f is the drop of the
 //     ends of its wings, l = 70 mm long; EI = 42046 m/A(f/l) with m the mass of five strips in g, which is
-//     B = rho g l^3/beta, beta = A(f/l) that of the heavy elastica (elastica.h).
+//     B = rho g l^3/beta, beta = A(f/l) that of the heavy elastica (sheet/cantilever.h).
 //
 //     Bending length (ASTM D1388): a strip is pushed out until its end meets the plane that falls by 41.5
 //     degrees from the edge; the overhang l gives c = l/2 and B = rho g l^3/beta, beta = 8.00 that of the

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "fabric/law.h"
+#include "laboratory/mixing.h"
 
 namespace drape {
 namespace {
@@ -54,21 +55,32 @@ void warp_correct(DiagramSpec& d, const StripPull& pull) {
   corrections_end(d.correction, pull.force.size());
 }
 
-void bias_correct(const FabricSpec& f, bool placing, DiagramSpec& d, const StripPull& pull) {
+// Puts the points of the law at the strains where their strips lead.
+void bias_place(const FabricSpec& f, DiagramSpec& d, const StripPull& pull) {
   std::vector<Problem> none;
   const Curve law = law_make(f, {}, 1, "", none).bias;
   for (std::size_t k = 0; k < pull.force.size(); ++k) {
-    const double force = d.force[k + 1];
-    if (!(force > 0)) continue;
-    double q = d.correction[k + 1];
-    if (placing) {
-      d.correction_elongation[k + 1] = pull.strain[k] / d.elongation[k + 1];
-      q = curve_value(law, pull.strain[k]) * f.strip_width / force;
-    }
-    d.correction[k + 1] = std::max(kLeast, q * force / pull.force[k]);
+    if (!(d.force[k + 1] > 0)) continue;
+    d.correction_elongation[k + 1] = pull.strain[k] / d.elongation[k + 1];
+    d.correction[k + 1] = curve_value(law, pull.strain[k]) * f.strip_width / d.force[k + 1];
   }
+  corrections_end(d.correction_elongation, pull.force.size());
+}
+
+void bias_correct(Mixing& mixing, DiagramSpec& d, const StripPull& pull) {
+  const auto points = Eigen::Index(pull.force.size());
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(points), left = x;
+  for (Eigen::Index k = 0; k < points; ++k) {
+    const auto i = std::size_t(k);
+    if (!(d.force[i + 1] > 0)) continue;
+    x[k] = std::log(d.correction[i + 1]);
+    left[k] = std::log(d.force[i + 1] / pull.force[i]);
+  }
+  const Eigen::VectorXd next = mixing_next(mixing, x, left);
+  for (Eigen::Index k = 0; k < points; ++k)
+    if (d.force[std::size_t(k) + 1] > 0)
+      d.correction[std::size_t(k) + 1] = std::max(kLeast, std::exp(next[k]));
   corrections_end(d.correction, pull.force.size());
-  if (!d.correction_elongation.empty()) corrections_end(d.correction_elongation, pull.force.size());
 }
 
 double difference_most(const DiagramSpec& d, const StripPull& pull) {
@@ -94,7 +106,7 @@ std::string law_problem(const FabricSpec& f) {
 }
 
 // One sweep: pulls all strips of `f`, and corrects it. False, with the reason, where a strip found no rest.
-bool sweep(FabricSpec& f, int number, bool fresh, Calibration& c, std::vector<Problem>& problems) {
+bool sweep(FabricSpec& f, bool placing, Mixing& mixing, Calibration& c, std::vector<Problem>& problems) {
   FabricSpec next = f;
   double residual = 0;
   for (Thread along : kThreads) {
@@ -104,13 +116,18 @@ bool sweep(FabricSpec& f, int number, bool fresh, Calibration& c, std::vector<Pr
     const StripPull pull = strip_pull(f, along, c.cell, elongation, problems);
     if (!problems.empty()) return false;
     if (pull.force.size() < elongation.size()) {
-      c.why = std::string("the strip of the ") + thread_name(along) + " finds no rest at " +
-              percent(elongation[pull.force.size()]);
+      c.why = law_problem(f);
+      if (c.why.empty())
+        c.why = std::string("the strip of the ") + thread_name(along) + " finds no rest at " +
+                percent(elongation[pull.force.size()]);
       return false;
     }
     residual = std::max(residual, difference_most(d, pull));
     if (along != Thread::kBias) warp_correct(diagram_of(next, along), pull);
-    else bias_correct(f, fresh && f.bias.jaws && number < kPlacingSweeps, next.bias, pull);
+    else {
+      if (placing) bias_place(f, next.bias, pull), mixing = {};
+      bias_correct(mixing, next.bias, pull);
+    }
   }
   c.residuals.push_back(residual);
   c.fabric = f;
@@ -134,8 +151,9 @@ Calibration calibrate(const FabricSpec& fabric, const CalibrationOptions& option
   for (DiagramSpec* d : {&f.warp, &f.weft})
     if (d->correction.empty()) d->correction.assign(d->force.size(), 1.0);
   c.fabric = f;
+  Mixing mixing;
   for (int k = 0; k < options.sweeps_most && problems.empty(); ++k) {
-    if (!sweep(f, k, fresh, c, problems)) return c;
+    if (!sweep(f, fresh && f.bias.jaws && k < kPlacingSweeps, mixing, c, problems)) return c;
     if (c.residuals.back() > options.tolerance) continue;
     c.why = law_problem(c.fabric);
     c.converged = c.why.empty();

@@ -88,9 +88,9 @@ void link_add(const Lattice& l, const State& s, Stiffness which, const Unknowns&
   if (law.segments == 0) return;
   const Vector3d edge = edge_of(s, link.from, link.to);
   const double length = edge.norm(), strain = link_strain(s, link);
-  const double pull = link.width * curve_value(law, strain) / length,
-               geometric = which == Stiffness::kBlunt ? std::max(pull, 0.0) : pull,
-               material = link.width * curve_slope(law, strain) / link.rest;
+  double geometric = link.width * curve_value(law, strain) / length,
+         material = link.width * curve_slope(law, strain) / link.rest;
+  if (which == Stiffness::kBlunt) geometric = std::max(geometric, 0.0), material = std::max(material, 0.0);
   const Vector3d u = edge / length;
   difference_add(unknowns, link.from, link.to,
                  (material - geometric) * u * u.transpose() + geometric * Matrix3d::Identity(), to);

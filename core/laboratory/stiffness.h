@@ -17,8 +17,8 @@ struct Unknowns {
 };
 Unknowns unknowns_make(const System& system, int dimension);
 
-// kBlunt leaves out what compressed links take from K across themselves, so that it is positive in flat
-// cloth.
+// kBlunt leaves out what compressed links take from K across themselves and falling laws along, so that it is
+// not negative in flat cloth.
 enum class Stiffness { kTangent, kBlunt };
 
 // Adds K, N/m. Forces that depend on velocity have no part in it.

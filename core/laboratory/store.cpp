@@ -45,6 +45,26 @@ std::size_t byte_of(const std::string& text, toml::source_position at) {
   return k;
 }
 
+// Takes a key out of a table: its lines, or what stands between the commas of an inline table.
+void key_remove(const std::string& text, const toml::table& table, const std::string& key,
+                std::vector<Edit>& edits) {
+  const toml::node* there = table.get(key);
+  if (!there) return;
+  std::size_t begin = text.rfind(key, byte_of(text, there->source().begin)),
+              end = byte_of(text, there->source().end);
+  if (begin == std::string::npos) return;
+  if (table.is_inline()) {
+    const std::size_t before = text.find_last_not_of(" \t\r\n", begin - 1);
+    if (text[before] == ',') begin = before;
+    else if (const std::size_t after = text.find_first_not_of(" \t\r\n", end); text[after] == ',')
+      end = text.find_first_not_of(" \t", after + 1);
+  } else {
+    begin = text.rfind('\n', begin) + 1;
+    end = std::min(text.find('\n', end), text.size() - 1) + 1;
+  }
+  edits.push_back({begin, end, ""});
+}
+
 // Sets `key` beside the value of `old_key` in a table of the document.
 void beside_set(const std::string& text, const toml::table& table, const std::string& old_key,
                 const std::string& key, const std::vector<double>& values, const std::string& newline,
@@ -111,7 +131,7 @@ std::string edited(std::string text, std::vector<Edit> edits) {
 // What the table of a text says, to compare with what was to be said.
 bool says(const toml::table& root, const char* table, const char* key, const std::vector<double>& values) {
   const toml::array* list = root[table][key].as_array();
-  if (values.empty()) return true;
+  if (values.empty()) return !root[table][key];
   if (!list || list->size() != values.size()) return false;
   for (std::size_t i = 0; i < values.size(); ++i)
     if (six_digits((*list)[i].value_or(0.0)) != six_digits(values[i])) return false;
@@ -136,7 +156,8 @@ std::string calibration_store(const std::string& text, const Calibration& c, con
         sheets.push_back({thread_name(along), d.correction});
         continue;
       }
-      if (!d.correction_elongation.empty())
+      if (d.correction_elongation.empty()) key_remove(text, *table, "correction_elongation", edits);
+      else
         beside_set(text, *table, d.force_as.key, "correction_elongation", d.correction_elongation, newline,
                    edits);
       beside_set(text, *table, d.force_as.key, "correction", d.correction, newline, edits);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include "laboratory/rest.h"
@@ -79,6 +80,12 @@ StripPull trellis_pull(const FabricSpec& fabric, double cell, const std::vector<
 
 }  // namespace
 
+double strip_cell(const FabricSpec& fabric, Thread along, double cell) {
+  if (along != Thread::kBias) return cell;
+  const double width = fabric.strip_width / std::numbers::sqrt2;
+  return width / std::max(1.0, std::round(width / cell));
+}
+
 Scene strip_scene(const FabricSpec& fabric, Thread along, double cell, const LawOptions& options) {
   const double w = fabric.strip_width, h = fabric.strip_gauge, quarter = std::numbers::pi / 4;
   Scene scene;
@@ -91,7 +98,7 @@ Scene strip_scene(const FabricSpec& fabric, Thread along, double cell, const Law
   PieceSpec piece;
   piece.name = "strip";
   piece.fabric = 0;
-  piece.cell = cell;
+  piece.cell = strip_cell(fabric, along, cell);
   piece.outline = {{0, 0}, {w, 0}, {w, h}, {0, h}};
   piece.grain = along == Thread::kWarp ? 0 : along == Thread::kWeft ? 2 * quarter : quarter;
   scene.pieces = {piece};
@@ -143,14 +150,20 @@ StripExcess strip_excess(const FabricSpec& fabric, Thread along, const LawOption
   if (d.elongation.empty()) return {};
   const std::vector<double> elongation = strip_elongations(fabric, along, d.elongation.back());
   const double cell = std::min(fabric.strip_width / kExcessCells, fabric.strip_gauge / kLeastCells);
-  if (fabric.strip_gauge > kLongestCells * cell) return {};
+  if (fabric.strip_gauge > kLongestCells * cell) return {0, 0, "its strip is too long to be simulated"};
   std::vector<Problem> problems;
   const StripPull pull = strip_pull(fabric, along, cell, elongation, problems, options);
   StripExcess most;
   for (std::size_t k = 0; k < pull.force.size(); ++k)
     if (const double f = d.force[k + 1]; f > 0)
       if (const double off = pull.force[k] / f - 1; std::abs(off) > std::abs(most.excess))
-        most = {off, elongation[k]};
+        most = {off, elongation[k], ""};
+  if (pull.force.size() < elongation.size()) {
+    char text[64];
+    std::snprintf(text, sizeof text, "its simulated strip finds no rest at %.4g %%",
+                  100 * elongation[pull.force.size()]);
+    most.why = text;
+  }
   return most;
 }
 

@@ -12,7 +12,14 @@ inline constexpr int kLeastCells = 4;       // across and along a specimen
 inline constexpr int kLongestCells = 2000;  // along a strip, at most
 inline constexpr int kExcessCells = 8;      // across the strip: quick, and good to some percent of the force
 
-// The strip between the pins "low" and "high"; the pull is along y, the threads `along` run along it.
+// The cell that a strip is made on where `cell` is asked for. Across the ends of a strip at 45 degrees it is
+// the nearest one whose diagonals go evenly into the width, so that the corners of the jaws are nodes (of all
+// four, where twice the gauge over the width is whole). Strains are singular at the corners, and the force
+// moves by percents with the place of the grid there: core/README.md, section 5.
+double strip_cell(const FabricSpec& fabric, Thread along, double cell);
+
+// The strip between the pins "low" and "high"; the pull is along y, the threads `along` run along it. On
+// strip_cell.
 Scene strip_scene(const FabricSpec& fabric, Thread along, double cell, const LawOptions& options = {});
 
 const DiagramSpec& strip_diagram(const FabricSpec& fabric, Thread along);
@@ -40,9 +47,10 @@ StripPull strip_pull(const FabricSpec& fabric, Thread along, double cell,
 std::vector<double> strip_elongations(const FabricSpec& fabric, Thread along, double pull);
 
 // What a strip of a diagram gives that has no correction, as far from it as it gets: S/F - 1 at an elongation
-// (fraction). On kExcessCells across; 0 where a strip finds no rest.
+// (fraction). On kExcessCells across.
 struct StripExcess {
   double excess = 0, elongation = 0;
+  std::string why;  // where it is not known
 };
 StripExcess strip_excess(const FabricSpec& fabric, Thread along, const LawOptions& options);
 

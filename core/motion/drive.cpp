@@ -86,7 +86,11 @@ bool jumps(const Vec3& a, const Vec3& b, double size, double length) {
 
 }  // namespace
 
-Inputs inputs_at(const State& s) { return {s.wind, s.pin_frame}; }
+Inputs inputs_at(const State& s) {
+  Inputs inputs{s.wind, s.pin_frame, {}};
+  for (const BodyContact& b : s.body) inputs.body.push_back(b.frame);
+  return inputs;
+}
 
 Path path_make(const System& system, const State& s, const Inputs& inputs, double length) {
   Path path;
@@ -104,13 +108,25 @@ Path path_make(const System& system, const State& s, const Inputs& inputs, doubl
     pin_path_lay(one, pin.drive, pin.clamp);
     path.pins.push_back(one);
   }
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    if (!system.bodies[b].moves) continue;
+    PinPath one;
+    one.pin = int(b);
+    one.length = length;
+    one.from = s.body[b].frame;
+    one.to = inputs.body[b];
+    one.to.turn = quaternion_normalised(one.to.turn);
+    pin_path_lay(one, Drive::kBoth, true);
+    path.bodies.push_back(one);
+  }
   return path;
 }
 
 bool path_moves(const Path& path) {
   const auto still = [](const Vec3(&c)[3]) { return norm(c[0]) == 0 && norm(c[1]) == 0 && norm(c[2]) == 0; };
-  for (const PinPath& p : path.pins)
-    if (!still(p.shift) || !still(p.turn)) return true;
+  for (const std::vector<PinPath>* paths : {&path.pins, &path.bodies})
+    for (const PinPath& p : *paths)
+      if (!still(p.shift) || !still(p.turn)) return true;
   return path.wind_from != path.wind_to;
 }
 
@@ -153,6 +169,11 @@ void path_follow(const Path& path, double u, State& s) {
     Frame& frame = s.pin_frame[std::size_t(p.pin)];
     frame = path_frame(p, p.uniform ? u : z);
     s.pin_turn[std::size_t(p.pin)] = rotation_matrix(frame.turn);
+  }
+  for (const PinPath& p : path.bodies) {
+    BodyContact& body = s.body[std::size_t(p.pin)];
+    body.frame = path_frame(p, z);
+    body.turn = rotation_matrix(body.frame.turn);
   }
 }
 

@@ -16,8 +16,9 @@ struct State;
 
 // Where inputs are to be at the end of an advance; of a pin, what its drive names counts.
 struct Inputs {
-  Vec3 wind{0, 0, 0};      // m/s
-  std::vector<Frame> pin;  // [pins]
+  Vec3 wind{0, 0, 0};       // m/s
+  std::vector<Frame> pin;   // [pins]
+  std::vector<Frame> body;  // [bodies]
 };
 Inputs inputs_at(const State& state);  // where they are
 
@@ -31,7 +32,8 @@ struct PinPath {
 };
 
 struct Path {
-  std::vector<PinPath> pins;  // of the driven ones
+  std::vector<PinPath> pins;    // of the driven ones
+  std::vector<PinPath> bodies;  // of those that move; `pin` is the body
   Vec3 wind_from{0, 0, 0}, wind_to{0, 0, 0};
   std::int64_t interval = 0, intervals = 1;  // of the advance: the present one, and all
 };

@@ -11,7 +11,8 @@
 namespace drape {
 namespace {
 
-constexpr int kScaleEvery = 16;         // steps
+constexpr int kScaleEvery = 16;         // steps, at most
+constexpr double kScaleWithin = 0.02;   // of a cell, by which no particle moves until then
 constexpr int kJudgeEvery = 8;          // intervals
 constexpr double kResidualRest = 1e-5;  // of the load
 constexpr double kKineticRest = 1e-9;   // of that times the size of the largest piece
@@ -42,6 +43,16 @@ void rows_even(const Constraints& constraints, State& s) {
   for (const FixedNode& f : constraints.fixed) s.lightness[f.node] = 1;
 }
 
+// Steps until the inertia is scaled anew: what is pulled onto a seam can cross a cell within kScaleEvery.
+int steps_ahead(const System& system, const State& s, double h) {
+  double cell = INFINITY, fastest = 0;
+  for (const Lattice& l : system.lattices) cell = std::min(cell, l.cell);
+  for (std::size_t n : system.particle)
+    fastest = std::max(fastest, s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n]);
+  const double steps = kScaleWithin * cell / (h * std::sqrt(fastest));
+  return steps < kScaleEvery ? std::max(1, int(steps)) : kScaleEvery;
+}
+
 double kinetic(const System& system, const State& s) {
   double sum = 0;
   for (std::size_t n : system.particle)
@@ -60,15 +71,17 @@ double norm(const Vec3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] *
 }  // namespace
 
 void fit_scale(const System& system, const Constraints& constraints, State& s, double h) {
+  const int steps = steps_ahead(system, s, h);
   s.lightness.assign(system.nodes, 0.0);  // holds m'/rho at first
   const double drag = step_limit_drag(system, s);
   const SeamsBound seams = step_limit_seams(system, s);
   double most = 0;
   for (const Lattice& l : system.lattices) {
-    const double clamps = step_limit_clamps(system, l, s, kScaleEvery * h);
+    const double clamps = step_limit_clamps(system, l, s, steps * h);
+    const double contact = touch_omega2(system, s, l.piece);
     each_cell(system, l, [&](const std::size_t* corner, double share) {
-      const double bare = step_limit_cell(l, s, corner, kScaleEvery * h) + clamps;
-      const double omega2 = step_limit_rated(system, l, bare, drag, seams);
+      const double bare = step_limit_cell(l, s, corner, steps * h) + clamps;
+      const double omega2 = step_limit_rated(system, l, bare, drag, seams, contact);
       const double ratio = h / (kSafetyDamped * step_limit_of(system, omega2));
       const double quarter = share * l.cell * l.cell / 4 * std::max(1.0, ratio * ratio);
       for (int k = 0; k < 4; ++k) s.lightness[corner[k]] += quarter;
@@ -78,7 +91,7 @@ void fit_scale(const System& system, const Constraints& constraints, State& s, d
   for (std::size_t n : system.particle) s.lightness[n] = std::min(1.0, system.area[n] / s.lightness[n]);
   rows_even(constraints, s);
   s.omega2 = most;
-  s.watch_wait = kScaleEvery;
+  s.watch_wait = steps;
 }
 
 namespace {
@@ -134,6 +147,9 @@ Left forces_left(const System& system, Motion& motion, const State& s) {
   Array* a[] = {&motion.now_x, &motion.now_y, &motion.now_z};
   for (std::size_t n : system.particle)
     for (std::size_t k = 0; k < 3; ++k) (*a[k])[n] = (*a[k])[n] * system.inverse_mass[n] + system.gravity[k];
+  if (touch_any(s))
+    touch_synchronous(system, *motion.kernel, motion.touch, s, 0, 1, motion.now_x.data(), motion.now_y.data(),
+                      motion.now_z.data());
   std::vector<PinLoad> load(s.pin_impulse.size());
   held_refresh(motion.constraints, s, motion.held);
   held_rates(motion.constraints, s, Rate::kAcceleration, motion.held);

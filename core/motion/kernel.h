@@ -1,5 +1,6 @@
 // The lattice pass: all forces of a lattice and, fused with it, either the step or their output.
 #pragma once
+#include "contact/job.h"
 #include "motion/workers.h"
 #include "system/system.h"
 
@@ -58,6 +59,7 @@ struct Kernel {
   // The largest omega^2 (1/s^2) of the step limit over the row of cells above row j of a lattice, at r +
   // ahead v (s).
   double (*omega2)(const System&, const Lattice&, const State&, int j, double ahead);
+  ContactKernel contact;
 };
 
 // One step of all lattices.

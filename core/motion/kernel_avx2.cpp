@@ -1,4 +1,5 @@
 // AVX2 with FMA, four doubles; and the scalar yardstick with the same fused arithmetic.
+#include "contact/response.h"
 #include "forces/lane_avx2.h"
 #include "forces/lane_scalar.h"
 #include "motion/cell_bound.h"
@@ -7,8 +8,8 @@
 namespace drape {
 
 const Kernel kKernelAvx2{"avx2", block_pass<Avx2Lane, false>, block_pass<Avx2Lane, true>,
-                         cells_omega2<Avx2Lane>};
+                         cells_omega2<Avx2Lane>, contact_kernel<Avx2Lane>()};
 const Kernel kKernelScalar{"scalar", block_pass<ScalarLane<true>, false>, block_pass<ScalarLane<true>, true>,
-                           cells_omega2<ScalarLane<true>>};
+                           cells_omega2<ScalarLane<true>>, contact_kernel<ScalarLane<true>>()};
 
 }  // namespace drape

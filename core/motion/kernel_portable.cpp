@@ -1,4 +1,5 @@
 // The baseline instruction set.
+#include "contact/response.h"
 #include "forces/lane_scalar.h"
 #include "motion/cell_bound.h"
 #include "motion/lattice_pass.h"
@@ -6,6 +7,7 @@
 namespace drape {
 
 const Kernel kKernelPortable{"portable", block_pass<ScalarLane<false>, false>,
-                             block_pass<ScalarLane<false>, true>, cells_omega2<ScalarLane<false>>};
+                             block_pass<ScalarLane<false>, true>, cells_omega2<ScalarLane<false>>,
+                             contact_kernel<ScalarLane<false>>()};
 
 }  // namespace drape

@@ -38,7 +38,7 @@ double step_allowed(const System& system, double damping, double omega2) {
 }
 
 double step_now(const System& system, const State& s, double omega2) {
-  return step_allowed(system, damping_of(system, s), omega2);
+  return std::min(step_allowed(system, damping_of(system, s), omega2), s.step_most);
 }
 
 bool all_finite(const System& system, const State& s) {
@@ -56,6 +56,7 @@ void look(const System& system, const Motion& motion, State& s, double h) {
     s.watch_wait = kWatchGiven;
     return;
   }
+  s.step_most = touch_step_most(system, s);
   for (;; s.watch_period = std::max(s.watch_period / 4, 1)) {
     s.omega2 = step_limit_omega2(system, *motion.kernel, s, s.watch_period * h);
     if (h <= step_now(system, s, s.omega2) || s.watch_period == 1) break;
@@ -126,6 +127,7 @@ Advance interval_run(const System& system, Motion& motion, State& s, double leng
 }
 
 void subs_begin(const System& system, const Motion& motion, State& s) {
+  if (system.step_given == 0) s.step_most = touch_step_most(system, s);
   s.omega2 = s.omega2_most = step_limit_omega2(system, *motion.kernel, s);
   s.subs = subs_for(system.communication, step_now(system, s, s.omega2));
   s.watch_wait = 0;
@@ -142,6 +144,7 @@ double kinetic_energy(const System& system, const State& s) {
 // the impulse is the first of the advance. (The paper's scheme takes it up in its first step.)
 void inputs_begin(const System& system, Motion& motion, State& s, double length) {
   s.pin_impulse.assign(s.pin_impulse.size(), PinLoad{});
+  for (BodyContact& body : s.body) body.impulse = PinLoad{};
   motion.path = path_make(system, s, motion.inputs, length);
   if (system.fit && path_moves(motion.path)) fit_wake(s);
   const bool jumps = path_jumps(motion.path, s) && system.integrator == Integrator::kLeapfrog;
@@ -177,6 +180,7 @@ Motion motion_make(const System& system) {
   m.constraints = system.constraints;
   m.held = held_make(m.constraints);
   m.balance = balance_make(system);
+  m.touch = touch_make(system);
   m.torque.resize(system.constraints.pins.size());
   for (Array* a : {&m.now_x, &m.now_y, &m.now_z}) a->assign(system.nodes, 0.0);
   return m;
@@ -191,6 +195,8 @@ void leapfrog_begin(const System& system, Motion& motion, State& s) {
                       nullptr);
   rates_begin(system, s);
   subs_begin(system, motion, s);
+  touch_begin(system, *motion.kernel, motion.touch, s);
+  subs_begin(system, motion, s);  // with what is near
 }
 
 void leapfrog_retuned(const System& system, Motion& motion, State& s) {

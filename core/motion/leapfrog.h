@@ -7,6 +7,7 @@
 #include "motion/balance.h"
 #include "motion/drive.h"
 #include "motion/kernel.h"
+#include "motion/touch.h"
 
 namespace drape {
 
@@ -23,6 +24,7 @@ struct Motion {
   Array now_x, now_y, now_z;  // [nodes] a field of t_n while somebody works with it: velocities or forces
   std::vector<Vec3> torque;   // [pins] N m, of the slopes that clamps hold
   Balance balance;
+  TouchRoom touch;
 };
 Motion motion_make(const System& system);
 

@@ -59,8 +59,16 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
   if (begins || system.energy) held_keep(motion.constraints, s, motion.held);
   clamp_torques_add(system, motion, s, begins ? stage.begun : stage.span);
   if (!s.sewn.empty()) seams_rates(system, s, motion.gap_rate);
+  const bool touches = touch_any(s);
+  if (touches) touch_keep(motion.touch, s);
   kernel_step(*motion.kernel, system, c, motion.workspace, s);
   if (!s.sewn.empty()) s.gap_rate.swap(motion.gap_rate);
+  if (touches) {
+    const double old = system.integrator == Integrator::kPaper ? 0 : s.h_old / 2;
+    const TouchStep touch{stage.drift, stage.keep,    stage.kick, old,
+                          h / 2,       stage.impulse, begins,     stage.centred};
+    touch_apply(system, *motion.kernel, motion.touch, touch, s);
+  }
   path_follow(motion.path, u, s);
   const HeldStep step{stage.drift,
                       stage.keep,
@@ -71,6 +79,7 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
                       begins ? stage.centred : 1,
                       stage.before};
   constraints_apply(system, motion.constraints, step, motion.held, s);
+  if (!s.body.empty()) touch_watch(system, *motion.kernel, motion.touch, s, h);
   if (!s.sewn.empty()) seams_hold(system, s, h);
   if (system.energy && system.composition) balance_drifted(system, motion.balance, s, stage.decay);
   else if (system.energy) balance_end(system, motion.balance, s, s.h_old, h);
@@ -118,10 +127,14 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
   if (system.energy) {
     const BalanceNow now =
         balance_now(system, motion.balance, s, lead, motion.now_x, motion.now_y, motion.now_z);
-    s.dissipated = now.dissipated;
-    s.input = now.input + motion.held.work;
+    s.dissipated = now.dissipated + motion.touch.dissipated;
+    s.input = now.input + motion.held.work + motion.touch.input;
   }
   const double half = last_half(system, s);
+  for (std::size_t b = 0; !s.advance_begins && b < s.body.size(); ++b) {
+    s.body[b].impulse.force += motion.touch.load[b].force;
+    s.body[b].impulse.torque += motion.touch.load[b].torque;
+  }
   for (std::size_t p = 0; !s.advance_begins && p < told.size(); ++p) {
     s.pin_impulse[p].force += half * told[p].force;
     s.pin_impulse[p].torque += half * told[p].torque;
@@ -163,11 +176,13 @@ void leapfrog_synchronous(const System& system, Motion& motion, const State& s, 
     each([&](double force, double v, double kick, double inverse_mass, double g) {
       return (decay * v + kick * (force * inverse_mass + g)) / centred;
     });
+    if (touch_any(s)) touch_synchronous(system, *motion.kernel, motion.touch, s, half, centred, vx, vy, vz);
   } else {
     each([&](double force, double v, double kick, double inverse_mass, double g) {
       const double free = force * inverse_mass + g;
       return free - damping * ((v + kick * free) / centred);
     });
+    if (touch_any(s)) touch_synchronous(system, *motion.kernel, motion.touch, s, 0, 1, vx, vy, vz);
     held_rates(motion.constraints, s, Rate::kAcceleration, held);
     constraints_project(system, motion.constraints, held, {vx, vy, vz}, &load);
     each([&](double acceleration, double v, double kick, double, double) {

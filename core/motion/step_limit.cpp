@@ -14,6 +14,7 @@
 #include "forces/lane_scalar.h"
 #include "forces/pull.h"
 #include "motion/cell_bound.h"
+#include "motion/touch.h"
 #include "system/composition.h"
 #include "system/links.h"
 
@@ -187,7 +188,8 @@ SeamsBound step_limit_seams(const System& system, const State& s) {
 }
 
 double step_limit_rated(const System& system, const Lattice& l, double omega2, double drag,
-                        const SeamsBound& seams) {
+                        const SeamsBound& seams, double contact) {
+  omega2 += contact;
   const double d = l.law.damping * omega2 + drag / l.law.areal_density;
   return omega2_with(system, omega2 + seams.omega2, d + seams.d);
 }
@@ -198,7 +200,8 @@ double step_limit_omega2(const System& system, const Kernel& kernel, const State
   double most = 0;
   for (const Lattice& l : system.lattices) {
     const double omega2 = step_limit_lattice(system, kernel, l, state, ahead);
-    most = most_of(step_limit_rated(system, l, omega2, drag, seams), most);
+    most =
+        most_of(step_limit_rated(system, l, omega2, drag, seams, touch_omega2(system, state, l.piece)), most);
   }
   return most;
 }

@@ -24,8 +24,9 @@ struct SeamsBound {
 };
 SeamsBound step_limit_seams(const System& system, const State& state);
 
+// `contact`: what bodies add to omega^2.
 double step_limit_rated(const System& system, const Lattice& lattice, double omega2, double drag,
-                        const SeamsBound& seams);
+                        const SeamsBound& seams, double contact);
 
 // The largest of all lattices, raised to what leads to the same limit where forces depend on velocity.
 double step_limit_omega2(const System& system, const Kernel& kernel, const State& state, double ahead = 0);

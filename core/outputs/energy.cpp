@@ -5,6 +5,7 @@
 #include "forces/hinge_energy.h"
 #include "forces/seam.h"
 #include "forces/side.h"
+#include "motion/touch.h"
 #include "system/links.h"
 
 namespace drape {
@@ -41,13 +42,16 @@ drape_energy energy_potential(const System& system, const State& s) {
   const SeamEnergy sewn = seams_energy(system, s);
   e.bending += sewn.bending;
   e.stretch += sewn.stretch;
+  e.contact = touch_energy(system, s);
   const Vec3& g = system.gravity;
   for (std::size_t n : system.particle)
     e.gravity -= system.mass[n] * (g[0] * s.x[n] + g[1] * s.y[n] + g[2] * s.z[n]);
   return e;
 }
 
-double energy_sum(const drape_energy& e) { return e.kinetic + e.stretch + e.shear + e.bending + e.gravity; }
+double energy_sum(const drape_energy& e) {
+  return e.kinetic + e.stretch + e.shear + e.bending + e.gravity + e.contact;
+}
 
 double energy_kinetic(const System& system, const Array& vx, const Array& vy, const Array& vz) {
   double sum = 0;

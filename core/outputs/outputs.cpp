@@ -41,6 +41,21 @@ void pins_fill(Outputs& o, const System& system, const State& s) {
   }
 }
 
+// Likewise of bodies; the impulse of the last kick is one already.
+void bodies_fill(Outputs& o, const System& system, const Motion& motion, const State& s) {
+  const bool moved = s.advance_length > 0 && !system.fit, half = last_half(system, s) > 0;
+  for (std::size_t b = 0; b < o.bodies.size(); ++b) {
+    PinLoad load = touch_any(s) ? motion.touch.load[b] : PinLoad{};
+    if (moved) {
+      const double last = half ? 1 : 0, length = s.advance_length;
+      load.force = (1 / length) * (s.body[b].impulse.force + last * load.force);
+      load.torque = (1 / length) * (s.body[b].impulse.torque + last * load.torque);
+    }
+    std::copy(load.force.begin(), load.force.end(), o.bodies[b].force);
+    std::copy(load.torque.begin(), load.torque.end(), o.bodies[b].torque);
+  }
+}
+
 Vec3 point_now(const SeamPoint& point, const State& s) {
   Vec3 sum{0, 0, 0};
   for (int k = 0; k < 4; ++k)
@@ -85,6 +100,10 @@ void summary_fill(Outputs& o, const System& system, const State& s) {
   o.shown.strain_bias = strain.bias;
   o.shown.tension_max = strain.tension_max;
   o.shown.strain_beyond_test_count = strain.beyond_test_count;
+  const ContactSummary touch = touch_summary(system, s);
+  o.shown.contact_count = double(touch.count);
+  o.shown.contact_penetration = touch.penetration;
+  o.shown.contact_pressure = touch.pressure;
   o.shown.step_size = s.h_old > 0 ? s.h_old : system.communication / double(s.subs);
   o.shown.step_count = double(s.steps);
   o.shown.step_stability = o.shown.step_size * std::sqrt(s.omega2) / step_limit_angle(system);
@@ -98,8 +117,9 @@ void energy_fill(Outputs& o, const System& system, Motion& motion, const State& 
   if (!o.shown.has_balance) return;
   const BalanceNow now = balance_now(system, motion.balance, s, velocity_lead(system, s), motion.now_x,
                                      motion.now_y, motion.now_z);
-  e.dissipated = now.dissipated;
-  e.input = now.input + motion.held.work;
+  const bool touches = touch_any(s);
+  e.dissipated = now.dissipated + (touches ? motion.touch.dissipated : 0);
+  e.input = now.input + motion.held.work + (touches ? motion.touch.input : 0);
   e.balance_error = energy_sum(e) - s.energy_start - e.input + e.dissipated;
 }
 
@@ -113,6 +133,7 @@ void outputs_make(Outputs& o, const Scene& scene, const System& system) {
     o.seams.push_back(
         {scene.seams[k].name.c_str(), int(seam.count), {seam.length[0], seam.length[1]}, 0, 0, 0});
   }
+  for (const BodySpec& body : scene.bodies) o.bodies.push_back({body.name.c_str(), {}, {}});
   o.shown.has_energy = scene.energy;
   o.shown.has_balance = system.energy;
   o.shown.has_fit = scene.mode == Mode::kFit;
@@ -122,6 +143,8 @@ void outputs_make(Outputs& o, const Scene& scene, const System& system) {
   o.shown.pin = o.pins.data();
   o.shown.seam_count = int(o.seams.size());
   o.shown.seam = o.seams.data();
+  o.shown.body_count = int(o.bodies.size());
+  o.shown.body = o.bodies.data();
   o.shown.node_count = int(system.particle.size());
 }
 
@@ -136,6 +159,7 @@ void outputs_fill(Outputs& o, const System& system, Motion& motion, const State&
   if (what & DRAPE_MOTION) {
     probes_fill(o, system, &drape_probe::velocity, motion.now_x, motion.now_y, motion.now_z);
     pins_fill(o, system, s);
+    bodies_fill(o, system, motion, s);
   }
   if (what & DRAPE_STRAIN) summary_fill(o, system, s);
   if ((what & DRAPE_ENERGY) && o.shown.has_energy) energy_fill(o, system, motion, s);

@@ -12,6 +12,7 @@ struct Outputs {
   std::vector<drape_probe> probes;
   std::vector<drape_pin> pins;
   std::vector<drape_seam> seams;
+  std::vector<drape_body> bodies;
   std::vector<double> node_position, node_velocity;  // empty until they are wanted
   std::vector<PinLoad> pin_load;
 };

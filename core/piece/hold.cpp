@@ -81,12 +81,22 @@ void point_slopes(const Grid& grid, const Hold& hold, std::vector<HeldSlope>& sl
   }
 }
 
+// Of the threads that an oblique edge crosses, those that run nearer to its normal are held. Each has two
+// nodes beside the edge, of which one motion stays free; held where the other threads cross too, the edge
+// would leave none, and hold the first row of cloth inside as if it were the jaw's.
+bool thread_held(const EdgeCrossing& crossing) {
+  constexpr double kEqual = 1e-9;  // of the angles at 45 degrees
+  const std::size_t line = std::abs(crossing.along[0]) >= (1 - kEqual) * std::abs(crossing.along[1]) ? 0 : 1;
+  return crossing.at[line] == std::floor(crossing.at[line]);
+}
+
 void edges_hold(Hold& hold, const Grid& grid, const PieceSpec& piece, const PinSpec& pin) {
   const std::vector<OutlineLoop> loops = outline_flatten(piece);
   std::vector<Vec2> at;
   for (int edge : pin.edges) {
     for (const Vec2& end : edge_ends(grid, piece, edge)) at.push_back(end);
-    for (const EdgeCrossing& crossing : edge_crossings(grid, loops, edge)) at.push_back(crossing.at);
+    for (const EdgeCrossing& crossing : edge_crossings(grid, loops, edge))
+      if (thread_held(crossing)) at.push_back(crossing.at);
     if (pin.clamp) edge_slopes(grid, loops, edge, hold.slopes);
   }
   points_hold(hold, grid, std::move(at));

@@ -22,8 +22,36 @@ Vec3 plane_point(const PlaceSpec& place, Vec2 q) {
 Vec3 plane_normal(const PlaceSpec& place) {
   const Vec3 n = cross(place.axis_x, place.axis_y);
   const Vec3 d = sum(place.origin, -1, place.axis_point);
-  const double height = place.radius > 0 ? dot(n, d) : 0;
-  return height < -1e-9 * (std::sqrt(dot(d, d)) + place.radius) ? Vec3{-n[0], -n[1], -n[2]} : n;
+  const double size = place.radius[0], height = size > 0 ? dot(n, d) : 0;
+  return height < -1e-9 * (std::sqrt(dot(d, d)) + size) ? Vec3{-n[0], -n[1], -n[2]} : n;
+}
+
+// Length of the ellipse (a sin f, b cos f) from 0 to f, by the elliptic integral of the second kind:
+//
+//   s(f) = int_0^f sqrt(a^2 cos^2 u + b^2 sin^2 u) du = a E(f, k),  k^2 = 1 - b^2/a^2      for a >= b,
+//                                                     = b [E(k') - E(pi/2 - f, k')]        for a < b
+double arc_length(Vec2 radius, double f) {
+  const auto [a, b] = radius;
+  if (a >= b) return a * std::ellint_2(std::sqrt(1 - b * b / (a * a)), f);
+  const double k = std::sqrt(1 - a * a / (b * b));
+  return b * (std::comp_ellint_2(k) - std::ellint_2(k, std::numbers::pi / 2 - f));
+}
+
+// The f at which s(f) = s. Within a quarter s' only rises or only falls, so Newton's method from the end with
+// the larger s' comes to the root from one side.
+double arc_angle(Vec2 radius, double s) {
+  const auto [a, b] = radius;
+  if (a == b) return s / a;
+  constexpr double kQuarter = std::numbers::pi / 2;
+  const double quarter = std::floor(s / arc_length(radius, kQuarter));
+  const bool even = std::fmod(quarter, 2) == 0;  // s' goes from a to b there, else from b to a
+  double f = kQuarter * ((even == (a > b)) ? quarter : quarter + 1);
+  for (int k = 0; k < 60; ++k) {
+    const double step = (arc_length(radius, f) - s) / std::hypot(a * std::cos(f), b * std::sin(f));
+    f -= step;
+    if (!(std::abs(step) > 1e-10)) break;  // the error is of the order of its square
+  }
+  return f;
 }
 
 struct Placed {
@@ -32,11 +60,14 @@ struct Placed {
 
 Placed placed(const PlaceSpec& place, Vec2 q) {
   const Vec3 p = plane_point(place, q), n = plane_normal(place);
-  if (!(place.radius > 0)) return {p, n};
+  const auto [a, b] = place.radius;
+  if (!(a > 0)) return {p, n};
   const Vec3 t = cross(place.axis, n), d = sum(p, -1, place.axis_point);
-  const double f = dot(d, t) / place.radius, c = std::cos(f), s = std::sin(f);
-  const Vec3 out = sum({c * n[0], c * n[1], c * n[2]}, s, t);
-  return {sum(sum(place.axis_point, dot(d, place.axis), place.axis), place.radius, out), out};
+  const double f = arc_angle(place.radius, dot(d, t)), c = std::cos(f), s = std::sin(f);
+  const Vec3 foot = sum(place.axis_point, dot(d, place.axis), place.axis);
+  const double size = a == b ? a : std::hypot(a * c, b * s);
+  const Vec3 out = sum({a * c / size * n[0], a * c / size * n[1], a * c / size * n[2]}, b * s / size, t);
+  return {sum(sum(foot, b * c, n), a * s, t), out};
 }
 
 // splitmix64 (Steele, Lea, Flood 2014): the next number in [0, 1)

@@ -1,4 +1,5 @@
-// A piece in space: flat or on a cylinder, with its imperfection. core/README.md, section 1.
+// A piece in space: flat or on a cylinder, round or elliptic, with its imperfection. core/README.md,
+// section 1.
 #pragma once
 #include "scene/scene.h"
 

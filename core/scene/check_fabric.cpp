@@ -74,8 +74,8 @@ void bias_check(const Scene& scene, const FabricSpec& f, const std::string& path
   if (scene.clamp_correction && f.bias.jaws && !(ratio > 1.25))
     problems.push_back(
         {path + ".strip", "has gauge/width = " + rounded(ratio) +
-                              "; the clamp correction of a bias diagram takes values above 1.25 (or set "
-                              "options.clamp_correction = false)"});
+                              "; the clamp correction of a bias diagram takes values above 1.25 (or say "
+                              "bias.jaws = false of a diagram without jaws)"});
   if (scene.bias_model != BiasModel::kOdd || f.bias.elongation.size() < 2 ||
       !(f.bias.elongation[1] > kLocking))
     return;

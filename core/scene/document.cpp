@@ -4,6 +4,8 @@
 #include <iterator>
 #include <optional>
 
+#include "sheet/strip.h"
+
 namespace drape {
 
 namespace {
@@ -68,6 +70,17 @@ void corrections_drop(const toml::table& own, toml::table& base) {
   }
 }
 
+// A strip that the file names by its standard is spelled out under a table of the scene's, which may hold one
+// of its two figures.
+void strip_spell(const toml::table& own, toml::table& base) {
+  const toml::node* strip = base.get("strip");
+  if (!own["strip"].is_table() || !strip || !strip->is_string()) return;
+  for (const StripStandard& standard : kStripStandards)
+    if (strip->as_string()->get() == standard.name)
+      return void(
+          base.insert_or_assign("strip", toml::table{{"width", standard.width}, {"gauge", standard.gauge}}));
+}
+
 // Folds the file that a fabric names into its table; false if that cannot be done.
 bool fabric_fold(toml::table& fabric, const std::string& path, const fs::path& folder, Faults& faults,
                  std::vector<fs::path>& files) {
@@ -92,11 +105,19 @@ bool fabric_fold(toml::table& fabric, const std::string& path, const fs::path& f
     fault_add(faults, key, "stands in a fabric file; a fabric file cannot name another one");
   }
   corrections_drop(fabric, *base);
+  strip_spell(fabric, *base);
   table_underlay(fabric, std::move(*base));
   return true;
 }
 
 }  // namespace
+
+void calibration_drop(toml::table& fabric) {
+  fabric.erase("calibration");
+  for (const char* diagram : {"warp", "weft", "bias"})
+    if (toml::table* table = fabric[diagram].as_table())
+      table->erase("correction"), table->erase("correction_elongation");
+}
 
 Document document_load_file(const std::filesystem::path& file, Faults& faults) {
   Document document;

@@ -27,6 +27,9 @@ struct Document {
 
 Document document_load(const std::filesystem::path& file, Faults& faults);
 
+// Takes what a calibration has written out of a fabric's table.
+void calibration_drop(toml::table& fabric);
+
 // One file alone, whatever it names.
 Document document_load_file(const std::filesystem::path& file, Faults& faults);
 

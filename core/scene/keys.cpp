@@ -26,7 +26,7 @@ void unknown_key(Faults& faults, const std::string& path, const std::string& nam
   std::string all;
   for (const Key& key : keys) {
     const std::string name_known = key_within(key, prefix);
-    if (name_known.empty() || std::holds_alternative<Later>(key.lands)) continue;
+    if (name_known.empty()) continue;
     if (std::find(known.begin(), known.end(), name_known) != known.end()) continue;
     known.push_back(name_known);
     all += (all.empty() ? "" : ", ") + name_known;

@@ -104,7 +104,6 @@ struct Land {
   }
 
   void operator()(Elsewhere) const {}
-  void operator()(Later) const { fault_add(faults, path, "is not supported by this version"); }
   void operator()(const Only& only) const {
     const auto* flag = node.as_boolean();
     if (!flag) return misfit(path, node, key_wanted(key));

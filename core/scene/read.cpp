@@ -89,6 +89,13 @@ void document_read(Faults& faults, const Document& document, Scene& scene) {
   scene.seams = specs_read<SeamSpec>(
       faults, root, "seam", [&](SeamSpec& s) { return seam_keys(s, pieces); },
       [&](const toml::table& t, const std::string& path, SeamSpec&) { seam_settle(faults, t, path); });
+  const std::filesystem::path folder = std::filesystem::path(faults.file).parent_path();
+  BodyText text;
+  scene.bodies = specs_read<BodySpec>(
+      faults, root, "body", [&](BodySpec& b) { return body_keys(b, text = BodyText{}); },
+      [&](const toml::table&, const std::string& path, BodySpec& b) {
+        body_settle(faults, path, folder, text, b);
+      });
   scene.probes = specs_read<ProbeSpec>(
       faults, root, "probe", [&](ProbeSpec& p) { return probe_keys(p, pieces); },
       [](const toml::table&, const std::string&, ProbeSpec&) {});
@@ -111,11 +118,13 @@ Scene scene_read(const std::filesystem::path& file, std::vector<Problem>& proble
   return scene;
 }
 
-FabricSpec fabric_read(const std::filesystem::path& file, std::vector<Problem>& problems) {
+FabricSpec fabric_read(const std::filesystem::path& file, std::vector<Problem>& problems,
+                       Corrections corrections) {
   FabricSpec fabric;
   Faults faults;
-  const Document document = document_load_file(file, faults);
+  Document document = document_load_file(file, faults);
   if (document.loaded) {
+    if (corrections == Corrections::kDropped) calibration_drop(document.root);
     const std::string name = file.stem().string(), path = "fabric." + name;
     fabric = fabric_read(faults, document.root, path).spec;
     fabric.name = name;

@@ -6,6 +6,10 @@
 
 namespace drape {
 
+std::string body_file(const std::string& name, const std::string& mesh) {
+  return "body_" + name + std::filesystem::path(mesh).extension().string();
+}
+
 // Sheets become plain keys. Doubles are printed as the shortest decimal that gives the same double, so that
 // nothing is lost on the way.
 std::string scene_resolve(const std::filesystem::path& file, std::vector<Problem>& problems) {
@@ -19,6 +23,10 @@ std::string scene_resolve(const std::filesystem::path& file, std::vector<Problem
         fabric->erase("file");
         fabric_flatten(*fabric, fabric_read(faults, *fabric, "fabric"));
       }
+  if (toml::array* bodies = document.root["body"].as_array())
+    for (toml::node& node : *bodies)
+      if (toml::table* body = node.as_table())
+        body->insert_or_assign("mesh", body_file((*body)["name"].value_or(""), (*body)["mesh"].value_or("")));
   std::ostringstream text;
   text << document.root << '\n';
   return text.str();

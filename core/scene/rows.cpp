@@ -49,7 +49,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"pin", Elsewhere{}},
       {"probe", Elsewhere{}},
       {"seam", Elsewhere{}},
-      {"body", Later{}},
+      {"body", Elsewhere{}},
   };
 }
 
@@ -104,7 +104,11 @@ std::vector<Key> piece_keys(PieceSpec& p, const std::vector<std::string>& fabric
       {"place.axis_y", &p.place.axis_y, kOptional, {-1.1, 1.1}},
       {"place.cylinder.axis_point", &p.place.axis_point, kRequired, kPosition, "m"},
       {"place.cylinder.axis", &p.place.axis, kRequired, {-1.1, 1.1}},
-      {"place.cylinder.radius", &p.place.radius, kRequired, {1e-4, 1e4}, "m"},
+      {"place.cylinder.radius",
+       Pair{&p.place.radius, "[along the plane, across it]"},
+       kRequired,
+       {1e-4, 1e4},
+       "m"},
       {"curves", Tables{[&p] { return curve_keys(p.curves.emplace_back()); }}},
       {"holes", &p.holes, kOptional, kPosition, "m"},
       {"grain", &p.grain, kOptional, {-10, 10}, "rad"},
@@ -151,6 +155,19 @@ std::vector<Key> seam_keys(SeamSpec& s, const std::vector<std::string>& pieces) 
     keys.push_back({name + ".reverse", Flag{&side.reverse}});
   }
   return keys;
+}
+
+std::vector<Key> body_keys(BodySpec& b, BodyText& text) {
+  return {
+      {"name", Name{&b.name}, kRequired},
+      {"mesh", &text.mesh, kRequired},
+      {"friction", Pair{&b.friction, "[static, kinetic]"}, kOptional, range_of(kFriction)},
+      {"damping", &b.damping, kOptional, {0, 100}},
+      {"moves", Flag{&b.moves}},
+      {"position", &b.position, kOptional, kPosition, "m"},
+      {"orientation", &text.orientation, kOptional, range_of(kPinOrientation)},
+      {"scale", &b.scale, kOptional, {0, 1e6, kAbove}, "m per unit of the mesh"},
+  };
 }
 
 std::vector<Key> probe_keys(ProbeSpec& p, const std::vector<std::string>& pieces) {

@@ -29,6 +29,12 @@ std::vector<Key> piece_keys(PieceSpec& piece, const std::vector<std::string>& fa
 std::vector<Key> curve_keys(CurveSpec& curve);
 std::vector<Key> pin_keys(PinSpec& pin, const std::vector<std::string>& pieces);
 std::vector<Key> seam_keys(SeamSpec& seam, const std::vector<std::string>& pieces);
+// The file of the mesh as it stands in the scene, and the four numbers of its orientation.
+struct BodyText {
+  std::string mesh;
+  std::vector<double> orientation;
+};
+std::vector<Key> body_keys(BodySpec& body, BodyText& text);
 std::vector<Key> probe_keys(ProbeSpec& probe, const std::vector<std::string>& pieces);
 
 }  // namespace drape

@@ -51,11 +51,11 @@ struct FabricSpec {
   Vec2 friction{0.3, 0.3};                       // static, kinetic
 };
 
-// r = origin + x axis_x + y axis_y; the axes orthonormal after reading. On a cylinder the plane is rolled up:
-// core/README.md, section 1.
+// r = origin + x axis_x + y axis_y; the axes orthonormal after reading. On a cylinder, round or elliptic, the
+// plane is rolled up: core/README.md, section 1.
 struct PlaceSpec {
   Vec3 origin{0, 0, 0}, axis_x{1, 0, 0}, axis_y{0, 1, 0};
-  double radius = 0;                        // m, of the cylinder; 0: flat
+  Vec2 radius{0, 0};                        // m, of the cylinder: along the plane, across it; 0: flat
   Vec3 axis_point{0, 0, 0}, axis{0, 0, 1};  // of the cylinder; axis of length 1 after reading
 };
 
@@ -108,6 +108,18 @@ struct SeamSpec {
   double tape = 0;              // N per strain, of a tape sewn in
 };
 
+// A polyhedral object that the cloth touches.
+struct BodySpec {
+  std::string name;
+  std::string mesh;       // a file
+  Vec2 friction{-1, -1};  // static, kinetic; below 0: the fabric's
+  double damping = 1;     // of the normal motion in contact, over the critical one
+  bool moves = false;
+  Vec3 position{0, 0, 0};                         // m
+  std::array<double, 4> orientation{1, 0, 0, 0};  // w, x, y, z
+  double scale = 1;                               // m per unit of the mesh
+};
+
 struct ProbeSpec {
   std::string name;
   int piece = -1;
@@ -138,6 +150,7 @@ struct Scene {
   std::vector<FabricSpec> fabrics;
   std::vector<PieceSpec> pieces;
   std::vector<SeamSpec> seams;
+  std::vector<BodySpec> bodies;
   std::vector<PinSpec> pins;
   std::vector<ProbeSpec> probes;
 };

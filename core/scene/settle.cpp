@@ -1,5 +1,6 @@
 #include "scene/settle.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace drape {
@@ -7,6 +8,7 @@ namespace drape {
 namespace {
 
 constexpr double kTolerance = 1e-6;  // directions as typed have six digits or so
+constexpr double kFlattest = 20;     // of an elliptic cylinder: one radius over the other
 
 double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -61,6 +63,11 @@ void cylinder_settle(Faults& faults, const std::string& path, PlaceSpec& place) 
                   "the plane, within " + number_text(kTolerance));
   remove(place.axis, normal);
   normalise(place.axis);
+  const auto [a, b] = place.radius;
+  if (!(std::max(a, b) <= kFlattest * std::min(a, b)))
+    fault_add(faults, path + ".radius",
+              "= [" + number_text(a) + ", " + number_text(b) + "] m; allowed: neither above " +
+                  number_text(kFlattest) + " times the other");
 }
 
 void curves_settle(Faults& faults, const toml::table& table, const std::string& path) {
@@ -96,6 +103,24 @@ void seam_settle(Faults& faults, const toml::table& table, const std::string& pa
   for (const char* side : {"a", "b"})
     if (!table.contains(side))
       fault_add(faults, path + "." + side, "is missing; wanted: a table { piece, edges }");
+}
+
+void body_settle(Faults& faults, const std::string& path, const std::filesystem::path& folder,
+                 const BodyText& text, BodySpec& body) {
+  const std::filesystem::path file = (folder / text.mesh).lexically_normal();
+  body.mesh = file.string();
+  std::error_code error;
+  if (!text.mesh.empty() && !std::filesystem::is_regular_file(file, error))
+    fault_add(faults, path + ".mesh",
+              "= " + in_quotes(text.mesh) + ": there is no such file (looked for " + file.string() + ")");
+  if (text.orientation.empty() || fault_within(faults, path + ".orientation")) return;
+  if (text.orientation.size() != 4)
+    return fault_add(faults, path + ".orientation",
+                     "has " + entries_text(text.orientation.size()) + "; wanted: 4 numbers, w, x, y, z");
+  std::copy(text.orientation.begin(), text.orientation.end(), body.orientation.begin());
+  const auto& q = body.orientation;
+  if (q[0] == 0 && q[1] == 0 && q[2] == 0 && q[3] == 0)
+    fault_add(faults, path + ".orientation", "has length 0; allowed: any length above 0");
 }
 
 void pin_settle(Faults& faults, const toml::table& table, const std::string& path) {

@@ -4,6 +4,7 @@
 
 #include "scene/document.h"
 #include "scene/faults.h"
+#include "scene/rows.h"
 #include "scene/scene.h"
 
 namespace drape {
@@ -14,6 +15,10 @@ void piece_settle(Faults& faults, const toml::table& table, const std::string& p
 
 // A seam has two sides.
 void seam_settle(Faults& faults, const toml::table& table, const std::string& path);
+
+// The mesh's file, looked for beside the scene's, and the orientation.
+void body_settle(Faults& faults, const std::string& path, const std::filesystem::path& folder,
+                 const BodyText& text, BodySpec& body);
 
 void pin_settle(Faults& faults, const toml::table& table, const std::string& path);
 

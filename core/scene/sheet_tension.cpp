@@ -1,4 +1,5 @@
 // Sheets -> plain keys: warp, weft and bias.
+#include <algorithm>
 #include <cmath>
 
 #include "scene/check.h"
@@ -138,6 +139,25 @@ void fast_settle(const Settling& s, FabricText& t, std::size_t k) {
     diagram_insert(t, k, {{0, e5, e20, e100}, {std::begin(kFastForce), std::end(kFastForce)}}, true);
 }
 
+// Keys of a diagram that stand over a sheet without one; told, and left to the sheet.
+bool stray_tell(const Settling& s, const std::string& name, const std::vector<std::string>& sheets) {
+  const toml::node* node = stated(s, name);
+  const auto sheet =
+      std::find_if(sheets.begin(), sheets.end(), [&](const auto& key) { return stated(s, key); });
+  if (!node || !node->is_table() || sheet == sheets.end()) return false;
+  std::vector<std::string> strays;
+  for (auto&& [key, value] : *node->as_table()) {
+    const std::string k(key.str());
+    if (k != "jaws" && k != "correction" && k != "correction_elongation") return false;
+    strays.push_back(k);
+  }
+  for (const std::string& key : strays)
+    fault_at(s, name + "." + key,
+             "belongs to a diagram, but the " + name + " comes from " + *sheet + "; wanted: " + name +
+                 ".elongation_percent and " + name + ".force beside it, or neither");
+  return !strays.empty();
+}
+
 // Figures of tension that do not stand alone.
 void companions_check(const Settling& s, FabricText& t) {
   const bool work = stated(s, "kes.WT") || stated(s, "kes.LT");
@@ -154,6 +174,7 @@ void tension_settle(const Settling& s, FabricText& t) {
   companions_check(s, t);
   for (std::size_t k = 0; k < 2; ++k) {
     const std::string name = kDiagrams[k];
+    if (stray_tell(s, name, {"kes.EMT", "fast.E100"})) continue;
     const std::string way = way_of(s, name + " tension", {name, "kes.EMT", "fast.E100"});
     if (way == name) lists_settle(s, t, k);
     else if (way == "kes.EMT") kes_settle(s, t, k);
@@ -162,6 +183,7 @@ void tension_settle(const Settling& s, FabricText& t) {
 }
 
 void shear_settle(const Settling& s, FabricText& t) {
+  if (stray_tell(s, "bias", {"kes.G", "fast.EB5"})) return;
   const std::string way = way_of(s, "shear", {"bias", "kes.G", "fast.EB5"});
   if (way == "bias") return lists_settle(s, t, 2);
   if (!sound(s, way)) return;

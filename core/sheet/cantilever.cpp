@@ -1,5 +1,6 @@
 #include "sheet/cantilever.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sheet/root.h"
@@ -51,11 +52,45 @@ Cantilever cantilever_of(double end) {
   return {z * z * z, last.drop / z, last.reach / z};
 }
 
-// f/l rises as the end's angle falls from a right angle to 0, exponentially for soft cloth: phi(0) =
-// (pi/2)/(1 + e^y).
+namespace {
+
+// The angle of the free end at which a quantity that rises as the end comes nearer to the vertical has a
+// value. It does so exponentially for soft cloth: phi(0) = (pi/2)/(1 + e^y).
+template <class Quantity>
+double end_where(Quantity quantity, double value) {
+  const auto end = [](double y) { return kRightAngle / (1 + std::exp(y)); };
+  return end(rising_root([&](double y) { return quantity(cantilever_of(end(y))); }, value, -12, 700));
+}
+
+double end_of_load(double beta) {
+  return end_where([](const Cantilever& c) { return c.beta; }, beta);
+}
+
+}  // namespace
+
 Cantilever cantilever_with(double drop) {
-  const auto at = [](double y) { return cantilever_of(kRightAngle / (1 + std::exp(y))); };
-  return at(rising_root([&](double y) { return at(y).drop; }, drop, -12, 60));
+  return cantilever_of(end_where([](const Cantilever& c) { return c.drop; }, drop));
+}
+
+Cantilever cantilever_of_load(double beta) { return cantilever_of(end_of_load(beta)); }
+
+Cantilever cantilever_of_slope(double angle) {
+  return cantilever_of(end_where([](const Cantilever& c) { return std::atan2(c.drop, c.reach); }, angle));
+}
+
+std::vector<std::array<double, 2>> cantilever_shape(double beta, int n) {
+  const double length = std::cbrt(beta);
+  const int parts = std::max(1, int(std::ceil(length / (n * kStep))));
+  const double h = length / (n * parts);
+  std::vector<std::array<double, 2>> shape(std::size_t(n) + 1);
+  Point p{end_of_load(beta), 0, 0, 0};
+  for (int k = 1; k <= n * parts; ++k) {
+    p = step((k - 1) * h, p, h);
+    if (k % parts == 0) shape[std::size_t(n - k / parts)] = {p.reach / length, p.drop / length};
+  }
+  const std::array<double, 2> whole = shape[0];
+  for (std::array<double, 2>& at : shape) at = {whole[0] - at[0], whole[1] - at[1]};
+  return shape;
 }
 
 double gost_10550_rigidity(double mass, double drop) {

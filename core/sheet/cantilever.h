@@ -25,6 +25,8 @@
 // the line from the edge to its end falls by 41.5 degrees; c is half that overhang O, and B = W c^3 g per
 // width, since there beta = W g O^3/B = 8.004, nearly 8.
 #pragma once
+#include <array>
+#include <vector>
 
 namespace drape {
 
@@ -32,8 +34,13 @@ struct Cantilever {
   double beta, drop, reach;  // q l^3/EI, f/l, x/l
 };
 
-Cantilever cantilever_of(double end);     // end = phi(0), above 0, below pi/2
-Cantilever cantilever_with(double drop);  // f/l, above 0, below 1
+Cantilever cantilever_of(double end);          // end = phi(0), above 0, below pi/2
+Cantilever cantilever_with(double drop);       // f/l, above 0, below 1
+Cantilever cantilever_of_load(double beta);    // above 0, below 1e5
+Cantilever cantilever_of_slope(double angle);  // of the line from the edge to the end, rad
+
+// x and f over l at n + 1 equal steps from the clamp on.
+std::vector<std::array<double, 2>> cantilever_shape(double beta, int n);
 
 inline constexpr double kGostOverhang = 0.07, kGostLength = 0.16, kGostWidth = 0.03;  // m
 

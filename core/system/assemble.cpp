@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "constraint/pins.h"
+#include "contact/bodies.h"
 #include "piece/place.h"
 #include "seam/particles.h"
 #include "seam/tie.h"
@@ -120,6 +121,17 @@ Probe probe_make(const Lattice& l, const GridPoint& at) {
   return probe;
 }
 
+// The penalty's stiffness over mass is a small share of omega^2 of the flat lattice at rest.
+ContactLaw touch_law(const Lattice& l, const FabricSpec& fabric, double communication) {
+  constexpr double kShare = 0.05;
+  const Law& law = l.law;
+  const double b2 = l.cell * l.cell, slope = std::max(curve_slope(law.warp, 0), curve_slope(law.weft, 0));
+  const double rest = 4 * (slope + curve_slope(law.bias, 0)) / (law.areal_density * b2) +
+                      32 * std::max(law.bending_warp, law.bending_weft) / (law.areal_density * b2 * b2);
+  const double nothing = 1 / (communication * communication);  // no law acts
+  return {fabric.thickness / 2, kShare * (rest > 0 ? rest : nothing), fabric.friction};
+}
+
 std::vector<Law> laws_make(const System& system, const std::vector<FabricSpec>& fabrics,
                            std::vector<Problem>& problems) {
   std::vector<Law> laws;
@@ -167,6 +179,10 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
     system.lattices[p].reach = lattice_reach(system.lattices[p], system.area);
     threads_lay(system, int(p), grids[p], clamp_slopes(scene, int(p), grids[p]), start);
   }
+  system.bodies = bodies_make(scene, problems);
+  for (const Body& body : system.bodies)
+    start.body.push_back({body.start, rotation_matrix(body.start.turn), {}, {}, {}, {}, {}, {}});
+  if (!problems.empty()) return system;
   seams_tie(scene, grids, system);
   side_number(system);
   start.sewn.assign(system.seams.pair.size(), Sewn::kOpen);
@@ -197,7 +213,11 @@ void system_retune(System& system, const std::vector<FabricSpec>& fabrics, std::
   const std::size_t before = problems.size();
   std::vector<Law> laws = laws_make(system, fabrics, problems);
   if (problems.size() > before) return;
-  for (std::size_t k = 0; k < laws.size(); ++k) system.lattices[k].law = std::move(laws[k]);
+  for (std::size_t k = 0; k < laws.size(); ++k) {
+    Lattice& l = system.lattices[k];
+    l.law = std::move(laws[k]);
+    l.touch = touch_law(l, fabrics[std::size_t(l.fabric)], system.communication);
+  }
   masses_set(system);
   seams_retune(system);
 }

@@ -113,6 +113,7 @@ std::string limits_text(const Quantity& q, double value) {
 
 void parameters_make(Parameters& p, const Scene& scene, double step_max) {
   const std::size_t n = scene.fabrics.size();
+  p.touches = !scene.bodies.empty();
   p.fabrics.resize(n);
   p.elongation.resize(3 * n);
   p.force.resize(3 * n);
@@ -166,8 +167,8 @@ void parameters_write(Parameters& p, const ParameterValues& v) {
 bool parameters_move_otherwise(const Parameters& p, const ParameterValues& a, const ParameterValues& b) {
   const auto idle = [&](const double* value) {
     return value == &p.shown.ramp || value == &p.shown.threads || is_closing(p, value) ||
-           std::any_of(p.fabrics.begin(), p.fabrics.end(),
-                       [&](const drape_fabric& f) { return value == &f.friction; });
+           (!p.touches && std::any_of(p.fabrics.begin(), p.fabrics.end(),
+                                      [&](const drape_fabric& f) { return value == &f.friction; }));
   };
   bool otherwise = false;
   std::size_t k = 0;

@@ -20,6 +20,7 @@ struct Parameters {
   drape_parameters shown{};
   std::vector<drape_fabric> fabrics;
   std::vector<drape_seam_parameters> seams;
+  bool touches = false;                                // there are bodies, so that friction matters
   std::vector<std::vector<double>> elongation, force;  // [3 x fabrics] warp, weft, bias; without the origin
 };
 
@@ -30,7 +31,7 @@ ParameterValues parameters_read(const Parameters& parameters);
 void parameters_write(Parameters& parameters, const ParameterValues& values);
 
 // True where two sets of values move the cloth otherwise: they differ in more than parameter_ramp, threads,
-// friction, which nothing meets yet, and the closing of seams, which waits for the next interval.
+// friction where nothing can touch, and the closing of seams, which waits for the next interval.
 bool parameters_move_otherwise(const Parameters& parameters, const ParameterValues& a,
                                const ParameterValues& b);
 

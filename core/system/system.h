@@ -2,11 +2,13 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "constraint/constraint.h"
 #include "constraint/frame.h"
+#include "contact/contact.h"
 #include "fabric/law.h"
 #include "piece/grid.h"
 #include "seam/seams.h"
@@ -42,6 +44,7 @@ struct Lattice {
   std::vector<std::array<int, 2>> twin_place;  // [twins] column and row
   int piece = 0, fabric = 0;
   Law law;
+  ContactLaw touch;
 
   std::size_t node(int i, int j) const { return first + std::size_t(j) * stride + i; }
   std::size_t node_of(int grid_node) const {  // of Grid's numbering
@@ -54,8 +57,6 @@ struct Lattice {
   }
 };
 
-// Rotation matrix, row by row.
-using Mat3 = std::array<Vec3, 3>;
 inline constexpr Mat3 kNoTurn{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
 // Of the environment; the wind is a part of the State.
@@ -97,6 +98,7 @@ struct System {
   std::vector<RigidLink> links;  // of the particles of seams with outline = "paper"
   Constraints constraints;    // of the pins, at the masses of the assembly
   std::vector<Probe> probes;  // as Scene::probes
+  std::vector<Body> bodies;   // as Scene::bodies
 };
 
 inline bool system_has_air(const System& system) {
@@ -133,6 +135,8 @@ struct State {
   Array gap_hold;          // [pairs] m, s of the pull
   Array pulled_for;        // [pairs] s
 
+  std::vector<BodyContact> body;  // [bodies]
+
   Array lightness;  // [nodes] mass over inertia, at most 1; only in a fit
   Fit fit;
 
@@ -151,9 +155,10 @@ struct State {
   std::int64_t calm = 0;   // whole intervals since that number last changed
   double h_old = 0;        // s, the step that led here; 0 at the start
 
-  int watch_wait = 0;      // steps until the step limit is looked at again
-  int watch_period = 1;    // steps that the next look looks ahead
-  double omega2 = 0;       // 1/s^2, what the last look found
+  int watch_wait = 0;    // steps until the step limit is looked at again
+  int watch_period = 1;  // steps that the next look looks ahead
+  double omega2 = 0;     // 1/s^2, what the last look found
+  double step_most = std::numeric_limits<double>::infinity();  // s, of bodies near, at the last look
   double omega2_most = 0;  // 1/s^2, the most that any look found since the number of steps last changed
 
   double advance_length = 0;    // s, of the last advance; 0 = none yet

@@ -6,22 +6,21 @@ the force on the support, works out EI, draws the strip, and checks drop and wei
     .venv/bin/python examples/pt2/run.py [FOLDER]      results go to FOLDER, default build/pt2
 """
 import os
-import shutil
-import subprocess
 import sys
 import tomllib
 from pathlib import Path
 
 os.environ.setdefault("MPLBACKEND", "Agg")
 
-import fmpy
 import numpy as np
-from fmpy.fmi2 import FMU2Slave
 from matplotlib import pyplot
 
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+import at_rest
+
 ROOT = HERE.parents[1]
-LIFT, WING, SUPPORT, WIDTH, G, STEP = 0.02, 0.07, 0.02, 0.03, 9.81, 0.1  # m, m/s^2, s
+LIFT, WING, SUPPORT, WIDTH, G = 0.02, 0.07, 0.02, 0.03, 9.81  # m, m/s^2
 
 
 def elastica(delta, step=1e-2):
@@ -60,36 +59,17 @@ def elastica_where(quantity, wanted):
 
 def hang(fmu):
     """Lifts the support within the first step; the outputs at rest by name."""
-    description = fmpy.read_model_description(fmu)
-    reference = {v.name: v.valueReference for v in description.modelVariables}
-    folder = fmpy.extract(fmu)
-    strip = FMU2Slave(guid=description.guid, unzipDirectory=folder,
-                      modelIdentifier=description.coSimulation.modelIdentifier)
-    strip.instantiate()
-    strip.setupExperiment(startTime=0.0)
-    strip.enterInitializationMode()
-    strip.exitInitializationMode()
-    strip.setReal([reference["pin.support.position[3]"]], [LIFT])
-    for step in range(200):
-        strip.doStep(step * STEP, STEP)
-        if step > 0 and strip.getReal([reference["fit.residual"]])[0] <= 1e-5:
-            break
-    names = [v.name for v in description.modelVariables if v.causality == "output"]
-    row = dict(zip(names, strip.getReal([reference[name] for name in names])))
-    strip.terminate()
-    strip.freeInstance()
-    shutil.rmtree(folder)
-    return row
+    with at_rest.opened(fmu) as strip:
+        strip.set({"pin.support.position[3]": LIFT})
+        strip.rest()
+        return dict(zip(strip.outputs, strip.get(strip.outputs)))
 
 
 def main():
     folder = Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "build" / "pt2"
     folder.mkdir(parents=True, exist_ok=True)
     fmu = folder / "pt2.fmu"
-    drape = ROOT / "build" / "drape"
-    if not drape.exists():
-        sys.exit(f"{drape} is missing: run `bash examples/quickstart.sh`")
-    subprocess.run([drape, "pack", HERE / "scene.toml", "-o", fmu], check=True)
+    at_rest.pack(HERE / "scene.toml", fmu)
     fabric = tomllib.loads((ROOT / "examples" / "fabrics" / "quilting_cotton.toml").read_text())
     rigidity, density = fabric["bending"]["rigidity_uN_cm2"][0], fabric["areal_density"]
     row = hang(fmu)

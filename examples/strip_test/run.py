@@ -6,53 +6,34 @@ draws the diagrams, and checks that the strips give back what was measured.
     .venv/bin/python examples/strip_test/run.py [FOLDER]      results go to FOLDER, default build/strip_test
 """
 import os
-import shutil
-import subprocess
 import sys
 import tomllib
 from pathlib import Path
 
 os.environ.setdefault("MPLBACKEND", "Agg")
 
-import fmpy
 import numpy as np
-from fmpy.fmi2 import FMU2Slave
 from matplotlib import pyplot
 
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+import at_rest
+
 ROOT = HERE.parents[1]
 STRIPS = ("warp", "weft", "bias")
 PERCENT = (1, 2, 3, 4, 6, 8, 10)  # points of all three diagrams
-GAUGE, STEP = 0.1, 0.1  # m, s
+GAUGE = 0.1  # m
 
 
 def pull(fmu):
     """[elongations x strips] N on the upper jaws at rest."""
-    description = fmpy.read_model_description(fmu)
-    reference = {v.name: v.valueReference for v in description.modelVariables}
-    jaws = [reference[f"pin.{strip}_high.position[2]"] for strip in STRIPS]
-    forces = [reference[f"pin.{strip}_high.force[2]"] for strip in STRIPS]
-    folder = fmpy.extract(fmu)
-    machine = FMU2Slave(guid=description.guid, unzipDirectory=folder,
-                        modelIdentifier=description.coSimulation.modelIdentifier)
-    machine.instantiate()
-    machine.setupExperiment(startTime=0.0)
-    machine.enterInitializationMode()
-    machine.exitInitializationMode()
-    time, read = 0.0, []
-    for percent in PERCENT:
-        machine.setReal(jaws, [GAUGE * (1 + percent / 100)] * len(STRIPS))
-        for step in range(200):  # the first moves the jaws
-            machine.doStep(time, STEP)
-            time += STEP
-            if step > 0 and machine.getReal([reference["fit.residual"]])[0] <= 1e-5:
-                break
-        else:
-            sys.exit(f"the strips find no rest at {percent} %")
-        read.append([-force for force in machine.getReal(forces)])
-    machine.terminate()
-    machine.freeInstance()
-    shutil.rmtree(folder)
+    read = []
+    with at_rest.opened(fmu) as machine:
+        for percent in PERCENT:
+            machine.set({f"pin.{strip}_high.position[2]": GAUGE * (1 + percent / 100) for strip in STRIPS})
+            if not machine.rest():
+                sys.exit(f"the strips find no rest at {percent} %")
+            read.append([-force for force in machine.get([f"pin.{strip}_high.force[2]" for strip in STRIPS])])
     return np.array(read)
 
 
@@ -79,10 +60,7 @@ def main():
     folder = Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "build" / "strip_test"
     folder.mkdir(parents=True, exist_ok=True)
     fmu = folder / "strip_test.fmu"
-    drape = ROOT / "build" / "drape"
-    if not drape.exists():
-        sys.exit(f"{drape} is missing: run `bash examples/quickstart.sh`")
-    subprocess.run([drape, "pack", HERE / "scene.toml", "-o", fmu], check=True)
+    at_rest.pack(HERE / "scene.toml", fmu)
     fabric = tomllib.loads((ROOT / "examples" / "fabrics" / "half_wool.toml").read_text())
     force = pull(fmu)
     wanted = measured(fabric)

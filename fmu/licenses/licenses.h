@@ -9,5 +9,6 @@ struct License {
   std::string name, text;
 };
 extern const std::vector<License> kLicenses;
+extern const std::vector<License> kContactLicenses;  // of the contact library and what comes with it
 
 }  // namespace drape

@@ -23,7 +23,7 @@ inline Assembled assemble(const Scene& scene) {
   a.scene = scene;
   std::vector<Problem> problems;
   a.system = system_assemble(scene, a.state, problems);
-  for (const Problem& p : problems) ADD_FAILURE() << p.place << ": " << p.message;
+  if (!problems.empty()) throw std::runtime_error(problem_text(problems[0]));
   a.motion = motion_make(a.system);
   leapfrog_begin(a.system, a.motion, a.state);
   return a;

@@ -70,6 +70,35 @@ def test_check_tells_what_to_expect_without_calibration(drape, write, fabric):
     assert "calibrated" not in drape("check", write(scene)).stdout
 
 
+def test_check_tells_where_the_clamp_correction_does_not_hold(drape, write, fabric):
+    """K = r (r - 1.25)/(r - 1)^2 rises as strips get shorter only down to r = 5/3."""
+    scene = swinging_sheet()
+    name = next(iter(scene["fabric"]))
+    for gauge, told in ((0.075, True), (0.1, False)):
+        scene["fabric"][name] = {"file": str(fabric(FABRIC + f"[strip]\nwidth = 0.05\ngauge = {gauge}\n"))}
+        out = drape("check", write(scene)).stdout
+        assert (f"fabric {name}: strip has gauge/width = 1.5; the clamp correction of bias holds from 1.667 on" in out) == told
+
+
+def test_calibration_starts_afresh(drape, fabric):
+    """Corrections of a diagram that has other points by now are no fault, and leave no trace."""
+    file = fabric()
+    sweeps = drape("fabric", "calibrate", file, "--cell", 0.0125).stdout
+    first = file.read_text()
+    assert drape("fabric", "calibrate", file, "--cell", 0.0125).stdout == sweeps
+    assert file.read_text() == first
+    file.write_text(first.replace("[0, 2, 4, 6]", "[0, 2, 4, 6, 8]").replace("[0, 0.4, 0.9, 1.5]", "[0, 0.4, 0.9, 1.5, 2.3]"))
+    assert "correction" in drape("fabric", "test", file, check=False).stderr
+    drape("fabric", "calibrate", file, "--cell", 0.0125)
+    assert len(differences(drape("fabric", "test", file, "--cell", 0.0125).stdout)) == 8
+
+
+def test_slack_toes_are_pulled(drape, fabric):
+    text = FABRIC.replace("[0, 8, 20]", "[0, 0, 20]").replace("[0, 0.4, 0.9, 1.5]", "[0, 0, 0.9, 1.5]")
+    out = drape("fabric", "test", fabric(text), "--cell", 0.0125).stdout
+    assert len(differences(out)) == 5 and len(re.findall(r" -$", out, re.MULTILINE)) == 2
+
+
 def test_calibration_into_another_file(drape, fabric, tmp_path):
     file, other = fabric(), tmp_path / "other.toml"
     drape("fabric", "calibrate", file, "--cell", 0.0125, "-o", other)
@@ -83,6 +112,9 @@ FAULTS = {
     "cells too small": (FABRIC, ["calibrate", "--cell", "1e-5"], ["--cell", "1e-05", "0.00025"], 1),
     "no cell": (FABRIC, ["calibrate", "--cell", "-1"], ["--cell", "-1", "above 0"], 1),
     "short specimen": (FABRIC + "jaws = false\n[strip]\ngauge = 0.01\n", ["test"], ["0.003125", "0.0025"], 1),
+    "strip too short for K": (FABRIC + "[strip]\ngauge = 0.06\n", ["calibrate"], ["gauge/width = 1.2", "above 1.25", "bias.jaws"], 1),
+    "bias far out": (FABRIC.replace("[0, 2, 4, 6]", "[0, 30]").replace("[0, 0.4, 0.9, 1.5]", "[0, 5]"), ["test"],
+                     ["fabric.ours.bias", "no odd law", "nearer to 0 percent"], 1),
     "no diagram": ("areal_density = 0.2\nthickness = 0.0004\n", ["calibrate"], ["no diagram"], 1),
     "faulty fabric": (FABRIC.replace(WARP, "force = [0, 6, 5]"), ["calibrate"], ["warp.force[2]", "5 N"], 1),
     "output is the input": (FABRIC, ["calibrate", "-o", "ours.toml"], ["--output", "ours.toml", "read from"], 1),

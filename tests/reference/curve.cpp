@@ -134,9 +134,10 @@ Curve odd_law(const std::vector<double>& e, const std::vector<double>& P) {
     double change = 0;
     for (std::size_t i = 1; i < points; ++i) {
       const double l1 = 1 + kept[i], l2 = std::sqrt(2 - l1 * l1);
-      const double step = (P[i] - g[i] - curve_value(old, std::abs(l2 - 1)) * l1 / l2) / 2;
-      g[i] += step;
-      change = std::max(change, std::abs(step));
+      const double half = (P[i] - g[i] - curve_value(old, std::abs(l2 - 1)) * l1 / l2) / 2;
+      const double risen = std::max(g[i] + half, g[i - 1]);
+      change = std::max(change, std::abs(risen - g[i]));
+      g[i] = risen;
     }
     if (change <= kSweepRest * P[points - 1]) return curve_make(kept, g, Below::kOdd);
     if (!std::isfinite(change)) break;

@@ -190,6 +190,18 @@ TEST(ReferenceOddLaw, LeavesOutPointsBeyondLocking) {
   EXPECT_DOUBLE_EQ(curve_slope(g, 0.45), g.f[1] / 0.1);
 }
 
+// A slack toe: the short diagonal, strained by a little more than L, would pull behind it, g(L) = -g(|e2|)
+// l1/l2 < 0. The law stays at 0 there, and solves its equation at the points beyond.
+TEST(ReferenceOddLaw, DoesNotFallBehindASlackToe) {
+  const std::vector<double> e{0, 0.02, 0.04, 0.06}, P{0, 0, 18, 30};
+  const Curve g = odd_law(e, P);
+  EXPECT_EQ(g.f[1], 0);
+  for (std::size_t i : {2u, 3u}) {
+    const double l1 = 1 + e[i], l2 = std::sqrt(2 - l1 * l1);
+    EXPECT_NEAR(g.f[i] + curve_value(g, 1 - l2) * l1 / l2, P[i], 1e-12 * P[3]);
+  }
+}
+
 TEST(ReferenceOddLaw, SaysWhenItHasNoAnswer) {
   EXPECT_THROW(odd_law({0, 0.5}, {0, 40}), std::runtime_error);
   EXPECT_THROW(odd_law({0, 0.2, 0.4}, {0, 10, 40}), std::runtime_error);

@@ -29,6 +29,7 @@ Free free_motion(const Motion& motion, const Outside& outside, const VectorXd& r
   free.taken = add_link_damping(lattice, r, v, F);
   const AirPower air = add_air(lattice, motion.air, outside.wind, r, v, F);
   free.taken += air.taken;
+  free.taken += add_contact(lattice, motion.contact, r, v, F);
   add_bonds(lattice, motion.sewing, r, F);
   free.given = air.given + add_pulls(lattice, motion.sewing, hold, r, v, F);
   for (int n = 0; n < lattice.count; ++n) {
@@ -67,6 +68,7 @@ std::vector<Vector3d> each(const std::vector<Target>& targets, Vector3d Target::
 Motion motion_make(const Scene& scene) {
   Motion motion;
   motion.lattice = lattice_make(scene);
+  motion.contact = contact_make(scene);
   motion.sewing = sewing_start(motion.lattice);
   for (const Seam& seam : motion.lattice.seams) motion.pulled_from.emplace_back(seam.pairs.size(), 0.0);
   motion.held = held_make(motion.lattice, motion.sewing);
@@ -147,8 +149,12 @@ Energy motion_energy(const Motion& motion, const Turns& turns, const VectorXd& y
   for (int k = 0; k < lattice.count; ++k)
     gravity -= lattice.mass[std::size_t(k)] * motion.gravity.dot(r.segment<3>(3 * k));
   const BondEnergy sewn = bond_energy(lattice, motion.sewing, r);
-  return {kinetic_energy(lattice, v), stretch_energy(lattice, r) + sewn.stretch, shear_energy(lattice, r),
-          bending_energy(lattice, r) + clamp_energy(lattice, turns, r) + sewn.bending, gravity};
+  return {kinetic_energy(lattice, v),
+          stretch_energy(lattice, r) + sewn.stretch,
+          shear_energy(lattice, r),
+          bending_energy(lattice, r) + clamp_energy(lattice, turns, r) + sewn.bending,
+          gravity,
+          contact_energy(lattice, motion.contact, r)};
 }
 
 Residual residual(const Motion& motion, const Outside& outside, const VectorXd& r) {

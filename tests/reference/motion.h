@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 #include <memory>
 
+#include "reference/contact.h"
 #include "reference/course.h"
 #include "reference/forces.h"
 #include "reference/held.h"
@@ -19,6 +20,7 @@ namespace drape::reference {
 struct Motion {
   Lattice lattice;
   Sewing sewing;
+  Contact contact;
   std::vector<std::vector<double>> pulled_from;  // [Lattice::seams][pairs] s, since when
   double begun = 0;                              // s, the present advance
   Held held;
@@ -46,8 +48,8 @@ Eigen::VectorXd motion_start(const Motion& motion);
 void motion_begin(const Motion& motion, const Course& course, Eigen::VectorXd& y);
 
 struct Energy {  // J
-  double kinetic, stretch, shear, bending, gravity;
-  double total() const { return kinetic + stretch + shear + bending + gravity; }
+  double kinetic, stretch, shear, bending, gravity, contact;
+  double total() const { return kinetic + stretch + shear + bending + gravity + contact; }
 };
 Energy motion_energy(const Motion& motion, const Turns& turns, const Eigen::VectorXd& y);
 Turns turns_of(const Outside& outside);

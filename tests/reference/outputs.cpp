@@ -1,7 +1,7 @@
 // Strain e = l/rest - 1 of a link; its mean over a direction is weighted by the area width x rest.
 // Tension T/w of a thread is its law at e. Energies: sums over the lists; gravity: -sum m g.r. Columns stand
 // in the order of the variable table; step.stability is left out, as an error-controlled step has no limit to
-// be compared with.
+// be compared with; so are the loads on bodies and the largest pressure.
 #include "reference/outputs.h"
 
 #include <algorithm>
@@ -76,8 +76,9 @@ void push_energies(std::vector<double>& row, const Motion& motion, const Sample&
   const Layout at = layout_of(motion.lattice);
   const Energy energy = motion_energy(motion, turns_of(sample.outside), sample.y);
   const double given = sample.y[at.given], taken = sample.y[at.taken];
-  row.insert(row.end(), {energy.kinetic, energy.stretch, energy.shear, energy.bending, energy.gravity, taken,
-                         given, energy.total() - sample.energy_start - given + taken});
+  row.insert(row.end(), {energy.kinetic, energy.stretch, energy.shear, energy.bending, energy.gravity});
+  if (!motion.contact.bodies.empty()) row.push_back(energy.contact);
+  row.insert(row.end(), {taken, given, energy.total() - sample.energy_start - given + taken});
 }
 
 }  // namespace
@@ -95,6 +96,7 @@ std::vector<std::string> output_columns(const Scene& scene, const Lattice& latti
   for (const Seam& seam : lattice.seams)
     for (const char* what : {"gap.max", "closed", "length"})
       names.push_back(variable_prefix("seam", seam.name) + what);
+  if (!scene.bodies.empty()) names.insert(names.end(), {"contact.count", "contact.penetration.max"});
   for (const char* direction : {"warp", "weft", "bias"}) {
     for (const char* what : {".min", ".max", ".mean"})
       names.push_back(std::string("strain.") + direction + what);
@@ -104,6 +106,7 @@ std::vector<std::string> output_columns(const Scene& scene, const Lattice& latti
   if (scene.energy) {
     for (const char* kind : {"kinetic", "stretch", "shear", "bending", "gravity"})
       names.push_back(std::string("energy.") + kind);
+    if (!scene.bodies.empty()) names.push_back("energy.contact");
     if (scene.mode == Mode::kDynamic)  // a fit has no balance
       for (const char* kind : {"dissipated", "input", "balance_error"})
         names.push_back(std::string("energy.") + kind);
@@ -132,6 +135,10 @@ std::vector<double> output_row(const Scene& scene, const Motion& motion, bool no
   }
   for (std::size_t k = 0; k < lattice.seams.size(); ++k)
     push_seam(row, lattice.seams[k], motion.sewing[k], r);
+  if (!motion.contact.bodies.empty()) {
+    const Touching found = touching(lattice, motion.contact, r);
+    row.insert(row.end(), {double(found.count), found.depth});
+  }
   push_strain(row, lattice.warp, r);
   push_strain(row, lattice.weft, r);
   push_strain(row, lattice.bias, r);

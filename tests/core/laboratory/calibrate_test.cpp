@@ -25,10 +25,10 @@ constexpr const char* kText =
     "elongation_percent = [0, 1, 2]\n"
     "force = [\n  0, # nothing\n  6,\n  15]\n";
 
-FabricSpec read(const std::string& text) {
+FabricSpec read(const std::string& text, Corrections corrections = Corrections::kKept) {
   const SceneFolder folder;
   std::vector<Problem> problems;
-  const FabricSpec f = fabric_read(folder.write("f.toml", text), problems);
+  const FabricSpec f = fabric_read(folder.write("f.toml", text), problems, corrections);
   for (const Problem& p : problems) ADD_FAILURE() << problem_text(p);
   return f;
 }
@@ -64,6 +64,32 @@ TEST(Calibration, StartsFromStoredCorrections) {
   const Calibration c = calibrated(calibrated(read(kText)).fabric);
   ASSERT_TRUE(c.converged);
   EXPECT_EQ(c.residuals.size(), 1u);
+}
+
+// Its sweeps are few: three that place points, and what mixing leaves of the others (without it, the last
+// points of half-wool take 15).
+TEST(Calibration, TakesFewSweeps) {
+  std::vector<Problem> problems;
+  for (const char* name : {"cotton", "half_wool", "quilting_cotton"}) {
+    const FabricSpec f = fabric_read(DRAPE_SOURCE_DIR "/examples/fabrics/" + std::string(name) + ".toml",
+                                     problems, Corrections::kDropped);
+    ASSERT_TRUE(f.bias.correction.empty() && f.bias.correction_elongation.empty());
+    const Calibration c = calibrate(f, {.cell = f.strip_width / 8}, problems);
+    ASSERT_TRUE(c.converged && problems.empty()) << c.why;
+    EXPECT_LE(c.residuals.size(), 8u) << name;
+  }
+}
+
+// Slack toes: no force is told where the diagram has none, and the rest is given back.
+TEST(Calibration, LetsDiagramsBeSlackAtFirst) {
+  std::string text(kText);
+  for (const auto& [from, to] : {std::pair{"[\n  0, # nothing\n  6,", "[\n  0, # nothing\n  0,"},
+                                 std::pair{"weft.force = [0, 8,", "weft.force = [0, 0,"}})
+    text.replace(text.find(from), std::string(from).size(), to);
+  const Calibration c = calibrated(read(text));
+  ASSERT_TRUE(c.converged) << c.why;
+  EXPECT_EQ(c.fabric.warp.force[1], 0);
+  EXPECT_NEAR(c.residuals.back(), 0, 1e-4);
 }
 
 // A tuned point keeps its correction: with all forces of a fabric times a factor, all laws are, and so are
@@ -119,6 +145,31 @@ TEST(Store, KeepsTheText) {
     const std::string twice = calibration_store(stored, c, "2027-01-01", problems);
     EXPECT_EQ(twice.size(), stored.size());
     EXPECT_NE(twice.find("2027-01-01"), std::string::npos);
+  }
+}
+
+// A diagram whose jaws went away loses the corrections of its elongations, in a table and on a line.
+TEST(Store, TakesOutWhatNoLongerHolds) {
+  for (const bool inline_table : {false, true}) {
+    std::string text(kText);
+    const std::string line =
+        "bias = { elongation_percent = [0, 2, 4, 6], force = [0, 0.4, 0.9, 1.5] } # end\n";
+    if (!inline_table) {
+      text.erase(text.find(line), line.size());
+      text += "\n[bias]\nelongation_percent = [0, 2, 4, 6]\nforce = [0, 0.4, 0.9, 1.5]\n";
+    }
+    std::vector<Problem> problems;
+    const std::string with = calibration_store(text, calibrated(read(text)), "2026-11-25", problems);
+    ASSERT_NE(with.find("correction_elongation = ["), std::string::npos);
+    std::string loose = with;
+    const std::string force = "force = [0, 0.4, 0.9, 1.5]";
+    loose.insert(loose.find(force) + force.size(), inline_table ? ", jaws = false" : "\njaws = false");
+    const std::string again =
+        calibration_store(loose, calibrated(read(loose, Corrections::kDropped)), "2026-11-26", problems);
+    ASSERT_TRUE(problems.empty()) << problem_text(problems[0]);
+    EXPECT_EQ(again.find("correction_elongation"), std::string::npos) << again;
+    EXPECT_TRUE(read(again).bias.correction_elongation.empty());
+    EXPECT_EQ(read(again).bias.correction.size(), 4u);
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "cloth_fixture.h"
 #include "laboratory/rest.h"
+#include "laboratory/strip_order.h"
 #include "reference/motion.h"
 #include "scene/read.h"
 
@@ -47,6 +48,44 @@ TEST_P(ShippedStrip, GivesBackItsDiagrams) {
     std::printf("case a, %s: at most %.1e off\n", along == Thread::kBias ? "45 degrees" : "threads", worst);
     EXPECT_LE(worst, along == Thread::kBias ? 1e-3 : 5e-4);
   }
+}
+
+// Every strip finds its rest on cells of width/8 and width/32 too; across the ends of the 45 degree strip an
+// even share of the width, corners are nodes, and its forces change with order 1 or more.
+TEST_P(ShippedStrip, FindsItsRestOnOtherCells) {
+  const FabricSpec f = shipped(GetParam());
+  std::vector<Problem> problems;
+  for (Thread along : {Thread::kWarp, Thread::kWeft})
+    for (double cells : {8.0, 32.0})
+      pulled(f, along, f.strip_width / cells, strip_elongations(f, along, 0.04));
+  if (!f.bias.jaws) return;
+  const StripOrder o =
+      strip_order(f, f.strip_width / 16, strip_elongations(f, Thread::kBias, 0.06), problems);
+  ASSERT_TRUE(o.told && o.why.empty() && problems.empty()) << o.why;
+  std::printf("45 degrees on cells of %.3f, %.3f, %.3f mm: %.2f, %.3f, %.2f %% off, order %.2f\n",
+              1e3 * o.cell[0], 1e3 * o.cell[1], 1e3 * o.cell[2], 100 * o.off[0], 100 * o.off[1],
+              100 * o.off[2], o.order);
+  EXPECT_GE(o.order, 1);
+}
+
+// Changes of b^p between three cells.
+TEST(StripOrder, IsThePowerOfTheCell) {
+  const std::array<double, 3> b{5e-3, 3e-3, 1.4e-3};
+  for (double p : {0.5, 1.0, 1.7, 3.0})
+    EXPECT_NEAR(order_of(b, std::pow(b[0], p) - std::pow(b[1], p), std::pow(b[1], p) - std::pow(b[2], p)), p,
+                1e-9);
+  EXPECT_TRUE(std::isnan(order_of(b, 1e-3, 2e-3)));  // changes that grow
+}
+
+// Slack threads and short strips (ASTM D5035), whose jaws hold rows that nearly say the same.
+TEST(Strip, FindsItsRestWhereClothIsSlackOrShort) {
+  for (const auto& [width, gauge] : {std::pair{0.05, 0.075}, std::pair{0.025, 0.075}, std::pair{0.05, 0.1}})
+    for (double compression : {1.0, 0.0}) {
+      FabricSpec f = shipped("cotton");
+      f.strip_width = width, f.strip_gauge = gauge, f.compression = compression;
+      for (Thread along : {Thread::kWarp, Thread::kWeft, Thread::kBias})
+        for (double cells : {8.0, 13.0}) pulled(f, along, width / cells, strip_elongations(f, along, 10));
+    }
 }
 
 // With the bias law off and nothing to bend, a warp strip between jaws is threads side by side: the input at

@@ -271,5 +271,22 @@ TEST(Fit, EnlargesTheInertiaOfStiffCells) {
   EXPECT_NEAR(h * std::sqrt(a.state.omega2) / 2, kSafetyDamped, 1e-12);
 }
 
+// Inertia is found anew within 16 steps, and sooner where a particle would move by a fiftieth of its cell: at
+// the speed b/(50 k h), after k steps.
+TEST(Fit, LooksSoonerWhereTheClothMovesFast) {
+  Scene scene = reference::rectangle(reference::curved_fabric(), 0.05, 0.05, 0.01);
+  scene.mode = Mode::kFit;
+  Assembled a = assemble(scene);
+  const double h = 1e-5;
+  const auto looks_after = [&](double steps) {
+    a.state.vz[a.system.particle[7]] = -0.01 / (50 * steps * h);
+    fit_scale(a.system, a.motion.constraints, a.state, h);
+    return a.state.watch_wait;
+  };
+  EXPECT_EQ(looks_after(1e6), 16);
+  EXPECT_EQ(looks_after(5.001), 5);
+  EXPECT_EQ(looks_after(0.01), 1);
+}
+
 }  // namespace
 }  // namespace drape

@@ -83,7 +83,8 @@ TEST(Hold, PointsAreHeldOnce) {
 }
 
 // An arc of radius r about (0, 0), turned by its grain: points within the sag of r, each on a thread (or an
-// end), one for each thread that it crosses.
+// end), one for each thread that it crosses and that runs nearer to its normal than the other kind: along the
+// quarter circle the warp at x <= 1/sqrt 2, the weft at y <= 1/sqrt 2.
 TEST(Hold, CurvedEdgeIsHeldWhereItCrossesThreads) {
   for (const double grain : {0.0, 0.4}) {
     PieceSpec piece = piece_of({{1, 0}, {0, 1}, {0, 0.5}, {0.5, 0}}, 0.1);
@@ -101,13 +102,40 @@ TEST(Hold, CurvedEdgeIsHeldWhereItCrossesThreads) {
         EXPECT_TRUE(at[0] == std::floor(at[0]) || at[1] == std::floor(at[1]));
       }
     }
-    if (grain == 0) {  // threads at 0, 0.1, ..., 1 both ways
-      EXPECT_EQ(on_warp, 11);
-      EXPECT_EQ(on_weft, 11);
+    if (grain == 0) {  // threads at 0, 0.1, ..., 0.7 and the ends at 1
+      EXPECT_EQ(on_warp, 9);
+      EXPECT_EQ(on_weft, 9);
     }
     // the mean by length of a quarter circle: 2/pi along either axis
     for (double v : h.hold.centre) EXPECT_NEAR(v, 2 / std::numbers::pi, 1e-4);
   }
+}
+
+// Each thread that an oblique edge holds has two nodes beside it, of which no other held point takes part but
+// those at the corners: the rows leave one motion of the two.
+TEST(Hold, ObliqueEdgeLeavesOneMotionOfEachThread) {
+  for (const double slope : {0.3, 0.7, 1.0, 1.6, 4.0})
+    for (const double shift : {0.0, 0.13, 0.61}) {
+      const double w = slope < 1 ? 9 : 9 / slope;
+      PieceSpec piece = piece_of({{0.07, 0.11}, {9, -5}, {9, shift}, {9 - w, shift + w * slope}}, 1);
+      piece.grid_origin = Vec2{0, 0};
+      const Held h = held(piece, edges_pin({2}));
+      const Vec2 ends[] = {piece.outline[2], piece.outline[3]};
+      std::map<int, int> rows;
+      for (std::size_t k = 0; k < h.hold.points.size(); ++k) {
+        const Vec2& p = h.hold.points[k];
+        const auto near = [&](const Vec2& q) { return std::hypot(p[0] - q[0], p[1] - q[1]) < 1e-6; };
+        if (near(ends[0]) || near(ends[1])) continue;
+        EXPECT_EQ(p[slope > 1 ? 1 : 0], std::round(p[slope > 1 ? 1 : 0])) << slope;
+        const GridPoint& at = h.hold.at[k];
+        if (std::count(at.weight, at.weight + 4, 0.0) < 2)
+          continue;  // of a merged cell: its neighbour's nodes
+        for (int n = 0; n < 4; ++n) {
+          rows[at.node[n]] += at.weight[n] != 0;
+          EXPECT_LE(rows[at.node[n]], 1) << slope << " " << shift;
+        }
+      }
+    }
 }
 
 // Along a grid line s = 1; half a cell beyond it s = 1/2, or 1.1 where the strip of 0.1 cells is merged;

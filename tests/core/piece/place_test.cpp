@@ -17,7 +17,7 @@ TEST(Place, CylinderKeepsHeightsAndLengths) {
     PlaceSpec place;
     place.origin = {0, side, 1};
     place.axis_y = {0, 0, 1};  // axis_x x axis_y = -y
-    place.radius = 0.5;
+    place.radius = {0.5, 0.5};
     for (const double x : {-1.0, -0.3, 0.0, 0.7})
       for (const double y : {0.0, 0.4}) {
         const Vec3 p = place_point(place, {x, y});
@@ -32,6 +32,75 @@ TEST(Place, CylinderKeepsHeightsAndLengths) {
         const Vec3 q = minus(place_point(place, {x + d, y + d}), p);
         EXPECT_NEAR(std::sqrt(dot(q, q)), d * std::sqrt(2.0), 1e-14);
       }
+  }
+}
+
+// The ellipse x = a sin f, y = b cos f: P' lies on it, at the arc length that the plane had, by Simpson's
+// rule (n = 2000 pieces of f: (f/n)^4/180 of the fourth derivative of s', below 1e-10 for a ratio of 3).
+TEST(Place, EllipseKeepsArcLengths) {
+  for (const Vec2 radius : {Vec2{0.2, 0.12}, {0.1, 0.3}, {0.3, 0.3}})
+    for (const double side : {2.0, -2.0}) {
+      PlaceSpec place;
+      place.origin = {0, side, 1};
+      place.axis_y = {0, 0, 1};
+      place.radius = radius;
+      const auto [a, b] = radius;
+      for (int k = -40; k <= 40; ++k) {
+        const double x = 0.05 * k;  // up to three times round
+        const Vec3 p = place_point(place, {x, 0.4});
+        const double out = side > 0 ? 1 : -1;
+        EXPECT_NEAR(p[2], 1.4, 1e-15);
+        EXPECT_NEAR(p[0] * p[0] / (a * a) + p[1] * p[1] / (b * b), 1, 1e-14);
+        // the angle of the place, taken to the turn in which x lies
+        double f = std::atan2(p[0] / a, out * p[1] / b), s = 0;
+        const auto arc = [&](double to) {
+          double sum = 0;
+          const int n = 2000;
+          for (int i = 0; i <= n; ++i)
+            sum += (i == 0 || i == n ? 1
+                    : i % 2          ? 4
+                                     : 2) *
+                   std::hypot(a * std::cos(to * i / n), b * std::sin(to * i / n));
+          return sum * to / (3 * n);
+        };
+        const double turn = 2 * std::numbers::pi, perimeter = arc(turn);
+        s = arc(f) + std::round((x - arc(f)) / perimeter) * perimeter;
+        EXPECT_NEAR(s, x, 1e-10) << "a " << a << " b " << b << " side " << side;
+      }
+    }
+}
+
+// A chord of the arc length h is h (1 - (k h)^2/24 + ...) long, k the curvature, on an ellipse at most
+// max(a, b)/min(a, b)^2: placed cloth starts strained by less than that.
+TEST(Place, EllipseStrainsByTheChordOnly) {
+  PlaceSpec place;
+  place.origin = {0, 2, 0};
+  place.axis_y = {0, 0, 1};
+  for (const Vec2 radius : {Vec2{0.2, 0.12}, {0.1, 0.3}}) {
+    place.radius = radius;
+    const double h = 0.01, k = std::max(radius[0], radius[1]) / std::pow(std::min(radius[0], radius[1]), 2);
+    for (int i = -100; i < 100; ++i) {
+      const Vec3 d = minus(place_point(place, {h * (i + 1), 0}), place_point(place, {h * i, 0}));
+      const double strain = std::sqrt(dot(d, d)) / h - 1;
+      EXPECT_LE(strain, 1e-12);
+      EXPECT_GE(strain, -1.01 * k * k * h * h / 24);
+    }
+  }
+}
+
+// Off the ellipse the imperfection goes along its normal: (x/a^2, y/b^2).
+TEST(Place, ImperfectionOfAnEllipseIsNormal) {
+  PieceSpec piece = rectangle(0, 0, 1, 1, 0.1);
+  piece.place.origin = {0, 2, 0};
+  piece.place.axis_y = {0, 0, 1};
+  piece.place.radius = {0.5, 0.2};
+  Scene scene = scene_of(piece);
+  scene.imperfection_amplitude = 0.01;
+  for (const Vec2 p : {Vec2{0.1, 0.9}, {0.6, 0.2}, {0.9, 0.9}}) {
+    const Vec3 foot = place_point(piece.place, p), off = minus(place_start(scene, 0, p), foot);
+    EXPECT_NEAR(off[0] * foot[1] / 0.04 - off[1] * foot[0] / 0.25, 0, 1e-15);
+    EXPECT_EQ(off[2], 0);
+    EXPECT_GT(std::abs(off[0]) + std::abs(off[1]), 0);
   }
 }
 
@@ -82,7 +151,7 @@ TEST(Place, ImperfectionOfACylinderIsRadial) {
   PieceSpec piece = rectangle(0, 0, 1, 1, 0.1);
   piece.place.origin = {0, 2, 0};
   piece.place.axis_y = {0, 0, 1};
-  piece.place.radius = 0.5;
+  piece.place.radius = {0.5, 0.5};
   Scene scene = scene_of(piece);
   scene.imperfection_amplitude = 0.01;
   Scene plane = scene;

@@ -165,7 +165,8 @@ const Case kFabrics[] = {
     {"correction_lets_the_elongations_fall",
      "[1, 0.9, 0.95]",
      "[1, 0.9, 0.95]\ncorrection_elongation = [1, 4, 1]",
-     {"wool.toml:13: fabric.wool.warp.correction_elongation[2] = 1 gives 2.5 percent after 4 percent; wanted: "
+     {"wool.toml:13: fabric.wool.warp.correction_elongation[2] = 1 gives 2.5 percent after 4 percent; "
+      "wanted: "
       "elongation x correction_elongation rises"}},
     {"jaws_is_no_flag",
      "[bias]",
@@ -188,7 +189,7 @@ const Case kFabrics[] = {
      "gauge = 0.0625 ",
      {"wool.toml:7: fabric.wool.strip has gauge/width = 1.25; the clamp correction of a bias diagram takes "
       "values above 1.25 "
-      "(or set options.clamp_correction = false)"}},
+      "(or say bias.jaws = false of a diagram without jaws)"}},
     {"bias_beyond_locking",
      "[0, 3, 6]",
      "[0, 41.5, 50]",

@@ -34,7 +34,7 @@ const Case kKeys[] = {
     {"table_of_the_contract",
      "[options]",
      "[body]\nname = \"a\"\n[options]",
-     {"scene.toml:10: body is not supported by this version"}},
+     {"scene.toml:10: body is a table; wanted: tables [[body]]"}},
     {"missing_key",
      "cell = 0.01\n",
      "",

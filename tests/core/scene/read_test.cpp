@@ -84,7 +84,7 @@ TEST(SceneRead, EveryKeyOfAClothLands) {
                                             {{0.25, 0.25}, {0.3, 0.25}, {0.3, 0.3}, {0.25, 0.3}}}));
   EXPECT_EQ(piece.grain, 0.3);
   EXPECT_EQ(piece.grid_origin, (Vec2{0.01, -0.02}));
-  EXPECT_EQ(piece.place.radius, 0.3);
+  EXPECT_EQ(piece.place.radius, (Vec2{0.3, 0.3}));
   EXPECT_EQ(piece.place.axis_point, (Vec3{0.2, 0, 0}));
   EXPECT_EQ(piece.place.axis, (Vec3{0, 0, 1}));
 
@@ -166,7 +166,7 @@ outline = [[0, 0], [0, 2], [-1, 2], [-1, 0]]
   EXPECT_TRUE(s.pieces[0].curves.empty() && s.pieces[0].holes.empty());
   EXPECT_EQ(s.pieces[0].grain, 0);
   EXPECT_FALSE(s.pieces[0].grid_origin);
-  EXPECT_EQ(s.pieces[0].place.radius, 0);
+  EXPECT_EQ(s.pieces[0].place.radius, (Vec2{0, 0}));
   EXPECT_EQ(s.pieces[0].velocity, (Vec3{0, 0, 0}));
   EXPECT_EQ(s.pieces[0].place.axis_y, (Vec3{0, 1, 0}));
 }

@@ -40,7 +40,7 @@ std::vector<double> numbers_of(const Scene& s) {
       for (const Vec2& v : hole) put(v);
     }
     put(p.velocity), put(p.place.origin), put(p.place.axis_x), put(p.place.axis_y);
-    put(p.place.axis_point), put(p.place.axis), n.push_back(p.place.radius);
+    put(p.place.axis_point), put(p.place.axis), put(p.place.radius);
   }
   for (const PinSpec& p : s.pins) {
     n.insert(n.end(), {double(p.piece), double(p.clamp), double(p.drive)});

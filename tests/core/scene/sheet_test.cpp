@@ -117,6 +117,14 @@ TEST(Sheet, SceneGoesBeforeTheFile) {
   EXPECT_EQ(g.warp.force.back(), 7);
 }
 
+// One figure of a strip over a standard's leaves the other.
+TEST(Sheet, PartOfAStripGoesOverItsName) {
+  const FabricSpec f = fabric_of("areal_density = 0.2\nthickness = 1e-3\nstrip = \"ASTM D5035 2R\"\n",
+                                 "strip = { width = 0.025 }\n");
+  EXPECT_EQ(f.strip_width, 0.025);
+  EXPECT_EQ(f.strip_gauge, 0.075);
+}
+
 class SheetFault : public testing::TestWithParam<Case> {};
 
 // The name's beginning tells which sheet is edited.
@@ -136,6 +144,14 @@ const Case kSheets[] = {
      {"wool.toml:1: fabric.wool.kes.EMT is missing; wanted: a number in percent or a list of two, [warp, "
       "weft]",
       "wool.toml:5: fabric.wool.kes.ENT is no known key; the nearest is \"EMT\""}},
+    {"kes_stray_keys_of_a_diagram",
+     "[kes]",
+     "bias.jaws = false\nwarp.correction = [1, 1]\n[kes]",
+     {"wool.toml:1: fabric.wool.bias.jaws belongs to a diagram, but the bias comes from kes.G; wanted: "
+      "bias.elongation_percent and bias.force beside it, or neither",
+      "wool.toml:2: fabric.wool.warp.correction belongs to a diagram, but the warp comes from kes.EMT; "
+      "wanted: "
+      "warp.elongation_percent and warp.force beside it, or neither"}},
     {"kes_no_table",
      "",
      "kes = 5\n",

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace drape {
@@ -65,13 +66,39 @@ TEST(Elastica, Limits) {
 
 // Peirce's angle: the line to the end falls by 41.5 degrees at beta = 8.004, so that c = O/2 has B = W c^3 g.
 TEST(Elastica, Peirce) {
-  double low = 0.1, high = 0.9;  // of f/l
-  for (int k = 0; k < 60; ++k) {
-    const double middle = (low + high) / 2;
-    const Cantilever c = cantilever_with(middle);
-    (std::atan2(c.drop, c.reach) * kDegrees < 41.5 ? low : high) = middle;
+  EXPECT_NEAR(cantilever_of_slope(41.5 / kDegrees).beta, 8.004, 0.0005);  // half of the last digit
+}
+
+// Found by load, drop and slope; each to what rounding leaves of the root of its own quantity.
+TEST(Elastica, IsFoundByLoadDropAndSlope) {
+  for (const double beta : {0.01, 1.0, 8.0, 40.0, 1000.0}) {
+    const Cantilever c = cantilever_of_load(beta);
+    EXPECT_NEAR(c.beta / beta, 1, 1e-9);
+    EXPECT_NEAR(cantilever_with(c.drop).beta / beta, 1, 1e-7);
+    EXPECT_NEAR(cantilever_of_slope(std::atan2(c.drop, c.reach)).beta / beta, 1, 1e-7);
   }
-  EXPECT_NEAR(cantilever_with(low).beta, 8.004, 0.0005);  // half of the last digit
+}
+
+// Where it ends the shape is the cantilever, by steps of another size: h^4 of both, 3e-8.
+TEST(Elastica, ShapeEndsWhereItsCantileverDoes) {
+  for (const double beta : {0.01, 8.0, 1000.0}) {
+    const Cantilever c = cantilever_of_load(beta);
+    const auto shape = cantilever_shape(beta, 50);
+    EXPECT_EQ(shape[0], (std::array<double, 2>{0, 0}));
+    EXPECT_NEAR(shape[50][0], c.reach, 3e-8);
+    EXPECT_NEAR(shape[50][1], c.drop, 3e-8);
+  }
+}
+
+// The overhang of 65 mm with EI = 1370 uN cm2 on 30 mm; g/m2 -> drop and tip in mm.
+TEST(Elastica, GivesTheOverhangOfTheBendingTest) {
+  for (const auto& [grams, down, out] :
+       {std::array{100.0, 59.561, 14.32}, std::array{120.0, 60.092, 12.77}, std::array{150.0, 60.660, 11.14},
+        std::array{180.0, 61.068, 9.99}, std::array{200.0, 61.284, 9.40}}) {
+    const Cantilever c = cantilever_of_load(1e-3 * grams * 9.81 * std::pow(0.065, 3) / (1370e-10 / 0.03));
+    EXPECT_NEAR(65 * c.drop, down, 1.1e-3);
+    EXPECT_NEAR(65 * c.reach, out, 0.011);
+  }
 }
 
 // Rows of a report by GOST 10550-93 (ukrbukva.net, page 8,68738): m in g, f in mm, A by the standard's table,

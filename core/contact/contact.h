@@ -1,0 +1,86 @@
+// Bodies and what the cloth knows of them. core/README.md, section 7.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "constraint/frame.h"
+#include "contact/body_surface.h"
+#include "contact/query.h"
+#include "system/array.h"
+
+namespace drape {
+
+// Rotation matrix, row by row.
+using Mat3 = std::array<Vec3, 3>;
+
+// A body's surface in its own frame, and who finds its triangles.
+struct BodyMesh {
+  BodySurface surface;
+  const drape_contact_library* library = nullptr;
+  std::shared_ptr<drape_query> query;
+};
+
+struct Body {
+  std::string name;
+  BodyMesh mesh;  // of a body that does not move, in space
+  bool moves = false;
+  bool has_friction = false;  // of its own, in place of the fabric's
+  Vec2 friction{0, 0};        // static, kinetic
+  double damping = 1;         // of the normal motion while it touches, over the critical one
+  Frame start;
+  std::vector<std::string> remarks;  // what is odd about the mesh, but no fault
+};
+
+// How the particles of a lattice touch.
+struct ContactLaw {
+  double layer = 0;         // m, half the thickness: nearer to a surface, a particle touches it
+  double omega2 = 0;        // 1/s^2, stiffness over mass
+  Vec2 friction{0.3, 0.3};  // static, kinetic
+};
+
+// Eight neighbouring nodes of a lattice and a surface near each: lanes without one have side = 0 and
+// offset = -kFar.
+inline constexpr double kFar = 1e300;
+struct alignas(kLine) ContactBlock {
+  double side[3][kRowUnit];   // unit vector out of the surface, in the body's frame
+  double offset[kRowUnit];    // m, side . point
+  double point[3][kRowUnit];  // m
+  double shape[6][kRowUnit];  // D: xx xy xz yy yz zz
+  double grip[kRowUnit];      // 1 where the particle sticks, else 0
+  std::size_t node;           // the first of them
+  int lattice;
+  bool empty() const {
+    for (double o : offset)
+      if (o != -kFar) return false;
+    return true;
+  }
+};
+
+// The blocks of a body, by their nodes; a particle in a groove is in several.
+struct ContactPlace {
+  std::uint32_t node, block;  // the first node, over kRowUnit; its place in the pool
+};
+struct ContactBlocks {
+  std::vector<ContactBlock> pool;
+  std::vector<std::uint32_t> free;
+  std::vector<ContactPlace> order;
+};
+
+// What the motion changes of a body.
+struct BodyContact {
+  Frame frame;      // at t_n
+  Mat3 turn;        // R at t_n
+  PinLoad impulse;  // N s, N m s of the cloth on the body in the last advance, but for its last half step
+  Array x, y, z;    // [nodes] m, where a particle was when its surroundings were last looked at
+  Array budget2;    // [nodes] m^2, of the distance that it may move from there; infinite at unused nodes
+  ContactBlocks blocks;
+};
+
+struct ContactSummary {
+  std::size_t count = 0;                 // particles that touch
+  double penetration = 0, pressure = 0;  // m, Pa, the largest
+};
+
+}  // namespace drape

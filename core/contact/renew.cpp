@@ -1,0 +1,129 @@
+#include "contact/renew.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "constraint/vector3.h"
+#include "contact/nearest.h"
+
+namespace drape {
+namespace {
+
+using namespace vector3;
+
+constexpr double kLeast = 0.02;      // of the layer: a particle may always move so far
+constexpr double kUsed = 0.6;        // of the budget: what has used more is looked at with its neighbours
+constexpr double kAhead = 1.5;       // steps that a particle is looked ahead
+constexpr double kSeenEdges = 0.15;  // of the mean edge, likewise of kSeen
+
+ContactBlock block_make(std::size_t node, int lattice) {
+  ContactBlock b{};
+  b.node = node;
+  b.lattice = lattice;
+  for (double& o : b.offset) o = -kFar;
+  return b;
+}
+
+void lane_clear(ContactBlock& b, std::size_t i) {
+  for (auto& row : b.side) row[i] = 0;
+  b.offset[i] = -kFar;
+  b.grip[i] = 0;
+}
+
+void lane_set(ContactBlock& b, std::size_t i, const Touch& touch, double grip) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    b.side[k][i] = touch.side[k];
+    b.point[k][i] = touch.point[k];
+  }
+  for (std::size_t k = 0; k < 6; ++k) b.shape[k][i] = touch.shape[k];
+  b.offset[i] = dot(touch.side, touch.point);
+  b.grip[i] = grip;
+}
+
+std::size_t place_first(const ContactBlocks& blocks, std::uint32_t node) {
+  const auto at = std::lower_bound(blocks.order.begin(), blocks.order.end(), node,
+                                   [](const ContactPlace& p, std::uint32_t n) { return p.node < n; });
+  return std::size_t(at - blocks.order.begin());
+}
+
+std::size_t places_of(const ContactBlocks& blocks, std::size_t first, std::uint32_t node) {
+  std::size_t count = 0;
+  while (first + count < blocks.order.size() && blocks.order[first + count].node == node) ++count;
+  return count;
+}
+
+void block_insert(ContactBlocks& blocks, std::size_t at, std::uint32_t node, int lattice) {
+  std::uint32_t k = std::uint32_t(blocks.pool.size());
+  if (blocks.free.empty()) {
+    blocks.pool.push_back(block_make(std::size_t(node) * kRowUnit, lattice));
+  } else {
+    k = blocks.free.back();
+    blocks.free.pop_back();
+    blocks.pool[k] = block_make(std::size_t(node) * kRowUnit, lattice);
+  }
+  blocks.order.insert(blocks.order.begin() + std::ptrdiff_t(at), {node, k});
+}
+
+// Puts what one particle touches into the blocks of its node.
+void lane_write(ContactBlocks& blocks, std::uint32_t node, int lattice, std::size_t lane,
+                const std::vector<Touch>& touch) {
+  const std::size_t first = place_first(blocks, node), count = places_of(blocks, first, node);
+  const double grip = count > 0 ? blocks.pool[blocks.order[first].block].grip[lane] : 0;
+  for (std::size_t k = 0; k < count; ++k) lane_clear(blocks.pool[blocks.order[first + k].block], lane);
+  for (std::size_t k = 0; k < touch.size(); ++k) {
+    if (k >= count) block_insert(blocks, first + k, node, lattice);
+    lane_set(blocks.pool[blocks.order[first + k].block], lane, touch[k], k == 0 ? grip : 0);
+  }
+}
+
+void blocks_prune(ContactBlocks& blocks, std::uint32_t node) {
+  const std::size_t first = place_first(blocks, node);
+  for (std::size_t k = places_of(blocks, first, node); k-- > 0;) {
+    const std::uint32_t block = blocks.order[first + k].block;
+    if (!blocks.pool[block].empty()) continue;
+    blocks.free.push_back(block);
+    blocks.order.erase(blocks.order.begin() + std::ptrdiff_t(first + k));
+  }
+}
+
+// The side of the nearest surface that a particle was near so far.
+bool side_known(const ContactBlocks& blocks, std::uint32_t node, std::size_t lane, Vec3& side) {
+  const std::size_t first = place_first(blocks, node);
+  if (places_of(blocks, first, node) == 0) return false;
+  const ContactBlock& b = blocks.pool[blocks.order[first].block];
+  if (b.offset[lane] == -kFar) return false;
+  side = {b.side[0][lane], b.side[1][lane], b.side[2][lane]};
+  return true;
+}
+
+}  // namespace
+
+double contact_reach(const BodySurface& surface, double layer) {
+  return std::max(kSeen * layer, layer + kSeenEdges * surface.edge_mean);
+}
+
+void contact_renew(const ContactSearch& search, BodyContact& c, std::size_t node, int lattice, double layer,
+                   const Vec3* x, const Vec3* step) {
+  static thread_local Nearest found;
+  const auto name = std::uint32_t(node / kRowUnit);
+  for (std::size_t i = 0; i < std::size_t(kRowUnit); ++i) {
+    const std::size_t n = node + i;
+    const Vec3 moved = x[i] + step[i] - Vec3{c.x[n], c.y[n], c.z[n]};
+    if (!(dot(moved, moved) >= kUsed * kUsed * c.budget2[n])) continue;
+    const Neighbourhood near = voxels_at(search.voxels, x[i]);
+    found.touch.clear();
+    found.budget = near.clearance - layer;
+    Vec3 side{};
+    if (near.triangle)
+      nearest_find(search.body.mesh.surface, *near.triangle, x[i], layer,
+                   std::min(std::max(kKept * layer, layer + kAhead * norm(step[i])), search.reach),
+                   search.reach, side_known(c.blocks, name, i, side) ? &side : nullptr, found);
+    const double budget = std::max(found.budget, kLeast * layer);
+    c.x[n] = x[i][0], c.y[n] = x[i][1], c.z[n] = x[i][2];
+    c.budget2[n] = budget * budget;
+    lane_write(c.blocks, name, lattice, i, found.touch);
+  }
+  blocks_prune(c.blocks, name);
+}
+
+}  // namespace drape

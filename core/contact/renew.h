@@ -1,0 +1,26 @@
+// Looks at the surroundings of particles anew, and keeps what is near of them in blocks.
+#pragma once
+#include "contact/contact.h"
+#include "contact/voxels.h"
+
+namespace drape {
+
+// Surfaces within so many layers of a particle are kept in its block; up to kSeen layers away, triangles are
+// listed.
+inline constexpr double kKept = 3, kSeen = 6;
+
+struct ContactSearch {
+  const Body& body;
+  Voxels& voxels;
+  double reach;  // m
+};
+
+// How far around triangles are listed (m), for the thickest layer.
+double contact_reach(const BodySurface& surface, double layer);
+
+// Of kRowUnit nodes from `node` on, those at x (in the body's frame) that have used up most of their budgets,
+// or will by the next step, which moves them by `step` (m).
+void contact_renew(const ContactSearch& search, BodyContact& contact, std::size_t node, int lattice,
+                   double layer, const Vec3* x, const Vec3* step);
+
+}  // namespace drape

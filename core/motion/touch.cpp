@@ -1,0 +1,339 @@
+#include "motion/touch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "constraint/vector3.h"
+#include "contact/nearest.h"
+#include "contact/renew.h"
+#include "contact/response.h"
+#include "forces/lane_scalar.h"
+#include "motion/kernel.h"
+#include "scene/faults.h"
+
+namespace drape {
+namespace {
+
+using vector3::cross;
+using vector3::dot;
+using vector3::operator*;
+using vector3::operator+;
+using vector3::operator-;
+using vector3::operator+=;
+
+std::vector<ContactLaw> laws_of(const System& system, const Body& body) {
+  std::vector<ContactLaw> laws;
+  for (const Lattice& l : system.lattices) {
+    laws.push_back(l.touch);
+    if (body.has_friction) laws.back().friction = body.friction;
+  }
+  return laws;
+}
+
+double layer_most(const System& system) {
+  double most = 0;
+  for (const Lattice& l : system.lattices) most = std::max(most, l.touch.layer);
+  return most;
+}
+
+// Where a place is in the body's frame.
+Vec3 inward(const Body& body, const BodyContact& c, const Vec3& at) {
+  if (!body.moves) return at;
+  const Vec3 d = at - c.frame.position;
+  Vec3 x{0, 0, 0};
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < 3; ++i) x[k] += c.turn[i][k] * d[i];
+  return x;
+}
+
+void block_renew(const System& system, TouchRoom& room, State& s, std::size_t b, std::size_t node,
+                 double ahead) {
+  const Body& body = system.bodies[b];
+  const auto owns = [&](const Lattice& l) { return node < l.twin_first + std::size_t(l.twin_stride); };
+  const Lattice& l = *std::find_if(system.lattices.begin(), system.lattices.end(), owns);
+  const Frame& frame = s.body[b].frame;
+  Vec3 x[kRowUnit], step[kRowUnit];
+  for (std::size_t i = 0; i < std::size_t(kRowUnit); ++i) {
+    const std::size_t n = node + i;
+    const Vec3 at{s.x[n], s.y[n], s.z[n]}, arm = at - frame.position;
+    Vec3 v{s.vx[n], s.vy[n], s.vz[n]};
+    if (body.moves) v = v - frame.velocity - cross(frame.spin, arm);
+    x[i] = inward(body, s.body[b], at);
+    step[i] = inward(body, s.body[b], at + ahead * v) - x[i];
+  }
+  const double reach = contact_reach(body.mesh.surface, layer_most(system));
+  contact_renew({body, room.voxels[b], reach}, s.body[b], node, l.piece, l.touch.layer, x, step);
+}
+
+ContactJob job_of(const System& system, TouchRoom& room, const State& s, std::size_t b, double* sum) {
+  ContactJob job{};
+  room.law = laws_of(system, system.bodies[b]);
+  job.body = const_cast<BodyContact*>(&s.body[b]);  // its grips are written by passes that move
+  job.old = room.old[b].data();
+  job.mass = system.mass.data();
+  job.law = room.law.data();
+  job.damping = system.bodies[b].damping;
+  job.energy = system.energy;
+  job.sum = sum;
+  return job;
+}
+
+PinLoad load_of(const double* sum) { return {{sum[0], sum[1], sum[2]}, {sum[3], sum[4], sum[5]}}; }
+
+double rate_of(double time) { return time > 0 ? 1 / time : kContactUnbound; }
+
+// The last half kick, which turns v_{n-1/2} into v_n.
+ContactCoefficients half_kick(double half, double centred) {
+  ContactCoefficients c;
+  c.kick = c.new_time = half / centred;
+  c.stop_rate = rate_of(2 * half);
+  c.push_rate = half > 0 ? kContactPush * c.stop_rate : 0;
+  c.reach_time = 2 * half;
+  c.impulse = centred;
+  return c;
+}
+
+}  // namespace
+
+TouchRoom touch_make(const System& system) {
+  TouchRoom room;
+  const double layer = layer_most(system);
+  for (const Body& body : system.bodies)
+    room.voxels.push_back(voxels_make(*body.mesh.library, *body.mesh.query, body.mesh.surface,
+                                      contact_reach(body.mesh.surface, layer)));
+  room.old.resize(system.bodies.size());
+  room.load.resize(system.bodies.size());
+  if (!system.bodies.empty()) room.due.resize(system.nodes / kRowUnit);
+  return room;
+}
+
+void touch_begin(const System& system, const Kernel& kernel, TouchRoom& room, State& s) {
+  for (BodyContact& c : s.body) {
+    c.blocks = ContactBlocks{};
+    c.x = s.x, c.y = s.y, c.z = s.z;
+    c.budget2.assign(system.nodes, INFINITY);
+    for (std::size_t n : system.particle) c.budget2[n] = 0;
+  }
+  touch_watch(system, kernel, room, s, system.communication / double(std::max<std::int64_t>(s.subs, 1)));
+  for (std::size_t b = 0; b < s.body.size(); ++b) {  // what is at rest on a body sticks to it
+    if (system.bodies[b].moves) continue;
+    for (ContactBlock& block : s.body[b].blocks.pool)
+      for (std::size_t i = 0; i < std::size_t(kRowUnit); ++i) {
+        const std::size_t n = block.node + i;
+        if (s.vx[n] == 0 && s.vy[n] == 0 && s.vz[n] == 0) block.grip[i] = 1;
+      }
+  }
+}
+
+namespace {
+
+double depth_at(const System& system, TouchRoom& room, const State& s, std::size_t b, const Lattice& l,
+                std::size_t n) {
+  const Body& body = system.bodies[b];
+  const Vec3 x = inward(body, s.body[b], {s.x[n], s.y[n], s.z[n]});
+  const double inside = voxels_depth(room.voxels[b], body.mesh.surface, x);
+  if (inside > 0) return l.touch.layer + inside;
+  const Neighbourhood near = voxels_at(room.voxels[b], x);
+  if (!near.triangle) return 0;
+  Nearest found;
+  nearest_find(body.mesh.surface, *near.triangle, x, l.touch.layer, l.touch.layer, l.touch.layer, nullptr,
+               found);
+  return found.touch.empty() ? 0 : l.touch.layer - found.touch[0].distance;
+}
+
+}  // namespace
+
+void touch_start_check(const System& system, const Scene& scene, TouchRoom& room, const State& s,
+                       std::vector<Problem>& problems) {
+  for (std::size_t b = 0; b < system.bodies.size(); ++b)
+    for (const Lattice& l : system.lattices) {
+      std::size_t count = 0, worst = 0;
+      double deepest = 0;
+      for (std::size_t n : system.particle) {
+        if (n < l.first || n >= l.twin_first + std::size_t(l.twin_stride)) continue;
+        const double depth = depth_at(system, room, s, b, l, n);
+        if (!(depth > kContactDeepest * l.touch.layer)) continue;
+        ++count;
+        if (depth > deepest) deepest = depth, worst = n;
+      }
+      if (count == 0) continue;
+      problems.push_back({"piece." + scene.pieces[std::size_t(l.piece)].name + ".place",
+                          "puts " + std::to_string(count) + " particles inside the body " +
+                              in_quotes(system.bodies[b].name) +
+                              " or nearer to it than half the thickness, " + number_text(l.touch.layer) +
+                              " m; the deepest by " + number_text(deepest) + " m at (" +
+                              number_text(s.x[worst]) + ", " + number_text(s.y[worst]) + ", " +
+                              number_text(s.z[worst]) + "); wanted: all outside"});
+    }
+}
+
+void touch_keep(TouchRoom& room, const State& s) {
+  for (std::size_t b = 0; b < s.body.size(); ++b) {
+    const ContactBlocks& blocks = s.body[b].blocks;
+    room.old[b].resize(3 * kRowUnit * blocks.order.size());
+    double* to = room.old[b].data();
+    for (const ContactPlace& place : blocks.order)
+      for (const Array* v : {&s.vx, &s.vy, &s.vz})
+        to = std::copy_n(v->data() + std::size_t(place.node) * kRowUnit, kRowUnit, to);
+  }
+}
+
+void touch_apply(const System& system, const Kernel& kernel, TouchRoom& room, const TouchStep& step,
+                 State& s) {
+  for (std::size_t b = 0; b < s.body.size(); ++b) {
+    BodyContact& body = s.body[b];
+    if (body.blocks.order.empty()) continue;
+    double sum[8]{};
+    ContactJob job = job_of(system, room, s, b, sum);
+    job.r[0] = s.x.data(), job.r[1] = s.y.data(), job.r[2] = s.z.data();
+    job.v[0] = s.vx.data(), job.v[1] = s.vy.data(), job.v[2] = s.vz.data();
+    if (!s.lightness.empty()) job.lightness = s.lightness.data();
+    ContactCoefficients& c = job.c;
+    c.drift = step.drift;
+    c.kick = step.kick;
+    c.old_time = step.half_old / step.centred;
+    c.new_time = step.half_new / step.centred;
+    c.stop_rate = rate_of(step.drift);
+    c.push_rate = kContactPush * c.stop_rate;
+    c.reach_time = step.drift;
+    c.impulse = step.centred;
+    c.keep = step.keep;
+    c.told_share = step.half_old / step.kick;
+    c.told_centred = step.told_centred;
+    job.told = half_kick(step.half_old, step.told_centred);
+    job.begins = step.begins && step.half_old > 0;
+    job.moves = true;
+    kernel.contact.run[system.bodies[b].moves](job);
+    body.impulse.force += load_of(sum).force;
+    body.impulse.torque += load_of(sum).torque;
+    s.dissipated += sum[6];
+    s.input += sum[7];
+  }
+}
+
+void touch_watch(const System& system, const Kernel& kernel, TouchRoom& room, State& s, double ahead) {
+  for (std::size_t b = 0; b < s.body.size(); ++b) {
+    std::size_t count = 0;
+    for (const Lattice& l : system.lattices) {
+      ContactWatch watch{&s.body[b],
+                         {s.x.data(), s.y.data(), s.z.data()},
+                         {s.vx.data(), s.vy.data(), s.vz.data()},
+                         ahead,
+                         l.first,
+                         l.first + std::size_t(l.rows) * std::size_t(l.stride)};
+      count += kernel.contact.watch[system.bodies[b].moves](watch, room.due.data() + count);
+      watch.begin = l.twin_first, watch.end = l.twin_first + std::size_t(l.twin_stride);
+      count += kernel.contact.watch[system.bodies[b].moves](watch, room.due.data() + count);
+    }
+    for (std::size_t k = 0; k < count; ++k) block_renew(system, room, s, b, room.due[k], ahead);
+  }
+}
+
+void touch_synchronous(const System& system, const Kernel& kernel, TouchRoom& room, const State& s,
+                       double half, double centred, double* vx, double* vy, double* vz) {
+  room.dissipated = room.input = 0;
+  if (half > 0) touch_keep(room, s);
+  for (std::size_t b = 0; b < s.body.size(); ++b) {
+    room.load[b] = PinLoad{};
+    if (s.body[b].blocks.order.empty()) continue;
+    double sum[8]{};
+    ContactJob job = job_of(system, room, s, b, sum);
+    const Array* r[] = {&s.x, &s.y, &s.z};
+    for (std::size_t k = 0; k < 3; ++k)
+      job.r[k] = const_cast<double*>(r[k]->data());  // read only: nothing moves
+    job.v[0] = vx, job.v[1] = vy, job.v[2] = vz;
+    job.c = half_kick(half, centred);
+    if (half == 0) {
+      job.c.kick = 1;
+      job.old = nullptr;
+      job.energy = false;
+    }
+    kernel.contact.run[system.bodies[b].moves](job);
+    room.load[b] = load_of(sum);
+    room.dissipated += sum[6];
+    room.input += sum[7];
+  }
+}
+
+double touch_step_most(const System& system, const State& s) {
+  if (system.bodies.empty()) return INFINITY;
+  constexpr double kWay = 0.5;  // of what triangles are listed for beyond the layer
+  double least = INFINITY, carried = 0, fastest = 0;
+  const double layer = layer_most(system);
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const BodySurface& surface = system.bodies[b].mesh.surface;
+    least = std::min(least, contact_reach(surface, layer) - layer);
+    carried = std::max(carried, vector3::norm(s.body[b].frame.velocity) +
+                                    vector3::norm(s.body[b].frame.spin) * surface.size);
+  }
+  for (std::size_t n : system.particle)
+    fastest = std::max(fastest, s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n]);
+  return kWay * least / (std::sqrt(fastest) + carried);
+}
+
+bool touch_any(const State& s) {
+  return std::any_of(s.body.begin(), s.body.end(),
+                     [](const BodyContact& c) { return !c.blocks.order.empty(); });
+}
+
+double touch_omega2(const System& system, const State& s, int lattice) {
+  return touch_any(s) ? system.lattices[std::size_t(lattice)].touch.omega2 : 0;
+}
+
+namespace {
+
+using Lane = ScalarLane<false>;
+
+// Visits the depth (m) of each particle within its layer.
+template <class Visit>
+void each_depth(const System& system, const State& s, Visit visit) {
+  for (std::size_t k = 0; k < s.body.size(); ++k)
+    for (const ContactPlace& place : s.body[k].blocks.order) {
+      const ContactBlock& b = s.body[k].blocks.pool[place.block];
+      const ContactLaw& law = system.lattices[std::size_t(b.lattice)].touch;
+      for (int i = 0; i < kRowUnit; ++i) {
+        if (b.offset[i] == -kFar) continue;
+        const std::size_t n = b.node + std::size_t(i);
+        const Vec3 x = inward(system.bodies[k], s.body[k], {s.x[n], s.y[n], s.z[n]});
+        const double height = dot(Vec3{b.side[0][i], b.side[1][i], b.side[2][i]}, x) - b.offset[i];
+        const Gap<Lane> gap = contact_gap<Lane>(b, i, {x[0], x[1], x[2]}, height);
+        const double depth = law.layer - gap.distance.v;
+        if (depth > 0) visit(n, law, depth);
+      }
+    }
+}
+
+// phi and its integral.
+double penalty(const ContactLaw& law, double depth) {
+  const double blend = kContactBlend * law.layer, t = std::min(depth / blend, 1.0);
+  return blend * t * t * t * (1 - t / 2) + std::max(depth - blend, 0.0);
+}
+double penalty_energy(const ContactLaw& law, double depth) {
+  const double blend = kContactBlend * law.layer, t = std::min(depth / blend, 1.0),
+               on = std::max(depth - blend, 0.0);
+  return blend * blend * t * t * t * t * (0.25 - t / 10) + on * (blend / 2 + on / 2);
+}
+
+}  // namespace
+
+ContactSummary touch_summary(const System& system, const State& s) {
+  ContactSummary sum;
+  std::size_t last = system.nodes;  // a particle in a groove counts once
+  each_depth(system, s, [&](std::size_t n, const ContactLaw& law, double depth) {
+    sum.count += n != last;
+    last = n;
+    sum.penetration = std::max(sum.penetration, depth);
+    sum.pressure = std::max(sum.pressure, system.mass[n] / system.area[n] * law.omega2 * penalty(law, depth));
+  });
+  return sum;
+}
+
+double touch_energy(const System& system, const State& s) {
+  double sum = 0;
+  each_depth(system, s, [&](std::size_t n, const ContactLaw& law, double depth) {
+    sum += system.mass[n] * law.omega2 * penalty_energy(law, depth);
+  });
+  return sum;
+}
+
+}  // namespace drape

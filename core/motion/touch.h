@@ -1,0 +1,66 @@
+// Contact within a step: what keeps the cloth out of bodies. core/README.md, section 7.
+#pragma once
+#include "contact/contact.h"
+#include "contact/voxels.h"
+#include "system/system.h"
+
+namespace drape {
+
+struct Kernel;
+
+// Room for contact; made once per System.
+struct TouchRoom {
+  std::vector<Voxels> voxels;        // [bodies]
+  std::vector<Array> old;            // [bodies][blocks x 3 x kRowUnit] v_{n-1/2}
+  std::vector<std::size_t> due;      // [nodes / kRowUnit] first nodes of blocks to look at anew
+  std::vector<ContactLaw> law;       // [lattices] of the present body
+  std::vector<PinLoad> load;         // [bodies] of the last synchronous pass
+  double dissipated = 0, input = 0;  // J, likewise
+};
+TouchRoom touch_make(const System& system);
+
+// Looks at all surroundings; for a new state.
+void touch_begin(const System& system, const Kernel& kernel, TouchRoom& room, State& state);
+
+// Pieces that start inside a body, or nearer to one than the cloth's thickness lets them.
+void touch_start_check(const System& system, const Scene& scene, TouchRoom& room, const State& state,
+                       std::vector<Problem>& problems);
+
+// The velocities of what is near, before a step changes them.
+void touch_keep(TouchRoom& room, const State& state);
+
+// What a step is to contact.
+struct TouchStep {
+  double drift, keep, kick;   // of the step
+  double half_old, half_new;  // s, h_o/2 and h/2
+  double centred;             // 1 + c h/2
+  bool begins;                // an advance, of which the half h_o/2 has been told already
+  double told_centred;        // 1 + c h_o/2
+};
+
+// Adds to a free step what the bodies do. Needs touch_keep.
+void touch_apply(const System& system, const Kernel& kernel, TouchRoom& room, const TouchStep& step,
+                 State& state);
+
+// After the particles and bodies have moved: looks at the surroundings of those that may have come near
+// something else. `ahead`: the next step, s.
+void touch_watch(const System& system, const Kernel& kernel, TouchRoom& room, State& state, double ahead);
+
+// What contact does to synchronous velocities [nodes] in the last half kick of `half` s, which is what
+// room.load then holds, as impulses; or to accelerations (half = 0), as forces.
+void touch_synchronous(const System& system, const Kernel& kernel, TouchRoom& room, const State& state,
+                       double half, double centred, double* vx, double* vy, double* vz);
+
+// The longest step (s) in which no particle goes past what its surroundings were searched for.
+double touch_step_most(const System& system, const State& state);
+
+bool touch_any(const State& state);  // a particle is near a body
+
+// omega^2 that contact adds to that of a lattice, 1/s^2.
+double touch_omega2(const System& system, const State& state, int lattice);
+
+// What touches now, and the energy of the penalties, J.
+ContactSummary touch_summary(const System& system, const State& state);
+double touch_energy(const System& system, const State& state);
+
+}  // namespace drape

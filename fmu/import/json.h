@@ -1,0 +1,34 @@
+// Values of a JSON file, with the place of each that is not what it should be.
+#pragma once
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace drape {
+
+using Json = nlohmann::ordered_json;  // members in the order of the file
+
+struct JsonFaults {
+  std::string file;
+  std::vector<Problem>& problems;
+};
+
+// "dress.json: pattern.panels.front.edges[3] <message>"
+void json_fault(const JsonFaults& faults, const std::string& path, const std::string& message);
+
+// A value, or a fault where it is missing or of another kind.
+const Json* json_member(const JsonFaults& faults, const Json& object, const std::string& path,
+                        const std::string& name, Json::value_t kind);
+std::optional<double> json_number(const JsonFaults& faults, const Json& value, const std::string& path,
+                                  double low, double high);
+std::optional<std::vector<double>> json_numbers(const JsonFaults& faults, const Json& value,
+                                                const std::string& path, std::size_t count, double size);
+std::optional<int> json_index(const JsonFaults& faults, const Json& value, const std::string& path,
+                              std::size_t count);
+
+const char* json_kind(Json::value_t kind);
+
+}  // namespace drape
