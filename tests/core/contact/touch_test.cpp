@@ -128,7 +128,7 @@ TEST(Touch, TensionGrowsRoundACapstan) {
   const double layer = fabric.thickness / 2, r = radius + layer;
   PlaceSpec& place = scene.pieces[0].place;
   place.origin = {-8 * cell, 0, r};
-  place.radius = r;
+  place.radius = {r, r};
   place.axis_point = {0, 0, 0};
   place.axis = {0, 1, 0};
   PinSpec first = reference::pin_edges("first", {3}), last = reference::pin_edges("last", {1});
