@@ -132,6 +132,7 @@ double omega_moving(const System& system, Motion& motion, State& s, double h) {
 }  // namespace
 
 void fit_look(const System& system, Motion& motion, State& s, double h) {
+  s.fit.sewing = seams_to_close(system, s);
   fit_scale(system, motion.constraints, s, h);
   s.fit.damping = std::min(2 * omega_moving(system, motion, s, h), 1 / h);
 }
@@ -145,8 +146,9 @@ Left forces_left(const System& system, Motion& motion, const State& s) {
   kernel_forces(*motion.kernel, system, s, motion.workspace, motion.now_x.data(), motion.now_y.data(),
                 motion.now_z.data());
   Array* a[] = {&motion.now_x, &motion.now_y, &motion.now_z};
+  const Vec3 g = gravity_of(system, s);
   for (std::size_t n : system.particle)
-    for (std::size_t k = 0; k < 3; ++k) (*a[k])[n] = (*a[k])[n] * system.inverse_mass[n] + system.gravity[k];
+    for (std::size_t k = 0; k < 3; ++k) (*a[k])[n] = (*a[k])[n] * system.inverse_mass[n] + g[k];
   if (touch_any(s))
     touch_synchronous(system, *motion.kernel, motion.touch, s, 0, 1, motion.now_x.data(), motion.now_y.data(),
                       motion.now_z.data());

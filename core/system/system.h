@@ -120,6 +120,7 @@ struct Fit {
   double load = 0;      // N, weight or pins' forces
   double most = 0;      // N, forces left and pins' forces, the most since something last changed
   bool at_rest = false;
+  bool sewing = false;  // seams are to be closed: weight and friction wait
 };
 
 struct State {
