@@ -174,8 +174,7 @@ def picture(folder, file, field="tension_warp", time=None, views=("front", "back
     boxes = [box_of(m, margin) for m in moments]
     box = np.stack([np.min([b[:, 0] for b in boxes], axis=0), np.max([b[:, 1] for b in boxes], axis=0)], axis=1)
     images = [photograph(m, field, norm, colours, camera_of(box, v, up)) for m, v in zip(moments, views)]
-    if times is None:
-        images = [trimmed(image) for image in images]
+    images = trimmed(images) if times is not None else [trimmed([image])[0] for image in images]
     high = max(image.shape[0] for image in images)
     wide = sum(image.shape[1] for image in images)
     pyplot.rcParams.update({"font.size": 13})
@@ -203,13 +202,13 @@ def picture(folder, file, field="tension_warp", time=None, views=("front", "back
     Image.open(drawn).convert("RGB").quantize(256, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE).save(file, optimize=True)
 
 
-def trimmed(image):
-    """Without the white columns and rows at its sides."""
-    dark = (image < 250).any(axis=2)
+def trimmed(images):
+    """Images of one size without the rows and columns at their sides that are white in all of them."""
+    dark = np.any([(image < 250).any(axis=2) for image in images], axis=0)
     rows, columns = np.nonzero(dark.any(axis=1))[0], np.nonzero(dark.any(axis=0))[0]
     if len(rows) == 0:
-        return image
-    return image[max(rows[0] - 6, 0):rows[-1] + 7, max(columns[0] - 6, 0):columns[-1] + 7]
+        return images
+    return [image[max(rows[0] - 6, 0):rows[-1] + 7, max(columns[0] - 6, 0):columns[-1] + 7] for image in images]
 
 
 def view_of(text):

@@ -66,7 +66,7 @@ def main():
     command("pack", HERE / "scene.toml", "-o", fmu)
     result = fmpy.simulate_fmu(str(fmu), output_interval=0.05)
     command("run", HERE / "scene.toml", "-o", folder / "frames", "--until", DRAWN[-1], "--every", EVERY, "--frames")
-    files = sorted((folder / "frames").glob("**/*.vtp"))
+    files = sorted((folder / "frames").glob("frames/*.vtp"))
     draw([(time, files[round(time / EVERY)]) for time in DRAWN], folder / "sleeve.png")
     check(result)
 
