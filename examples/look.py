@@ -192,7 +192,7 @@ def picture(folder, file, field="tension_warp", time=None, views=("front", "back
     bar.ax.minorticks_off()
     if isinstance(norm, colors.PowerNorm):
         ticks = [t for t in pyplot.MaxNLocator(6).tick_values(norm.vmin, norm.vmax) if norm.vmin <= t <= norm.vmax]
-        bar.set_ticks([*ticks[:1], (ticks[0] + ticks[1]) / 5, *ticks[1:]] if len(ticks) > 1 else ticks)
+        bar.set_ticks([0, ticks[1] / 5, *ticks[1:]] if len(ticks) > 1 and norm.vmin == 0 else ticks)
         bar.ax.yaxis.set_major_formatter("{x:g}")
     if title:
         figure.suptitle(title, fontsize=13)

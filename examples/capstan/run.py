@@ -73,7 +73,7 @@ def draw(scene, folder):
     table.write_text("time," + ",".join(f"pin.pulled.position[{k}]" for k in (1, 2, 3)) + "\n"
                      + "".join(",".join(map(repr, map(float, row))) + "\n" for row in rows))
     drape("run", scene, "-o", folder / "run", "--until", 0.3, "--every", 0.1, "--frames", "--inputs", table)
-    picture(folder / "run", folder / "capstan.png", field="tension_weft", views=[(0.3, -1.0, 0.45)], up="z", margin=0.12, limits=(40, 75))
+    picture(folder / "run", folder / "capstan.png", field="tension_weft", views=[(0.3, -1.0, 0.45)], up="z", margin=0.12, limits=(35, 85))
 
 
 if __name__ == "__main__":
