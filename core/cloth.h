@@ -3,6 +3,7 @@
 #pragma once
 #include "drape.h"
 #include "motion/leapfrog.h"
+#include "outputs/fields.h"
 #include "outputs/outputs.h"
 #include "system/ramp.h"
 
@@ -45,6 +46,9 @@ struct drape_cloth {
     double area = 0;
   };
   std::vector<Piece> pieces;  // empty until one is asked for
+  drape::Fields fields;       // of the last time they were asked for, as are these
+  drape_fields fields_shown{};
+  std::vector<double> seam_line[2], surface_point;
   std::string limit_link;
   bool stuck = false;  // the last advance met a step limit below the given step
 };

@@ -1,6 +1,7 @@
 // The pieces of a cloth as the C interface shows them.
 #include "cloth.h"
 #include "piece/surface.h"
+#include "seam/particles.h"
 
 namespace drape {
 namespace {
@@ -8,7 +9,7 @@ namespace {
 // How often the outline cuts, and what became of it.
 void counts_fill(const Grid& grid, drape_cloth::Piece& piece) {
   for (const double a : grid.area) piece.area += a;
-  piece.twins = int(grid.twin.size());
+  piece.twins = int(grid.twin.size() - grid.on_outline.size());
   if (grid.paper) return;
   for (const GridCell& cell : grid.cells) piece.cut += grid_is_cut(grid, cell.i, cell.j);
   for (const GridPart& part : grid.parts) piece.merged += grid_is_merged(grid, part);
@@ -30,9 +31,10 @@ void polygons_fill(const Grid& grid, const std::vector<int>& number, drape_cloth
 }  // namespace
 
 void pieces_describe(drape_cloth& c) {
+  const std::vector<Grid> grids = grids_make(c.scene);
   int particle = 0, point = int(c.system.particle.size());
   for (const Lattice& l : c.system.lattices) {
-    const Grid grid = grid_make(c.scene, l.piece);
+    const Grid& grid = grids[std::size_t(l.piece)];
     drape_cloth::Piece piece;
     piece.first = particle;
     piece.point_first = point;

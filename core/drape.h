@@ -182,6 +182,41 @@ typedef struct drape_piece {
   int fabric;     /* its place in drape_parameters.fabric */
 } drape_piece;
 
+/* Fields over the cloth. Strain and tension of a particle are the means over the links that end at it, by
+ * their widths. */
+typedef struct drape_fields {
+  int node_count;         /* as in drape_outputs */
+  const double* strain;   /* [node_count x 3] of warp, weft, bias */
+  const double* tension;  /* [node_count x 2] N/m, of warp, weft */
+  const double* pressure; /* [node_count] Pa, of contact with bodies */
+  const double* area;     /* [node_count] m^2 */
+} drape_fields;
+
+typedef enum drape_thread { DRAPE_WARP, DRAPE_WEFT, DRAPE_BIAS } drape_thread;
+typedef struct drape_elongation {
+  drape_strain strain; /* over the links of one direction of a piece */
+  double tension_max;  /* N/m; 0 of the bias */
+  double limit;        /* strain */
+  double beyond;       /* share of the piece's area that is strained beyond the limit */
+} drape_elongation;
+
+/* The particles of both sides of a seam, side by side. */
+typedef struct drape_seam_lines {
+  int pair_count;
+  int loop;            /* the last pair is followed by the first */
+  const double *a, *b; /* [pair_count x 3] m */
+} drape_seam_lines;
+
+/* A body's mesh at its present pose. */
+typedef struct drape_surface {
+  const char* name;
+  int moves;
+  int point_count;
+  const double* point; /* [point_count x 3] m */
+  int triangle_count;
+  const int* corner; /* [triangle_count x 3] counter-clockwise from outside */
+} drape_surface;
+
 /* Reads, checks and assembles a scene. On faulty input: NULL, and one DRAPE_LOG_ERROR message per problem.
  * The log function is kept for the cloth's life; NULL for none. */
 drape_cloth* drape_open(const char* scene_file, drape_log_fn* log, void* user);
@@ -245,6 +280,13 @@ enum {
   DRAPE_NODE_MOTION = 32
 };
 const drape_outputs* drape_outputs_of(drape_cloth*, int what);
+
+/* What pictures and reports show of the present state; made anew each time, valid until the next call of the
+ * same. A limit below 0 is the last tested elongation of the direction, infinite where it has no law. */
+const drape_fields* drape_fields_at(drape_cloth*);
+drape_elongation drape_elongation_of(drape_cloth*, int piece, drape_thread along, double limit);
+drape_seam_lines drape_seam_lines_at(drape_cloth*, int seam);
+drape_surface drape_surface_at(drape_cloth*, int body);
 
 /* The step limit at the present state, without the safety factor (s), and the name of the link that sets it.
  */

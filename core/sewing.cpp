@@ -1,8 +1,12 @@
 // Seams at the beginning of a communication interval: pulling begins, and what has come together is welded.
 // Either changes the system in an instant; what that adds to the energies is work of the seams.
+#include <algorithm>
+
 #include "cloth.h"
+#include "constraint/vector3.h"
 #include "motion/weld.h"
 #include "outputs/energy.h"
+#include "seam/row.h"
 
 namespace drape {
 namespace {
@@ -15,10 +19,17 @@ void closed_tell(const drape_cloth& c, const std::vector<std::size_t>& due) {
     bool closed = true, now = false;
     for (std::size_t p = first; p < end; ++p) closed = closed && c.state.sewn[p] == Sewn::kWelded;
     for (std::size_t p : due) now = now || (p >= first && p < end);
-    if (closed && now)
-      say(c, DRAPE_LOG_EVENT,
-          "at " + number(state_time(c.state, c.system.communication), 9) + " s the seam '" +
-              c.scene.seams[k].name + "' is closed");
+    if (!closed || !now) continue;
+    const std::string place = "at " + number(state_time(c.state, c.system.communication), 9) +
+                              " s the seam '" + c.scene.seams[k].name + "' is ";
+    double gap = 0;  // m
+    for (std::size_t p = first; p < end; ++p)
+      gap = std::max(gap, vector3::norm(row_value(c.system.seams.pair[p].gap, c.state)));
+    if (gap <= seams[k].gap_tolerance / 100) say(c, DRAPE_LOG_EVENT, place + "closed");
+    else
+      say(c, DRAPE_LOG_WARNING,
+          place + "sewn but held open: pins or other seams leave a gap of " + number(gap, 3) +
+              " m; allowed: pins that let both sides meet, or a seam.gap_tol above the gap");
   }
 }
 

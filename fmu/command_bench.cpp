@@ -3,12 +3,13 @@
 
 #include "bench/bench.h"
 #include "bench/precision/precision.h"
+#include "bench/seams.h"
 #include "command.h"
 
 namespace drape {
 namespace {
 
-constexpr const char* kPrecision = "precision";  // a group that is not among the others
+constexpr const char *kPrecision = "precision", *kSeams = "seams";  // groups that are not among the others
 
 struct Options {
   std::vector<std::string> groups, scenes;
@@ -44,9 +45,13 @@ int run_precision(const Options& options) {
 
 int run_bench(const Options& options) {
   if (options.groups == std::vector<std::string>{kPrecision}) return run_precision(options);
+  if (options.groups == std::vector<std::string>{kSeams})
+    return bench::seams_print(options.csv_file, options.quick)
+               ? kDone
+               : fail(kBadInput, options.csv_file + " cannot be written");
   for (const std::string& name : options.groups)
-    if (name == kPrecision)
-      return fail(kBadInput, "the group precision has columns of its own; name it alone");
+    if (name == kPrecision || name == kSeams)
+      return fail(kBadInput, "the group " + name + " has columns of its own; name it alone");
   bench::Patience patience;
   if (options.quick) patience = {1, 0.002, {}};
   patience.scenes = options.scenes;
@@ -78,8 +83,10 @@ void command_bench(CLI::App& app, int& exit_code) {
   std::vector<std::string> names;
   for (const bench::Group& group : bench::groups()) names.push_back(group.name);
   names.push_back(kPrecision);
+  names.push_back(kSeams);
   command
-      ->add_option("GROUP", options->groups, "groups to run; default: all but threads, scenes and precision")
+      ->add_option("GROUP", options->groups,
+                   "groups to run; default: all but threads, scenes, precision and seams")
       ->check(CLI::IsMember(names));
   command->add_option("--csv", options->csv_file, "also writes the rows to a file")->type_name("FILE.csv");
   command->add_option("--scene", options->scenes, "of the group `scenes`; may be given again")

@@ -1,14 +1,18 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <optional>
 
 #include "command.h"
 #include "csv.h"
 #include "decimal.h"
 #include "frames.h"
 #include "input_table.h"
+#include "report.h"
 
 namespace drape {
 namespace {
@@ -18,6 +22,8 @@ struct Options {
   double until = 0, every = 0;        // s; 0: the scene's duration, a hundredth of it
   std::vector<std::string> settings;  // NAME=VALUE
   std::string inputs_file;            // CSV
+  std::optional<std::string> report;  // text, or CSV by its ending
+  std::optional<double> limit;        // %, of elongation in the report
   bool frames = false, verbose = false;
   Nodes nodes = Nodes::kNone;
 };
@@ -124,15 +130,34 @@ int run_rows(Recorder& r, const Driven& driven, double until, double every) {
   return kDone;
 }
 
+// What is wrong with the options by themselves, all at once.
+std::vector<std::string> options_problems(const Options& options) {
+  std::vector<std::string> problems;
+  if (options.folder.empty()) problems.push_back("--output is empty; allowed: the name of a folder");
+  if (options.limit && !(*options.limit > 0 && *options.limit <= 1000))
+    problems.push_back("--limit is " + decimal_text(*options.limit) +
+                       " %; allowed: above 0 %, at most 1000 %");
+  if (options.limit && !options.report)
+    problems.push_back("--limit is of the report; allowed: together with --report FILE");
+  if (!options.report) return problems;
+  if (const std::string problem = output_problem("--report", *options.report, options.scene_file);
+      !problem.empty())
+    problems.push_back(problem);
+  return problems;
+}
+
 int run(const Options& options) {
-  if (options.folder.empty()) return fail(kBadInput, "--output is empty; allowed: the name of a folder");
+  const std::vector<std::string> problems = options_problems(options);
+  for (const std::string& sentence : problems) fail(kBadInput, sentence);
+  if (!problems.empty()) return kBadInput;
   const Cloth cloth = cloth_open(options.scene_file, options.verbose);
   if (!cloth) return kBadInput;
   const std::vector<Variable> table = variables_of(cloth.get(), options.nodes);
   Driven driven{cloth.get(), table, {}};
   if (const int code = apply_settings(options, cloth.get(), table, driven.inputs); code != kDone) return code;
   const double duration = drape_duration(cloth.get());
-  Recorder r{cloth.get(), {}, options.nodes != Nodes::kNone, {}, options.frames, {options.folder, {}, {}}};
+  Recorder r{cloth.get(), {}, options.nodes != Nodes::kNone, {}, options.frames, {}};
+  r.frames.folder = options.folder;
   std::vector<std::string> header{"time"};
   for (const Variable& v : table) {
     if (v.causality != Causality::kOutput) continue;
@@ -150,9 +175,16 @@ int run(const Options& options) {
                                " s, a ten-millionth of the time to the end");
   std::string problem;
   if (!csv_open(r.csv, options.folder, problem)) return fail(kBadInput, problem);
+  if (errno = 0; options.report && !std::ofstream(*options.report, std::ios::app))  // not only after the run
+    return fail(kBadInput, "--report: " + cannot_write(*options.report));
   csv_header(r.csv, header);
   const int code = run_rows(r, driven, until, every);
   if (!csv_close(r.csv, problem)) return fail(kFailedRun, problem);
+  if (options.report) {
+    const double limit = options.limit ? *options.limit / 100 : -1;
+    if (problem = report_write(*options.report, report_of(cloth.get(), limit)); !problem.empty())
+      return fail(kFailedRun, problem);
+  }
   return r.frames_written ? code : fail(kFailedRun, r.frames.trouble);
 }
 
@@ -171,7 +203,16 @@ void command_run(CLI::App& app, int& exit_code) {
       ->allow_extra_args(false);
   command->add_option("--inputs", options->inputs_file, "inputs over time: a column 'time' and any inputs")
       ->type_name("FILE.csv");
-  command->add_flag("--frames", options->frames, "write frames.pvd and a .vtp for every row");
+  command->add_flag("--frames", options->frames,
+                    "write a .vtp for every row: frames.pvd, and seams.pvd, bodies.pvd where there are any");
+  command
+      ->add_option("--report", options->report,
+                   "write elongations, seams and contact at the end; with the ending .csv one value a line")
+      ->type_name("FILE");
+  command
+      ->add_option("--limit", options->limit,
+                   "elongation beyond which the report counts area; default: the tested range")
+      ->type_name("PERCENT");
   option_nodes(*command, options->nodes);
   command->add_flag("-v,--verbose", options->verbose, "print events and changes of the step");
   command->callback([options, &exit_code] { exit_code = run(*options); });

@@ -1,5 +1,8 @@
 #include "constraint/apply.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "constraint/vector3.h"
 
 namespace drape {
@@ -131,12 +134,113 @@ void rows_apply(const System& system, const Constraints& c, const HeldStep& step
   }
 }
 
+// The scalar rows of rows and links: what is left of the rows, as in `left`, and what `excess` says of links.
+template <class Left, class Excess>
+void rigid_ask(const Constraints& c, RigidNow& now, Left left, Excess excess) {
+  for (std::size_t k = 0; k < c.rows.size(); ++k) {
+    const Vec3 v = left(k);
+    std::copy(v.begin(), v.end(), &now.b[3 * k]);
+  }
+  for (std::size_t k = 0; k < c.rigid.link.size(); ++k) now.b[c.rigid.held + k] = excess(k);
+}
+
+double largest_excess(const Constraints& c, const Field& r) {  // over the length of a link
+  double most = 0;
+  for (const RigidLink& link : c.rigid.link)
+    most = std::max(most, std::abs(rigid_excess(link, r.x, r.y, r.z)) / link.length);
+  return most;
+}
+
+// Rows and links met at positions r, by sweeps; what they took in now.y. `v` follows by 1/h.
+void rigid_meet(const System& system, const Constraints& c, const Array& target, const Field& r,
+                const Field* v, double h, RigidNow& now) {
+  constexpr int kSweeps = 4;
+  constexpr double kMet = 1e-9;
+  const RigidField fields[] = {{r.x, r.y, r.z, 1},
+                               {v ? v->x : r.x, v ? v->y : r.y, v ? v->z : r.z, v ? 1 / h : 0}};
+  std::fill(now.y.begin(), now.y.end(), 0.0);
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    if (sweep > 0 && largest_excess(c, r) <= kMet) break;
+    rigid_ask(
+        c, now, [&](std::size_t k) { return row_sum(c.rows[k].on, r) - at(target, c.fixed.size() + k); },
+        [&](std::size_t k) { return rigid_excess(c.rigid.link[k], r.x, r.y, r.z); });
+    rigid_take(c.rigid, system.inverse_mass, now, fields, v ? 2 : 1);
+  }
+}
+
+// A field brought to the rates of rows and links; what they took in held.y.
+void rigid_project(const System& system, const Constraints& c, const Field& f, HeldMotion& held) {
+  constexpr int kSweeps = 4;
+  RigidNow& now = held.rigid;
+  const RigidField field{f.x, f.y, f.z, 1};
+  std::fill(now.y.begin(), now.y.end(), 0.0);
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    rigid_ask(
+        c, now, [&](std::size_t k) { return row_sum(c.rows[k].on, f) - at(held.rate, c.fixed.size() + k); },
+        [&](std::size_t k) { return rigid_along(c.rigid, now, k, f.x, f.y, f.z) - now.rate[k]; });
+    rigid_take(c.rigid, system.inverse_mass, now, &field, 1);
+  }
+  std::copy_n(now.y.begin(), held.y.size(), held.y.begin());
+}
+
+// Of a link along itself: what turning asks, and what a step does against what it is off; in a fit a step
+// moves by h^2 times the lightness.
+double link_acceleration(const RigidLink& link, const State& s) {
+  const auto [a, b] = link.node;
+  const Vec3 turns = Vec3{s.vx[b], s.vy[b], s.vz[b]} - Vec3{s.vx[a], s.vy[a], s.vz[a]};
+  const double turning = -dot(turns, turns) / link.length;
+  if (s.h_old == 0) return turning;
+  const double step2 = s.h_old * s.h_old * (s.lightness.empty() ? 1 : s.lightness[a]);
+  return turning - rigid_excess(link, s.x.data(), s.y.data(), s.z.data()) / step2;
+}
+
+// As rows_apply, with links.
+void rigid_apply(const System& system, const Constraints& c, const HeldStep& step, HeldMotion& held,
+                 State& s) {
+  const Field r{s.x.data(), s.y.data(), s.z.data()}, v{s.vx.data(), s.vy.data(), s.vz.data()};
+  const std::size_t fixed = c.fixed.size();
+  RigidNow& now = held.rigid;
+  std::size_t entry = fixed;
+  std::vector<Vec3> old;
+  for (const HeldRow& row : c.rows) {
+    Vec3 sum{0, 0, 0};
+    for (double w : row.on.weight) sum += w * at(held.old, entry++);
+    old.push_back(sum);
+  }
+  if (step.begins) {
+    rigid_ask(
+        c, now,
+        [&](std::size_t k) { return told(step, old[k], row_sum(c.rows[k].on, v), at(held.rate, fixed + k)); },
+        [&](std::size_t k) {
+          Vec3 sum{0, 0, 0};
+          for (std::size_t end : {0u, 1u}) {
+            const Vec3 was = at(held.old, entry + 2 * k + end), is = at(v, c.rigid.link[k].node[end]);
+            sum += (end == 0 ? -1.0 : 1.0) * told(step, was, is, {0, 0, 0});
+          }
+          const double* u = &now.weight[c.rigid.begin[c.rigid.held + k] + 3];
+          return u[0] * sum[0] + u[1] * sum[1] + u[2] * sum[2];
+        });
+    rigid_factor(c.rigid, system.inverse_mass, now);
+    factor_solve_scalar(now.factor, now.b.data());
+    std::copy_n(now.b.begin(), held.z.size(), held.z.begin());
+  }
+  rigid_meet(system, c, held.next, r, &v, step.h, now);
+  for (std::size_t k = 0; k < c.rows.size(); ++k) {
+    Vec3 impulse = (step.impulse / step.h) * at(now.y, k);
+    if (system.energy) s.input += work(impulse, step.before * old[k], row_sum(c.rows[k].on, v));
+    if (step.begins) impulse -= at(held.z, k);
+    load_add(c, held.arm, c.rows[k].target, impulse, s.pin_impulse);
+  }
+}
+
 }  // namespace
 
 HeldMotion held_make(const Constraints& c) {
   HeldMotion held;
   std::size_t entries = c.fixed.size();
   for (const HeldRow& row : c.rows) entries += row.on.node.size();
+  entries += 2 * c.rigid.link.size();
+  held.rigid = rigid_now(c.rigid);
   for (Array* a : {&held.now, &held.next, &held.rate, &held.taken})
     a->assign(3 * (c.fixed.size() + c.rows.size()), 0.0);
   for (Array* a : {&held.y, &held.z}) a->assign(3 * c.rows.size(), 0.0);
@@ -151,6 +255,7 @@ HeldMotion held_make(const Constraints& c) {
 
 void held_refresh(const Constraints& c, const State& s, HeldMotion& held) {
   arms_set(c, s, held);
+  rigid_aim(c.rigid, s.x.data(), s.y.data(), s.z.data(), held.rigid);
   each_target(c, [&](std::size_t k, const Target& t) {
     if (t.moves) set(held.now, k, target_now(c, s, t));
   });
@@ -165,6 +270,8 @@ void held_rates(const Constraints& c, const State& s, Rate which, HeldMotion& he
     }
     set(held.rate, k, sum);
   });
+  for (std::size_t k = 0; k < c.rigid.link.size(); ++k)
+    held.rigid.rate[k] = which == Rate::kVelocity ? 0 : link_acceleration(c.rigid.link[k], s);
 }
 
 void held_keep(const Constraints& c, const State& s, HeldMotion& held) {
@@ -173,6 +280,8 @@ void held_keep(const Constraints& c, const State& s, HeldMotion& held) {
   for (const FixedNode& f : c.fixed) keep(f.node);
   for (const HeldRow& row : c.rows)
     for (std::size_t n : row.on.node) keep(n);
+  for (const RigidLink& link : c.rigid.link)
+    for (std::size_t n : link.node) keep(n);
 }
 
 void constraints_apply(const System& system, const Constraints& c, const HeldStep& step, HeldMotion& held,
@@ -184,7 +293,9 @@ void constraints_apply(const System& system, const Constraints& c, const HeldSte
     set(held.next, k, target_now(c, s, t));
   });
   fixed_apply(system, c, step, held, s);
-  if (!c.rows.empty()) rows_apply(system, c, step, held, s);
+  if (!c.rigid.link.empty()) rigid_apply(system, c, step, held, s);
+  else if (!c.rows.empty()) rows_apply(system, c, step, held, s);
+  rigid_aim(c.rigid, s.x.data(), s.y.data(), s.z.data(), held.rigid);
   if (!moving) return;
   held.now.swap(held.next);
   held.next = held.now;
@@ -193,6 +304,11 @@ void constraints_apply(const System& system, const Constraints& c, const HeldSte
 
 void constraints_place(const System& system, const Constraints& c, HeldMotion& held, Field r) {
   for (std::size_t k = 0; k < c.fixed.size(); ++k) set(r, c.fixed[k].node, at(held.now, k));
+  if (!c.rigid.link.empty()) {
+    rigid_meet(system, c, held.now, r, nullptr, 1, held.rigid);
+    rigid_aim(c.rigid, r.x, r.y, r.z, held.rigid);
+    return;
+  }
   for (std::size_t k = 0; k < c.rows.size(); ++k)
     set(held.y, k, row_sum(c.rows[k].on, r) - at(held.now, c.fixed.size() + k));
   factor_solve(c.factor, held.y.data());
@@ -207,10 +323,14 @@ void constraints_project(const System& system, const Constraints& c, HeldMotion&
     set(held.taken, k, system.mass[n] * (at(field, n) - at(held.rate, k)));
     set(field, n, at(held.rate, k));
   }
-  for (std::size_t k = 0; k < c.rows.size(); ++k)
-    set(held.y, k, row_sum(c.rows[k].on, field) - at(held.rate, fixed + k));
-  factor_solve(c.factor, held.y.data());
-  rows_correct(system, c, held.y, 1, field);
+  if (!c.rigid.link.empty()) {
+    rigid_project(system, c, field, held);
+  } else {
+    for (std::size_t k = 0; k < c.rows.size(); ++k)
+      set(held.y, k, row_sum(c.rows[k].on, field) - at(held.rate, fixed + k));
+    factor_solve(c.factor, held.y.data());
+    rows_correct(system, c, held.y, 1, field);
+  }
   for (std::size_t k = 0; k < c.rows.size(); ++k) set(held.taken, fixed + k, at(held.y, k));
   if (load)
     each_target(c,

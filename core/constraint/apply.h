@@ -14,9 +14,10 @@ struct HeldMotion {
   Array now, next;  // [held x 3] m, targets at t_n and t_{n+1}
   Array rate;       // [held x 3] prescribed velocities (or accelerations)
   Array arm;        // [parts x 3] m, R (start - share p_0) at t_n
-  Array old;        // [entries x 3] m/s, v_{n-1/2} of fixed nodes and of the rows' nodes in order
+  Array old;        // [entries x 3] m/s, v_{n-1/2} of fixed nodes and of the rows' and links' nodes in order
   Array y, z;       // [rows x 3]
   Array taken;      // [held x 3] what the last projection took out, times m
+  RigidNow rigid;   // links
   double work = 0;  // J, of the pins on the cloth in the half step that the state's sums lack
 };
 HeldMotion held_make(const Constraints& constraints);

@@ -166,7 +166,8 @@ std::vector<OpenRow> nodes_fix(Constraints& c, std::vector<OpenRow> rows, std::v
 }  // namespace
 
 Constraints constraints_make(const std::vector<ConstraintRow>& rows, const Array& inverse_mass,
-                             std::vector<PinBase> pins, std::vector<Problem>& problems) {
+                             std::vector<PinBase> pins, std::vector<Problem>& problems,
+                             const std::vector<RigidLink>& links) {
   Constraints c;
   c.pins = std::move(pins);
   std::vector<OpenRow> open;
@@ -181,6 +182,7 @@ Constraints constraints_make(const std::vector<ConstraintRow>& rows, const Array
     c.rows.push_back({std::move(row.on), target});
   }
   constraints_refactor(c, inverse_mass);
+  c.rigid = rigid_make(c.rows, c.fixed, links);
   return c;
 }
 

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "constraint/factor.h"
+#include "constraint/rigid.h"
 #include "scene/scene.h"
 
 namespace drape {
@@ -65,12 +66,14 @@ struct Constraints {
   std::vector<FixedNode> fixed;
   std::vector<HeldRow> rows;  // independent
   Factor factor;              // of A M^-1 A^T
+  Rigid rigid;                // links beside them
 };
 
 // Sorts rows into fixed nodes and independent rows. Rows of pins that contradict each other, now or once
 // their pins are driven apart, are problems (place = pin name); a weld that says nothing new is left out.
 Constraints constraints_make(const std::vector<ConstraintRow>& rows, const Array& inverse_mass,
-                             std::vector<PinBase> pins, std::vector<Problem>& problems);
+                             std::vector<PinBase> pins, std::vector<Problem>& problems,
+                             const std::vector<RigidLink>& links = {});
 
 // Anew after a change of the masses.
 void constraints_refactor(Constraints& constraints, const Array& inverse_mass);

@@ -25,8 +25,8 @@ SymmetricRows gram_of(const std::vector<const SparseRow*>& rows, const Array& in
   return gram;
 }
 
-// Takes the row of a pivot out of the others and appends its column.
-void eliminate(SymmetricRows& gram, int pivot, Factor& f) {
+// Takes the row of a pivot out of the others, whose diagonals are told, and appends its column.
+void eliminate(SymmetricRows& gram, int pivot, std::vector<double>& diagonals, Factor& f) {
   const std::map<int, double> row = std::move(gram[std::size_t(pivot)]);
   const double diagonal = std::sqrt(row.at(pivot));
   f.row.push_back(pivot);
@@ -41,7 +41,11 @@ void eliminate(SymmetricRows& gram, int pivot, Factor& f) {
   for (std::size_t a = first; a < end; ++a) {
     std::map<int, double>& others = gram[std::size_t(f.entry_row[a])];
     others.erase(pivot);
-    for (std::size_t b = first; b < end; ++b) others[f.entry_row[b]] -= f.entry[a] * f.entry[b];
+    for (std::size_t b = first; b < end; ++b) {
+      double& value = others[f.entry_row[b]];
+      value -= f.entry[a] * f.entry[b];
+      if (a == b) diagonals[std::size_t(f.entry_row[a])] = value;
+    }
   }
 }
 
@@ -50,8 +54,11 @@ void eliminate(SymmetricRows& gram, int pivot, Factor& f) {
 Factor factor_make(const std::vector<const SparseRow*>& rows, const Array& inverse_mass, double tolerance,
                    std::size_t late, double late_tolerance) {
   SymmetricRows gram = gram_of(rows, inverse_mass);
-  std::vector<double> scale(rows.size());
-  for (std::size_t r = 0; r < rows.size(); ++r) scale[r] = 1 / gram[r].at(int(r));
+  std::vector<double> scale(rows.size()), diagonals(rows.size());
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    diagonals[r] = gram[r].at(int(r));
+    scale[r] = 1 / diagonals[r];
+  }
   Factor f;
   f.begin.push_back(0);
   std::vector<char> done(rows.size(), 0);
@@ -63,30 +70,38 @@ Factor factor_make(const std::vector<const SparseRow*>& rows, const Array& inver
       double most = least;
       for (std::size_t r = from; r < to; ++r) {
         if (done[r]) continue;
-        const double pivot = gram[r].at(int(r)) * scale[r];
+        const double pivot = diagonals[r] * scale[r];
         if (pivot > most) most = pivot, best = int(r);
       }
       if (best < 0) break;
       done[std::size_t(best)] = 1;
-      eliminate(gram, best, f);
+      eliminate(gram, best, diagonals, f);
     }
   return f;
 }
 
-void factor_solve(const Factor& f, double* b) {
+namespace {
+
+template <int kWidth>
+void solve(const Factor& f, double* b) {
   const std::size_t rank = f.row.size();
   for (std::size_t k = 0; k < rank; ++k) {
-    double* y = b + 3 * f.row[k];
-    for (int c = 0; c < 3; ++c) y[c] *= f.inverse[k];
+    double* y = b + kWidth * f.row[k];
+    for (int c = 0; c < kWidth; ++c) y[c] *= f.inverse[k];
     for (std::size_t e = f.begin[k]; e < f.begin[k + 1]; ++e)
-      for (int c = 0; c < 3; ++c) b[3 * f.entry_row[e] + c] -= f.entry[e] * y[c];
+      for (int c = 0; c < kWidth; ++c) b[kWidth * f.entry_row[e] + c] -= f.entry[e] * y[c];
   }
   for (std::size_t k = rank; k-- > 0;) {
-    double* y = b + 3 * f.row[k];
+    double* y = b + kWidth * f.row[k];
     for (std::size_t e = f.begin[k]; e < f.begin[k + 1]; ++e)
-      for (int c = 0; c < 3; ++c) y[c] -= f.entry[e] * b[3 * f.entry_row[e] + c];
-    for (int c = 0; c < 3; ++c) y[c] *= f.inverse[k];
+      for (int c = 0; c < kWidth; ++c) y[c] -= f.entry[e] * b[kWidth * f.entry_row[e] + c];
+    for (int c = 0; c < kWidth; ++c) y[c] *= f.inverse[k];
   }
 }
+
+}  // namespace
+
+void factor_solve(const Factor& f, double* b) { solve<3>(f, b); }
+void factor_solve_scalar(const Factor& f, double* b) { solve<1>(f, b); }
 
 }  // namespace drape

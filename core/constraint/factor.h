@@ -31,5 +31,6 @@ Factor factor_make(const std::vector<const SparseRow*>& rows, const Array& inver
 // Solves G y = b for three components at once; b [rows x 3] is overwritten by y, whose dependent rows become
 // 0.
 void factor_solve(const Factor& factor, double* b);
+void factor_solve_scalar(const Factor& factor, double* b);  // of one component; b [rows]
 
 }  // namespace drape

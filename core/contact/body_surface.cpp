@@ -113,6 +113,17 @@ void normals_spread(BodySurface& s) {
   }
 }
 
+// An edge is a groove where one triangle rises over the other.
+void turns_set(BodySurface& s) {
+  s.convex_at.assign(s.point.size(), 1);
+  for (SurfaceEdge& e : s.edges) {
+    const bool two = e.triangle.size() == 2;
+    if (two) e.turn = norm(cross(s.normal[place(e.triangle[0])], s.normal[place(e.triangle[1])]));
+    if (two && s.solid && dot(e.into[0], s.normal[place(e.triangle[1])]) <= 1e-9) continue;
+    for (int c : e.corner) s.convex_at[place(c)] = 0;
+  }
+}
+
 void sizes_set(BodySurface& s) {
   for (const SurfaceEdge& e : s.edges)
     s.edge_mean += norm(s.point[place(e.corner[1])] - s.point[place(e.corner[0])]) / double(s.edges.size());
@@ -142,6 +153,7 @@ BodySurface surface_make(const std::vector<Vec3>& point, const std::vector<std::
     for (Vec3& n : s.normal) n = -1.0 * n;
   }
   normals_spread(s);
+  turns_set(s);
   sizes_set(s);
   return s;
 }

@@ -15,7 +15,8 @@ struct SurfaceEdge {
   std::array<int, 2> corner;
   std::vector<int> triangle;
   std::vector<Vec3> into;
-  Vec3 normal;  // mean of the triangles' normals, length 1
+  Vec3 normal;      // mean of the triangles' normals, length 1
+  double turn = 0;  // sine of the angle between two triangles' normals; 0 where there are not two
 };
 
 struct BodySurface {
@@ -28,6 +29,7 @@ struct BodySurface {
   std::vector<SurfaceEdge> edges;
   std::vector<std::vector<int>> edges_at;  // [points]
   std::vector<Vec3> normal_at;     // [points] mean of the triangles' normals by their angles, length 1
+  std::vector<char> convex_at;     // [points] no edge there is a groove
   bool solid = false;              // closed: it has an inside
   double edge_mean = 0, size = 0;  // m; size: the diagonal of its box
 };

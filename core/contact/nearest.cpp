@@ -43,6 +43,7 @@ Foot foot_of(const BodySurface& s, int t, const Vec3& x) {
   return {On::kFace, t, x - dot(s.normal[std::size_t(t)], px) * s.normal[std::size_t(t)]};
 }
 
+constexpr double kSlack = 0.02;   // of the layer
 constexpr double kBeyond = 1e-9;  // rounding in "stands beyond"
 
 // True where no neighbour is nearer than the foot.
@@ -99,8 +100,8 @@ Touch touch_of(const BodySurface& s, const Foot& foot, const Vec3& x, double con
   return touch;
 }
 
-// How far x is, in the plane of the triangle, from leaving it.
-double inside_by(const BodySurface& s, int t, const Vec3& x) {
+// How far x may go along the triangle until a neighbour is nearer by more than `slack`.
+double inside_by(const BodySurface& s, int t, const Vec3& x, double slack) {
   double least = INFINITY;
   const std::array<int, 3>& c = s.corner[std::size_t(t)];
   for (std::size_t k = 0; k < 3; ++k) {
@@ -109,14 +110,21 @@ double inside_by(const BodySurface& s, int t, const Vec3& x) {
     const Vec3 along = (1 / norm(b - a)) * (b - a);
     Vec3 into = opposite - a;
     into -= dot(into, along) * along;
-    least = std::min(least, dot(x - a, into) / norm(into));
+    const double turn = s.edges[std::size_t(s.edge[std::size_t(t)][k])].turn;
+    const double beyond = turn > 0 ? slack / turn : 0;
+    least = std::min(least, dot(x - a, into) / norm(into) + std::min(beyond, norm(b - a)));
   }
   return least;
 }
 
 // Of two triangles that share an edge, true where the other one does not rise over the face of the first on
 // the side of the particle: it cannot touch before the particle leaves the first.
+// At a vertex without grooves all of its triangles fall away.
 bool falls_away(const BodySurface& s, int first, int other, const Vec3& side) {
+  for (int c : s.corner[std::size_t(first)])
+    if (s.convex_at[std::size_t(c)])
+      for (int d : s.corner[std::size_t(other)])
+        if (c == d) return true;
   for (int e : s.edge[std::size_t(first)]) {
     const SurfaceEdge& edge = s.edges[std::size_t(e)];
     for (std::size_t k = 0; k < edge.triangle.size(); ++k)
@@ -136,23 +144,27 @@ void nearest_find(const BodySurface& s, const std::vector<int>& triangle, const 
     double distance;
     Foot foot;
   };
-  static thread_local std::vector<Candidate> near;
+  static thread_local std::vector<Candidate> near, kept;
   near.clear();
+  kept.clear();
   for (int t : triangle) {
-    const double far = norm(x - s.middle[std::size_t(t)]) - s.reach[std::size_t(t)];
-    if (far >= reach) continue;
+    const Vec3 d = x - s.middle[std::size_t(t)];
+    const double most = s.reach[std::size_t(t)] + reach;
+    if (dot(d, d) >= most * most) continue;
     const Foot foot = foot_of(s, t, x);
     const double distance = norm(x - foot.point);
-    if (distance < reach) near.push_back({t, distance, foot});
+    if (distance >= reach) continue;
+    near.push_back({t, distance, foot});
+    if (distance <= within && is_minimum(s, foot, x)) kept.push_back(near.back());
   }
-  std::stable_sort(near.begin(), near.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
+  std::sort(kept.begin(), kept.end(), [](const Candidate& a, const Candidate& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.triangle < b.triangle;
+  });
   static thread_local std::vector<std::array<int, 2>> seen;  // kind and number
   seen.clear();
-  for (const Candidate& c : near) {
-    if (c.distance > within) break;
+  for (const Candidate& c : kept) {
     const std::array<int, 2> name{int(c.foot.on), c.foot.which};
-    if (std::find(seen.begin(), seen.end(), name) != seen.end() || !is_minimum(s, c.foot, x)) continue;
+    if (std::find(seen.begin(), seen.end(), name) != seen.end()) continue;
     seen.push_back(name);
     const Touch touch = touch_of(s, c.foot, x, contact, found.touch.empty() ? side : nullptr);
     if (!found.touch.empty() && (touch.distance < 0 || found.touch[0].distance < 0)) continue;
@@ -160,7 +172,7 @@ void nearest_find(const BodySurface& s, const std::vector<int>& triangle, const 
   }
   const bool one_face = found.touch.size() == 1 && seen.size() == 1 && seen[0][0] == int(On::kFace);
   const int face = one_face ? seen[0][1] : -1;
-  if (one_face) found.budget = std::min(found.budget, inside_by(s, face, x));
+  if (one_face) found.budget = std::min(found.budget, inside_by(s, face, x, kSlack * contact));
   else if (!found.touch.empty()) found.budget = 0;
   for (const Candidate& c : near) {
     if (c.triangle == face || (one_face && falls_away(s, face, c.triangle, found.touch[0].side))) continue;

@@ -7,7 +7,7 @@ namespace drape {
 
 // Surfaces within so many layers of a particle are kept in its block; up to kSeen layers away, triangles are
 // listed.
-inline constexpr double kKept = 3, kSeen = 6;
+inline constexpr double kKept = 3, kSeen = 4;
 
 struct ContactSearch {
   const Body& body;

@@ -46,7 +46,7 @@ double seams_held(const System& system, const State& s) {
 }
 
 void seams_hold(const System& system, State& s, double h) {
-  constexpr double kWait = 20, kGain = 1.0 / 5, kStalled = 0.1, kMost = 200;
+  constexpr double kWait = 20, kStalled = 0.1, kMost = 2000;
   for (const Seam& seam : system.seams.seam) {
     const double w = seam.pull, reach = 2 * seam.speed / w;
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
@@ -57,7 +57,7 @@ void seams_hold(const System& system, State& s, double h) {
       const Vec3 rate = row_value(row, s.vx, s.vy, s.vz), gap = row_value(row, s) - (h / 2) * rate;
       const double length = norm(gap), closing = -dot(rate, gap);
       if (closing < kStalled * length * std::min(w * length, 2 * seam.speed))
-        s.gap_hold[p] = std::min(s.gap_hold[p] + h * kGain * w * std::min(length, reach), kMost * reach);
+        s.gap_hold[p] = std::min(s.gap_hold[p] + h * w * std::min(length, reach), kMost * reach);
     }
   }
 }

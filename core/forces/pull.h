@@ -9,8 +9,8 @@
 // critical damping; from farther off than 2 speed/w the force stays what it is there, and they come at
 // `speed`. Particles that the cloth holds back are pulled the harder the longer it does: s grows from 0 by
 //
-//   s' = (w/5) min(|d|, 2 speed/w)     once the pull is 20/w old, while -d'.n < min(w |d|, 2 speed)/10,
-//                                      up to 200 times 2 speed/w
+//   s' = w min(|d|, 2 speed/w)     once the pull is 20/w old, while -d'.n < min(w |d|, 2 speed)/10,
+//                    up to 2000 times 2 speed/w
 //
 // g is the tolerance within which a pair is welded: s adds no more than w^2 s/g to omega^2.
 #pragma once

@@ -18,21 +18,27 @@ constexpr double kResidualRest = 1e-5;  // of the load
 constexpr double kKineticRest = 1e-9;   // of that times the size of the largest piece
 constexpr double kFaded = 1e-4;         // of the most there was, where nothing weighs or pulls
 
-// Rows on several nodes are projected with the true masses, which is right where the nodes of connected rows
-// have one lightness: the least of theirs. Fixed nodes do not move; theirs is 1, for the force on the pin.
+// True where that changes one.
+template <class Nodes>
+bool nodes_even(const Nodes& nodes, State& s) {
+  double least = 1;
+  bool changed = false;
+  for (std::size_t n : nodes) least = std::min(least, s.lightness[n]);
+  for (std::size_t n : nodes) {
+    changed = changed || s.lightness[n] != least;
+    s.lightness[n] = least;
+  }
+  return changed;
+}
+
+// Rows on several nodes and links are projected with the true masses, which is right where the nodes of
+// connected rows have one lightness: the least of theirs. Fixed nodes do not move; theirs is 1, for the force
+// on the pin.
 void rows_even(const Constraints& constraints, State& s) {
-  const std::vector<HeldRow>& rows = constraints.rows;
-  bool changed = !rows.empty();
-  while (changed) {
+  for (bool changed = true; changed;) {
     changed = false;
-    for (const HeldRow& row : rows) {
-      double least = 1;
-      for (std::size_t n : row.on.node) least = std::min(least, s.lightness[n]);
-      for (std::size_t n : row.on.node) {
-        changed = changed || s.lightness[n] != least;
-        s.lightness[n] = least;
-      }
-    }
+    for (const HeldRow& row : constraints.rows) changed = nodes_even(row.on.node, s) || changed;
+    for (const RigidLink& link : constraints.rigid.link) changed = nodes_even(link.node, s) || changed;
   }
   for (const FixedNode& f : constraints.fixed) s.lightness[f.node] = 1;
 }
@@ -126,6 +132,7 @@ double omega_moving(const System& system, Motion& motion, State& s, double h) {
 }  // namespace
 
 void fit_look(const System& system, Motion& motion, State& s, double h) {
+  s.fit.sewing = seams_to_close(system, s);
   fit_scale(system, motion.constraints, s, h);
   s.fit.damping = std::min(2 * omega_moving(system, motion, s, h), 1 / h);
 }
@@ -139,8 +146,9 @@ Left forces_left(const System& system, Motion& motion, const State& s) {
   kernel_forces(*motion.kernel, system, s, motion.workspace, motion.now_x.data(), motion.now_y.data(),
                 motion.now_z.data());
   Array* a[] = {&motion.now_x, &motion.now_y, &motion.now_z};
+  const Vec3 g = gravity_of(system, s);
   for (std::size_t n : system.particle)
-    for (std::size_t k = 0; k < 3; ++k) (*a[k])[n] = (*a[k])[n] * system.inverse_mass[n] + system.gravity[k];
+    for (std::size_t k = 0; k < 3; ++k) (*a[k])[n] = (*a[k])[n] * system.inverse_mass[n] + g[k];
   if (self_any(s))
     self_synchronous(system, motion.self, s, 0, 1, motion.now_x.data(), motion.now_y.data(),
                      motion.now_z.data());

@@ -57,6 +57,9 @@ void leapfrog_step(const System& system, Motion& motion, State& state, double h,
 // c (1/s) of the step: the scene's, in a fit its own.
 double damping_of(const System& system, const State& state);
 
+// g of the step: the scene's, in a fit none while seams are to be closed.
+Vec3 gravity_of(const System& system, const State& state);
+
 // What the state lacks at the end of a step: the time (s) of its last kick (h_old/2 in leapfrog, none in the
 // paper's scheme), and the share of v that -m c v has left before it (1 in leapfrog, whose damping is
 // centred).

@@ -54,7 +54,7 @@ void clamp_torques_add(const System& system, Motion& motion, State& s, double sp
 // A stage that leads to the share u of the interval.
 void stage_run(const System& system, Motion& motion, State& s, const Stage& stage, double h, double u) {
   const bool begins = s.advance_begins && system.integrator != Integrator::kPaper;
-  const StepCoefficients c{stage.keep, stage.kick, stage.drift, system.gravity, velocity_lead(system, s)};
+  const StepCoefficients c{stage.keep, stage.kick, stage.drift, gravity_of(system, s), velocity_lead(system, s)};
   if (system.energy) balance_begin(system, motion.balance, s, c.lead);
   if (begins || system.energy) held_keep(motion.constraints, s, motion.held);
   clamp_torques_add(system, motion, s, begins ? stage.begun : stage.span);
@@ -92,6 +92,10 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
 
 double damping_of(const System& system, const State& s) {
   return system.fit ? s.fit.damping : system.damping;
+}
+
+Vec3 gravity_of(const System& system, const State& s) {
+  return system.fit && s.fit.sewing ? Vec3{0, 0, 0} : system.gravity;
 }
 
 double last_half(const System& system, const State& s) {
@@ -161,10 +165,11 @@ void leapfrog_synchronous(const System& system, Motion& motion, const State& s, 
   const Array* staggered[] = {&s.vx, &s.vy, &s.vz};
   double* now[] = {vx, vy, vz};
   const double* lightness = s.lightness.empty() ? nullptr : s.lightness.data();
+  const Vec3 gravity = gravity_of(system, s);
   const auto each = [&](auto value) {  // from what it is, v_{n-1/2}, h_old/2, 1/m, g; unused nodes too
     for (std::size_t k = 0; k < 3; ++k) {
       const double *v = staggered[k]->data(), *inverse_mass = system.inverse_mass.data();
-      const double g = system.gravity[k];
+      const double g = gravity[k];
       for (std::size_t n = 0; n < system.nodes; ++n)
         now[k][n] = value(now[k][n], v[n], lightness ? half * lightness[n] : half, inverse_mass[n], g);
     }

@@ -118,14 +118,49 @@ void link_offer(WorstPart& worst, const Scene& scene, const Lattice& l, const St
   part_offer(worst, scene, l, stretch + bend, name, bend > stretch ? "hinge" : "link", link.from, strain);
 }
 
+// The seam in the state `sewn` with the largest `stiffness` of its pairs.
+template <class Stiffness>
+std::string seam_words(const System& system, const Scene& scene, const State& s, Sewn sewn,
+                       Stiffness stiffness) {
+  double most = -1;
+  std::string name;
+  for (std::size_t k = 0; k < system.seams.seam.size(); ++k) {
+    const Seam& seam = system.seams.seam[k];
+    for (std::size_t p = seam.first; p < seam.first + seam.count; ++p)
+      if (s.sewn[p] == sewn && stiffness(seam, p) > most)
+        most = stiffness(seam, p), name = scene.seams[k].name;
+  }
+  return "seam '" + name + "'";
+}
+
+void seams_offer(WorstPart& worst, const System& system, const Scene& scene, const State& s) {
+  const SeamsBound bound = step_limit_seams(system, s);
+  const bool pulls = bound.d > 0;
+  const double welded = bound.omega2 - (pulls ? system.seams.omega2_pull * (1 + seams_held(system, s)) : 0);
+  const double pulled = omega2_with(system, bound.omega2 - welded, bound.d);
+  if (pulls && pulled > worst.bound) {
+    worst.bound = pulled;
+    worst.words =
+        "pull of " + seam_words(system, scene, s, Sewn::kPulled, [&](const Seam& seam, std::size_t p) {
+          return seam.pull * seam.pull * (1 + s.gap_hold[p] / seam.gap_tolerance);
+        });
+  }
+  if (welded > worst.bound) {
+    worst.bound = welded;
+    worst.words = "hinges and links of " +
+                  seam_words(system, scene, s, Sewn::kWelded,
+                             [](const Seam& seam, std::size_t) { return seam.link_count + seam.tape; });
+  }
+}
+
 }  // namespace
 
 double step_limit_cell(const Lattice& l, const State& s, const std::size_t* corner, double ahead) {
-  return cell_bound(l, s, corner, ahead) / (l.law.areal_density * l.cell * l.cell);
+  return cell_bound(l, s, corner, ahead) / (l.mass_kept * l.law.areal_density * l.cell * l.cell);
 }
 
 double step_limit_clamps(const System& system, const Lattice& l, const State& s, double ahead) {
-  return clamps_bound(system, l, s, ahead) / (l.law.areal_density * l.cell * l.cell);
+  return clamps_bound(system, l, s, ahead) / (l.mass_kept * l.law.areal_density * l.cell * l.cell);
 }
 
 double step_limit_lattice(const System& system, const Kernel& kernel, const Lattice& l, const State& state,
@@ -133,7 +168,7 @@ double step_limit_lattice(const System& system, const Kernel& kernel, const Latt
   double most = 0;
   for (int j = 0; j + 1 < l.rows; ++j) most = most_of(kernel.omega2(system, l, state, j, ahead), most);
   most = most_of(side_bound(system, l, state, ahead) / (l.law.areal_density * l.cell * l.cell), most);
-  return most + step_limit_clamps(system, l, state, ahead);
+  return most / l.mass_kept + step_limit_clamps(system, l, state, ahead);
 }
 
 double step_limit_drag(const System& system, const State& state) {
@@ -198,6 +233,7 @@ std::string step_limit_link(const System& system, const Scene& scene, const Stat
     part_offer(worst, scene, l, clamp_term(c, l.law, state, ahead), c.warp ? "warp" : "weft", "clamp",
                c.node[1], strain);
   }
+  seams_offer(worst, system, scene, state);
   return worst.words;
 }
 

@@ -22,11 +22,13 @@ using vector3::operator+;
 using vector3::operator-;
 using vector3::operator+=;
 
-std::vector<ContactLaw> laws_of(const System& system, const Body& body) {
+// In a fit nothing rubs while seams are to be closed.
+std::vector<ContactLaw> laws_of(const System& system, const State& s, const Body& body) {
   std::vector<ContactLaw> laws;
   for (const Lattice& l : system.lattices) {
     laws.push_back(l.touch);
     if (body.has_friction) laws.back().friction = body.friction;
+    if (system.fit && s.fit.sewing) laws.back().friction = {0, 0};
   }
   return laws;
 }
@@ -68,7 +70,7 @@ void block_renew(const System& system, TouchRoom& room, State& s, std::size_t b,
 
 ContactJob job_of(const System& system, TouchRoom& room, const State& s, std::size_t b, double* sum) {
   ContactJob job{};
-  room.law = laws_of(system, system.bodies[b]);
+  room.law = laws_of(system, s, system.bodies[b]);
   job.body = const_cast<BodyContact*>(&s.body[b]);  // its grips are written by passes that move
   job.old = room.old[b].data();
   job.mass = system.mass.data();

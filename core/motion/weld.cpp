@@ -83,7 +83,8 @@ void seams_restore(const System& system, Motion& motion, const State& s) {
     if (is_welded(s, p)) rows.push_back(weld_row(system.seams.pair[p].gap));
   }
   std::vector<Problem> none;  // the pins have been judged when the system was made
-  motion.constraints = constraints_make(rows, system.inverse_mass, system.constraints.pins, none);
+  motion.constraints =
+      constraints_make(rows, system.inverse_mass, system.constraints.pins, none, system.links);
   motion.held = held_make(motion.constraints);
 }
 

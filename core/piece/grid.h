@@ -34,6 +34,7 @@ struct Grid {
   std::vector<double> area;     // [columns rows + twins] m^2 that a node carries; 0: no particle
   std::vector<GridPart> parts;  // of cells that the outline cuts, row by row
   bool paper = false;           // outline = "paper": parts are no cells
+  std::vector<Vec2> on_outline;  // the last twins: particles of seams (paper), where they lie, m
 
   int nodes() const { return columns * rows + int(twin.size()); }
   std::array<int, 2> index(int node) const {
@@ -41,6 +42,8 @@ struct Grid {
     return {node % columns, node / columns};
   }
   Vec2 place(int node) const {  // in the plane of the outline, m
+    const int last = node - (nodes() - int(on_outline.size()));
+    if (last >= 0) return on_outline[std::size_t(last)];
     const std::array<int, 2> at = index(node);
     const double x = x0 + at[0] * cell, y = y0 + at[1] * cell;
     return {x * cosine - y * sine, x * sine + y * cosine};

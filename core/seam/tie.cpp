@@ -17,6 +17,7 @@
 #include "forces/pull.h"
 #include "forces/seam.h"
 #include "seam/layout.h"
+#include "seam/particles.h"
 #include "seam/row.h"
 
 namespace drape {
@@ -25,6 +26,12 @@ namespace {
 constexpr double kPullShare = 0.1;  // of omega at rest
 constexpr double kInside = 1e-6;    // cells: how far off the outline the cell of a point is looked up
 constexpr double kEase = 1e-6;      // of R: sides that differ by more are gathered
+
+// A particle of its own, on the outline.
+SeamPoint particle_tie(const Grid& grid, const Lattice& l, Vec2 p) {
+  const std::size_t n = l.node_of(seam_particle(grid, p));
+  return {{n, n, n, n}, {1, 0, 0, 0}};
+}
 
 SeamPoint point_tie(const Grid& grid, const Lattice& l, Vec2 p, Vec2 looked_up) {
   const GridPoint at = grid_point(grid, grid_cell_of(grid, looked_up), grid_coordinates(grid, p));
@@ -50,7 +57,9 @@ void pairs_tie(const std::vector<Grid>& grids, const SeamLayout& layout, const S
       const auto piece = std::size_t(seam.piece[k]);
       const Grid& grid = grids[piece];
       const Vec2 p = layout.point[k][n], in = layout.inward[k][n], deep = inside(p, in, grid.cell);
-      pair.side[k] = point_tie(grid, system.lattices[piece], p, inside(p, in, kInside * grid.cell));
+      pair.side[k] = grid.paper
+                         ? particle_tie(grid, system.lattices[piece], p)
+                         : point_tie(grid, system.lattices[piece], p, inside(p, in, kInside * grid.cell));
       inner[k] = point_tie(grid, system.lattices[piece], deep, deep);
       row_add(pair.gap, pair.side[k], k == 0 ? -1 : 1);
       const double warp = in[1] * grid.cosine - in[0] * grid.sine,
@@ -71,10 +80,10 @@ void pairs_tie(const std::vector<Grid>& grids, const SeamLayout& layout, const S
   }
 }
 
-void links_tie(Seam& seam, System& system) {
+void links_tie(bool paper, Seam& seam, System& system) {
   seam.link_first = system.seams.link.size();
   const bool gathered = std::abs(seam.spacing[0] - seam.spacing[1]) > kEase * seam.rest;
-  if (!gathered && seam.tape == 0) return;
+  if (!paper && !gathered && seam.tape == 0) return;
   const std::size_t steps = seam.closed ? seam.count : seam.count - 1;
   for (std::size_t n = 0; n < steps; ++n) {
     SeamLink link{{seam.first + n, seam.first + (n + 1) % seam.count}, {}};
@@ -179,7 +188,7 @@ void seams_tie(const Scene& scene, const std::vector<Grid>& grids, System& syste
                       std::abs(chord[0] * grid.cosine + chord[1] * grid.sine);
     seam.link_width = grid.cell;
     pairs_tie(grids, layout, seam, system);
-    links_tie(seam, system);
+    links_tie(grid.paper, seam, system);
     system.seams.seam.push_back(seam);
   }
 }

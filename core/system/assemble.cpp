@@ -6,6 +6,7 @@
 #include "constraint/pins.h"
 #include "contact/bodies.h"
 #include "piece/place.h"
+#include "seam/particles.h"
 #include "seam/tie.h"
 #include "self_contact/mesh.h"
 #include "system/composition.h"
@@ -158,11 +159,15 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
   system.fit = scene.mode == Mode::kFit;
   system.options = {scene.scaling, scene.bias_model, scene.clamp_correction};
 
-  std::vector<Grid> grids;
+  std::vector<std::vector<GridTie>> ties;
+  const std::vector<Grid> grids = grids_make(scene, &ties);
   system.nodes = kRowUnit;  // rows are read from one node before to one after them
   for (std::size_t p = 0; p < scene.pieces.size(); ++p) {
-    grids.push_back(grid_make(scene, int(p)));
     system.lattices.push_back(lattice_reserve(grids[p], scene.pieces[p], int(p), system.nodes));
+    Lattice& l = system.lattices.back();
+    if (!ties[p].empty()) l.mass_kept = kEdgeKeeps;
+    for (const GridTie& t : ties[p])
+      system.links.push_back({{l.node_of(t.node[0]), l.node_of(t.node[1])}, t.pair, t.length});
   }
   system.nodes += kRowUnit;
   for (Array* a : {&system.share, &system.hinge_warp, &system.hinge_weft, &system.area, &system.mass,
@@ -195,7 +200,7 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
   if (!problems.empty()) return system;
   system.pin_rows = pin_rows(scene, grids, system, start);
   system.constraints =
-      constraints_make(system.pin_rows, system.inverse_mass, pins_make(scene, grids), problems);
+      constraints_make(system.pin_rows, system.inverse_mass, pins_make(scene, grids), problems, system.links);
   for (std::size_t p = 0; p < scene.pins.size(); ++p)
     start.pin_frame[p].position = system.constraints.pins[p].centre;
   for (const ProbeSpec& probe : scene.probes) {

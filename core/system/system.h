@@ -41,6 +41,7 @@ struct Lattice {
       row_slot;  // [rows + 1] slots of the nodes of row j in Side: row_slot[j] .. row_slot[j+1]; or empty
   std::vector<Columns> reach;                  // [rows] where rows j - 1, j, j + 1 have particles
   double cell = 0;                             // b, m
+  double mass_kept = 1;                        // the least share of its cells' area that a node carries
   std::vector<std::array<int, 2>> twin_place;  // [twins] column and row
   int piece = 0, fabric = 0;
   Law law;
@@ -95,6 +96,7 @@ struct System {
   Seams seams;
   std::vector<std::size_t> particle;  // [particles] their nodes: pieces in order, row by row
   std::vector<ConstraintRow> pin_rows;
+  std::vector<RigidLink> links;  // of the particles of seams with outline = "paper"
   Constraints constraints;    // of the pins, at the masses of the assembly
   std::vector<Probe> probes;  // as Scene::probes
   std::vector<Body> bodies;   // as Scene::bodies
@@ -120,6 +122,7 @@ struct Fit {
   double load = 0;      // N, weight or pins' forces
   double most = 0;      // N, forces left and pins' forces, the most since something last changed
   bool at_rest = false;
+  bool sewing = false;  // seams are to be closed: weight and friction wait
 };
 
 struct State {

@@ -21,6 +21,7 @@ std::optional<BodyMesh> body_measure(const std::filesystem::path& file, std::vec
   std::ifstream stream(file);
   if (!stream || std::filesystem::is_directory(file)) return fault(0, "cannot be read"), std::nullopt;
   double low = INFINITY, high = -INFINITY;
+  std::vector<Vec3> vertex;
   std::size_t vertices = 0, faces = 0, number = 0;
   for (std::string line; std::getline(stream, line);) {
     ++number;
@@ -30,9 +31,9 @@ std::optional<BodyMesh> body_measure(const std::filesystem::path& file, std::vec
     faces += word == "f";
     if (word != "v") continue;
     ++vertices;
-    double p[3];
+    Vec3 p{};
     if (!(words >> p[0] >> p[1] >> p[2])) fault(number, "is no vertex; wanted: v and three numbers");
-    else low = std::min(low, p[1]), high = std::max(high, p[1]);
+    else low = std::min(low, p[1]), high = std::max(high, p[1]), vertex.push_back(p);
     if (problems.size() > before + 10) return std::nullopt;
   }
   if (!vertices || !faces)
@@ -40,8 +41,11 @@ std::optional<BodyMesh> body_measure(const std::filesystem::path& file, std::vec
                  " faces; wanted: a mesh in OBJ");
   if (problems.size() > before) return {};
   for (double unit : kUnits)
-    if (const double height = unit * (high - low); height >= kLeast && height <= kMost)
-      return BodyMesh{file.string(), unit, height};
+    if (const double height = unit * (high - low); height >= kLeast && height <= kMost) {
+      for (Vec3& v : vertex)
+        for (double& x : v) x *= unit;
+      return BodyMesh{file.string(), unit, height, std::move(vertex)};
+    }
   fault(0, "is " + number_text(high - low) + " high along y; allowed: " + number_text(kLeast) + " to " +
                number_text(kMost) + " m, in metres, centimetres or millimetres");
   return {};

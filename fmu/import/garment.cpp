@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "import/place_near.h"
 #include "scene/landing.h"
 
 namespace drape {
@@ -159,6 +160,7 @@ Scene garment_scene(const Pattern& pattern, const Garment& garment, const Fabric
     for (std::size_t k = 0; k < 2; ++k) seam.side[k] = {s.panel[k], {s.edge[k]}, k == 1 && !s.right_wrong};
     scene.seams.push_back(seam);
   }
+  if (garment.body) garment_place_near(scene, garment.body->vertex);
   return scene;
 }
 
@@ -177,8 +179,11 @@ std::string garment_text(const Scene& scene, const Pattern& pattern, const Garme
   for (std::size_t p = 0; p < scene.pieces.size(); ++p)
     text += piece_text(scene.pieces[p], pattern.panels[p], notes[p], garment);
   for (const SeamSpec& seam : scene.seams)
-    text += "\n[[seam]]\nname = " + quoted(seam.name) + "\na = " + side_text(scene, seam.side[0]) +
-            "b = " + side_text(scene, seam.side[1]);
+    text +=
+        "\n[[seam]]\nname = " + quoted(seam.name) + "\na = " + side_text(scene, seam.side[0]) +
+        "b = " + side_text(scene, seam.side[1]) +
+        (seam.closed_at > 0 ? "closed_at = " + metres(seam.closed_at) + "  # s: once the others are closed\n"
+                            : "");
   return text;
 }
 

@@ -10,7 +10,8 @@ namespace drape {
 struct BodyMesh {
   std::string file;  // as the scene names it
   double scale = 1;
-  double height = 0;  // m
+  double height = 0;           // m
+  std::vector<Vec3> vertex{};  // m
 };
 
 // Of the units in which bodies are usual (m, cm, mm) the one that makes it 0.3 to 3 m high.

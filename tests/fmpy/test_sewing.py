@@ -109,6 +109,45 @@ def test_reference_sews_too(drape, write, tmp_path):
     assert np.abs(fast[:, names.index("energy.balance_error")]).max() < 0.05 * np.abs(gone).max()
 
 
+def test_masses_tuned_after_the_weld(pack):
+    """Twice as heavy once it is sewn: the welds hold with the new masses, and the peg carries twice as much."""
+    fmu = pack(two_strips(damping=40.0))
+    with Instance(fmu) as cloth:
+        cloth.initialize().run(1.0, 0.001)
+        assert cloth.get(CLOSED)[0] == 1
+        light = cloth.get("pin.peg.force[3]")[0]
+        cloth.set("fabric.wool.areal_density", 2 * cloth.get("fabric.wool.areal_density")[0])
+        cloth.run(2.5, 0.001)
+        gap, closed, heavy = cloth.get(GAP, CLOSED, "pin.peg.force[3]")
+    assert closed == 1 and gap < 1e-12
+    assert light == pytest.approx(-0.15 * 2 * 0.06 * 0.06 * 9.81, rel=0.05)
+    assert heavy == pytest.approx(2 * light, rel=0.05)
+
+
+def test_energy_of_a_weld_at_the_start(drape, write, tmp_path):
+    """Sides within gap_tol at time 0 are sewn before the first step: the balance begins with the cloth as it is then."""
+    drape("run", write(two_strips(gap=(5e-5, 0, 0), energy=True)), "-o", tmp_path / "run", "--until", 0.02, "--every", 0.001)
+    names, rows = read_csv(tmp_path / "run" / "outputs.csv")
+    column = {name: rows[:, names.index(name)] for name in names}
+    assert (column[CLOSED][1:] == 1).all()
+    fallen = column["energy.gravity"][0] - column["energy.gravity"][-1]
+    assert fallen > 0
+    assert np.abs(column["energy.balance_error"]).max() < 1e-3 * fallen
+    assert np.abs(column["energy.input"]).max() < 1e-9 * fallen  # a peg that stays gives nothing, and the seam has given
+
+
+def test_paper_ties(drape, write, tmp_path):
+    """Particles on the outlines tied by rigid links: the seam closes, and keeps its length to the links'."""
+    scene = two_strips(damping=20.0) | {"options": {"outline": "paper"}}
+    drape("run", write(scene), "-o", tmp_path / "run", "--until", 0.5, "--every", 0.05)
+    names, rows = read_csv(tmp_path / "run" / "outputs.csv")
+    assert rows[-1, names.index(CLOSED)] == 1
+    assert rows[-1, names.index(LENGTH)] == pytest.approx(0.06, rel=1e-4)
+    refused = drape("reference", write(scene), "-o", tmp_path / "judge", "--until", 0.01, check=False)
+    assert refused.returncode == 1
+    assert "ties seams by rigid links, which the reference does not have" in refused.stderr
+
+
 def test_sides_of_very_different_length_are_told(drape, write):
     said = drape("check", write(two_strips(ease=1.6)))
     assert "seam join: 11 pairs of particles, 0.06 m to 0.096 m, ease 1.6" in said.stdout
@@ -123,11 +162,13 @@ def test_picture_shows_the_seam(drape, write, tmp_path):
     assert "join a" in picture and "join b" in picture and "seam, its particles and its start" in picture
 
 
-def test_frill(tmp_path):
-    """The example ends with a check of its own."""
-    done = subprocess.run([sys.executable, ROOT / "examples" / "frill" / "run.py", tmp_path], capture_output=True, text=True)
+@pytest.mark.parametrize("example", ["frill", "two_strips", "tube", "sleeve"])
+def test_example(example, tmp_path):
+    """The examples end with checks of their own."""
+    run = ROOT / "examples" / example / "run.py"
+    done = subprocess.run([sys.executable, run, tmp_path], capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr
-    assert (tmp_path / "frill.png").exists()
+    assert (tmp_path / f"{example}.png").exists()
 
 
 def test_random_pairs():

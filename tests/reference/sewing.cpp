@@ -114,7 +114,7 @@ VectorXd hold_rates(const Motion& motion, double time, const VectorXd& r, const 
       const Vector3d d = gap_of(seam.pairs[p], r), rate = gap_of(seam.pairs[p], v);
       const double length = d.norm();
       if (-rate.dot(d) < length * std::min(w * length, 2 * seam.speed) / 10)
-        rates[k] = w / 5 * std::min(length, 2 * seam.speed / w);
+        rates[k] = w * std::min(length, 2 * seam.speed / w);
     }
   }
   return rates;
@@ -135,7 +135,7 @@ double add_pulls(const Lattice& lattice, const Sewing& sewing, const VectorXd& h
       if (length == 0) continue;
       const Vector3d n = d / length;
       const double held =
-          std::min(hold[number], 400 * seam.speed / w) * length / std::hypot(length, seam.gap_tolerance);
+          std::min(hold[number], 4000 * seam.speed / w) * length / std::hypot(length, seam.gap_tolerance);
       const double reach = std::min(length, 2 * seam.speed / w) + held;
       const Vector3d on_a = closing_mass(lattice, pair) * (w * w * reach + 2 * w * rate.dot(n)) * n;
       for (std::size_t side = 0; side < 2; ++side)

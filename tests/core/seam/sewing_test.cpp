@@ -242,6 +242,48 @@ TEST(Sewing, LeavesToPinsWhatTheyHold) {
     each_link(a.system, l, [&](const Link& link) { EXPECT_LE(std::abs(link_strain(a.state, link)), 5e-3); });
 }
 
+// Sewing does not distort the outlines: pieces that are free and unloaded once they are joined have edges of
+// the length, and corners of the angle, that were cut, within 0.5 %; the angle of a whole corner, pi/2.
+TEST(Sewing, KeepsTheShapeOfOutlines) {
+  for (double ratio : {1.0, std::sqrt(2.0), 3.0}) {
+    Scene scene = pair_of(curved_fabric(), 0.06, 0.006, ratio, {0.004, 0.001, 0.003});
+    scene.damping = 20;
+    scene.pieces[1].grain = 0.3;
+    Assembled a = assemble(scene);
+    double worst_length = 0, worst_angle = 0, first = 0, second = 0;
+    for (int k = 0; k < 1000; ++k) {
+      sewn_advance(a, 1e-3);
+      worst_length = worst_angle = 0;
+      for (std::size_t p = 0; p < 2; ++p) {
+        const Grid grid = grid_make(scene, int(p));
+        const auto place = [&](std::size_t corner) {
+          const GridPoint at = grid_locate(grid, scene.pieces[p].outline[corner % 4]);
+          Vec3 sum{0, 0, 0};
+          for (int n = 0; n < 4; ++n) {
+            const std::size_t node = a.system.lattices[p].node_of(at.node[n]);
+            using namespace vector3;
+            sum += at.weight[n] * Vec3{a.state.x[node], a.state.y[node], a.state.z[node]};
+          }
+          return sum;
+        };
+        using namespace vector3;
+        for (std::size_t e = 0; e < 4; ++e) {
+          const Vec3 edge = place(e + 1) - place(e), next = place(e + 2) - place(e + 1);
+          worst_length = std::max(worst_length, std::abs(norm(edge) / 0.06 - 1));
+          worst_angle = std::max(worst_angle,
+                                 std::abs(std::acos(dot(edge, next) / (norm(edge) * norm(next))) - M_PI / 2));
+        }
+      }
+      first = std::max(first, worst_length);
+      second = std::max(second, worst_angle);
+    }
+    std::printf("outlines, ratio %.2f: length within %.1e, angle within %.1e; on the way %.1e, %.1e\n", ratio,
+                worst_length, worst_angle / (M_PI / 2), first, second / (M_PI / 2));
+    EXPECT_LE(worst_length, 5e-3);
+    EXPECT_LE(worst_angle, 5e-3 * M_PI / 2);
+  }
+}
+
 // A fit does not rest while a seam waits for its time or is being pulled.
 TEST(Sewing, KeepsAFitAwake) {
   Scene scene = pair_of(curved_fabric(), 0.05, 0.01, 1, {0.002, 0, 0});
@@ -266,6 +308,7 @@ TEST(Sewing, TellsTheLimitOfItsPull) {
     Assembled a = assemble(scene);
     seams_pull_begin(a.system, a.state);
     const double limit = step_limit_of(a.system, step_limit_omega2(a.system, *a.motion.kernel, a.state));
+    EXPECT_EQ(step_limit_link(a.system, scene, a.state), "pull of seam 'join'");
     const double start = gap_norm(a, 0);
     for (int k = 0; k < 4000; ++k) leapfrog_step(a.system, a.motion, a.state, share * limit);
     if (share < 1) {

@@ -1,0 +1,88 @@
+#include "import/place_near.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "constraint/vector3.h"
+#include "piece/place.h"
+
+namespace drape {
+namespace {
+
+using namespace vector3;
+
+constexpr double kNear = 0.012;    // m, between a panel and the body
+constexpr double kAround = 0.03;    // m, beyond a panel: between the vertices of the body
+constexpr double kOver = 0.05;     // m, above a shoulder: a strap bends as it is drawn over it
+constexpr double kShoulder = 0.2;  // m, the most that a top may be above a seam to be in its way
+constexpr double kBeside = 0.01;   // m, on either side of a seam
+constexpr double kGap = 0.02;      // m: nearer edges are sewn at once
+constexpr double kSpeed = 1;       // m/s, of seams that come from afar
+
+// The ends of the first edge of a side, in space.
+struct Edge {
+  Vec3 from, to;
+  Vec3 middle() const { return 0.5 * (from + to); }
+};
+Edge edge_of(const Scene& scene, const SeamSide& side) {
+  const PieceSpec& piece = scene.pieces[std::size_t(side.piece)];
+  const auto i = std::size_t(side.edges[0]), n = piece.outline.size();
+  return {place_point(piece.place, piece.outline[i]), place_point(piece.place, piece.outline[(i + 1) % n])};
+}
+
+void panel_approach(PieceSpec& piece, const std::vector<Vec3>& body) {
+  PlaceSpec& place = piece.place;
+  Vec2 low = piece.outline[0], high = low;
+  for (const Vec2& p : piece.outline)
+    for (std::size_t k = 0; k < 2; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+  const Vec3 normal = cross(place.axis_x, place.axis_y);
+  double nearest = INFINITY, below = 0, above = 0;
+  for (const Vec3& v : body) {
+    const Vec3 d = v - place.origin;
+    const double x = dot(d, place.axis_x), y = dot(d, place.axis_y), t = dot(d, normal);
+    if (x < low[0] - kAround || x > high[0] + kAround || y < low[1] - kAround || y > high[1] + kAround) continue;
+    (t < 0 ? below : above) = 1;
+    nearest = std::min(nearest, std::abs(t));
+  }
+  if (below == above || nearest < kNear) return;  // it is beside the body, on both sides of it, or near
+  place.origin += ((above > 0 ? 1 : -1) * (nearest - kNear)) * normal;
+}
+
+// How far a level seam has to rise for its sides to meet above what is between them.
+double lift_wanted(const Scene& scene, const SeamSpec& seam, const std::vector<Vec3>& body) {
+  const Edge a = edge_of(scene, seam.side[0]), b = edge_of(scene, seam.side[1]);
+  const Vec3 gap = b.middle() - a.middle(), along = a.to - a.from;
+  const double length = norm(gap), level = std::hypot(gap[0], gap[2]);
+  if (length < kGap || level < 0.5 * length || std::abs(along[1]) > 0.5 * norm(along)) return 0;
+  const Vec3 way{gap[0] / level, 0, gap[2] / level}, across{-way[2], 0, way[0]};
+  const double half = std::abs(dot(along, across)) / 2 + kBeside,
+               low = std::min(a.middle()[1], b.middle()[1]);
+  double top = -INFINITY;
+  for (const Vec3& v : body) {
+    const Vec3 d = v - a.middle();
+    const double t = dot(d, way);
+    if (t > 0 && t < level && std::abs(dot(d, across)) < half) top = std::max(top, v[1]);
+  }
+  const double wanted = top + kOver - low;
+  return top - low < kShoulder && wanted > 0 ? wanted : 0;  // more body above: a crotch, not a shoulder
+}
+
+}  // namespace
+
+void garment_place_near(Scene& scene, const std::vector<Vec3>& body) {
+  double lift = 0, farthest = 0;
+  for (const SeamSpec& seam : scene.seams) lift = std::max(lift, lift_wanted(scene, seam, body));
+  for (PieceSpec& piece : scene.pieces) {
+    piece.place.origin[1] += lift;
+    panel_approach(piece, body);
+  }
+  std::vector<SeamSpec*> later;
+  for (SeamSpec& seam : scene.seams) {
+    const Vec3 gap = edge_of(scene, seam.side[1]).middle() - edge_of(scene, seam.side[0]).middle();
+    if (norm(gap) > kGap && std::abs(gap[1]) > 0.7 * norm(gap)) later.push_back(&seam);
+    else farthest = std::max(farthest, norm(gap));
+  }
+  for (SeamSpec* seam : later) seam->closed_at = std::ceil(100 * farthest / kSpeed) / 100;
+}
+
+}  // namespace drape

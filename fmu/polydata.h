@@ -1,0 +1,30 @@
+// VTK's PolyData: points, lines and polygons with fields on them, as an XML file with raw binary arrays.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace drape {
+
+struct PolyField {
+  std::string name;
+  int components;
+  std::vector<float> values;  // [points x components], or of cells: lines, then polygons
+};
+
+struct PolyCells {
+  std::vector<std::int32_t> corner, end;  // points; the end of each cell, counted through
+};
+
+struct PolyData {
+  std::vector<double> position;  // [points x 3] m
+  PolyCells lines, polygons;
+  std::vector<double> velocity;  // [points x 3] m/s; or empty
+  std::vector<PolyField> of_points, of_cells;
+};
+
+// False where that fails, with errno.
+bool polydata_write(const std::filesystem::path& path, const PolyData& data);
+
+}  // namespace drape

@@ -1,0 +1,98 @@
+"""Bodies through the packed FMU: what it carries, what it is told, what it tells."""
+import re
+import subprocess
+import zipfile
+
+import numpy as np
+import pytest
+from bodies import sheet_over_ball
+from fmpy.validation import validate_fmu
+from master import DISCARD, Instance, same_bits
+from scenes import read_csv, swinging_sheet
+
+CONTACT = {"libdrape_contact.so", "libfcl.so.0.7", "libccd.so.2", "liboctomap.so.1.9", "liboctomath.so.1.9"}
+
+
+def libraries(fmu):
+    return {n.split("/")[-1] for n in zipfile.ZipFile(fmu.file).namelist() if n.startswith("binaries/linux64/") and n[-1] != "/"}
+
+
+def test_the_contact_library_is_packed_where_there_is_a_body(pack, tmp_path):
+    with_body = pack(sheet_over_ball(tmp_path), name="with")
+    assert CONTACT < libraries(with_body)
+    assert validate_fmu(str(with_body.file)) == []
+    assert not CONTACT & libraries(pack(swinging_sheet(), name="without"))
+
+
+def test_the_contact_library_finds_what_it_needs_in_the_fmu(pack, tmp_path):
+    fmu = pack(sheet_over_ball(tmp_path))
+    folder = fmu.library.parent
+    found = subprocess.run(["ldd", folder / "libdrape_contact.so"], capture_output=True, text=True).stdout
+    places = dict(re.findall(r"(\S+) => (\S+)", found))
+    for name in CONTACT - {"libdrape_contact.so"}:
+        assert places[name] == str(folder / name)
+    assert not re.findall("not found", found)
+
+
+def test_is_the_run_of_the_command(pack, drape, write, tmp_path):
+    scene = sheet_over_ball(tmp_path)
+    drape("run", write(scene, "run"), "-o", tmp_path / "out", "--until", 0.05, "--every", 0.05)
+    columns, rows = read_csv(tmp_path / "out" / "outputs.csv")
+    there = dict(zip(columns, rows[-1]))
+    fmu = pack(scene)
+    (tmp_path / "ball.obj").unlink()  # the FMU carries it
+    with Instance(fmu) as cloth:
+        cloth.initialize().run(0.05, 0.005)
+        names = ["strain.warp.max", "contact.count", "contact.penetration.max", "contact.pressure.max", "step.count"]
+        assert same_bits(cloth.get(*names), [there[n] for n in names])
+        assert cloth.get("contact.count")[0] > 0
+
+
+def test_momentum_is_balanced_with_a_ball_that_moves(pack, tmp_path):
+    """Over every step of the master: what the cloth gains is its weight's impulse less that on the ball."""
+    fmu = pack(sheet_over_ball(tmp_path, moves=True), nodes="all")
+    with Instance(fmu) as cloth:
+        cloth.initialize()
+        count = len(cloth.nodes())
+        area = np.full((11, 11), 1e-4)
+        area[[0, -1], :] /= 2
+        area[:, [0, -1]] /= 2
+        mass = 0.15 * area.reshape(count, 1)
+        before = (mass * cloth.nodes("velocity")).sum(0)
+        most = 0
+        for k in range(1, 41):
+            t = k * 1e-3
+            lift = {"position": [0, 0, 0.01 * np.sin(40 * t)], "velocity": [0, 0, 0.4 * np.cos(40 * t)]}
+            cloth.drive({f"body.ball.{name}": value for name, value in lift.items()})
+            cloth.step(1e-3)
+            after = (mass * cloth.nodes("velocity")).sum(0)
+            told = 1e-3 * cloth.get(*(f"body.ball.force[{i}]" for i in (1, 2, 3)))
+            weight = np.array([0, 0, -9.81e-3 * mass.sum()])
+            assert np.abs(after - before - weight + told).max() < 1e-9 * max(most := max(most, np.abs(told).max()), 1e-6)
+            before = after
+        assert most > 1e-5
+
+
+def test_friction_is_tuned_while_it_moves(pack, tmp_path):
+    """Without friction the sheet slides off the ball; with it, it stays."""
+    fmu = pack(sheet_over_ball(tmp_path, damping=5.0), nodes="all")
+
+    def middle(friction):
+        with Instance(fmu) as cloth:
+            cloth.initialize().run(0.05, 0.01)
+            cloth.set("fabric.wool.friction", friction)
+            cloth.run(0.25, 0.01)
+            return cloth.nodes().mean(0)
+
+    slides, stays = middle(0.0), middle(1.5)
+    assert slides[0] > stays[0] + 0.001
+
+
+def test_an_orientation_of_length_0_is_refused(pack, tmp_path):
+    fmu = pack(sheet_over_ball(tmp_path, moves=True))
+    with Instance(fmu) as cloth:
+        cloth.initialize()
+        cloth.drive({"body.ball.orientation": [0, 0, 0, 0]})
+        assert cloth.step(1e-3) == DISCARD
+        assert any("body.ball.orientation has the length 0" in message for _, _, message in cloth.log)
+        assert cloth.step(1e-3) == 0
