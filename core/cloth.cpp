@@ -59,6 +59,7 @@ void cloth_assemble(drape_cloth& c, std::vector<Problem>& problems) {
   leapfrog_begin(c.system, c.motion, c.state);
   energy_begin(c.system, c.state);
   touch_start_check(c.system, c.scene, c.motion.touch, c.state, problems);
+  self_start_check(c.system, c.scene, c.state, problems);
   step_check(c, problems);
   if (!problems.empty()) return;
   c.good = c.state;

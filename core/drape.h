@@ -146,7 +146,8 @@ typedef struct drape_outputs {
   drape_seam* seam; /* [seam_count] */
   int body_count;
   drape_body* body;           /* [body_count] */
-  double contact_count;       /* particles that touch a body */
+  int has_self_contact;       /* cloth touches cloth */
+  double contact_count;       /* particles that touch a body, and pairs of cloth that touch */
   double contact_penetration; /* m, the most that one is pressed into the cloth's thickness */
   double contact_pressure;    /* Pa, the largest */
   int node_count;             /* particles of all pieces in order, row by row */

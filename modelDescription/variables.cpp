@@ -186,13 +186,15 @@ void add_contact(Table& table, drape_outputs& o) {
     add_vector(table, name + ".torque", o.body[i].torque, output(DRAPE_MOTION, "N.m"),
                "mean torque of the cloth on the body likewise, about the body's origin");
   }
-  if (o.body_count == 0) return;
+  if (o.body_count == 0 && !o.has_self_contact) return;
   add(table, "contact.count", &o.contact_count, output_discrete(DRAPE_STRAIN, "1"),
-      "particles that touch a body");
+      o.has_self_contact ? "particles that touch a body, and pairs of cloth that touch"
+                         : "particles that touch a body");
   add(table, "contact.penetration.max", &o.contact_penetration, output(DRAPE_STRAIN, "m"),
       "the most that a particle is pressed into the thickness of its cloth");
   add(table, "contact.pressure.max", &o.contact_pressure, output(DRAPE_STRAIN, "Pa"),
-      "largest pressure of a body on the cloth");
+      o.has_self_contact ? "largest pressure of a body or of cloth on the cloth"
+                         : "largest pressure of a body on the cloth");
 }
 
 void add_outputs(Table& table, drape_outputs& o) {
@@ -240,9 +242,10 @@ void add_outputs(Table& table, drape_outputs& o) {
   add(table, "energy.bending", &o.energy.bending, output(DRAPE_ENERGY, "J"), "energy of the hinges");
   add(table, "energy.gravity", &o.energy.gravity, output(DRAPE_ENERGY, "J"),
       "potential energy of the weight");
-  if (o.body_count > 0)
+  if (o.body_count > 0 || o.has_self_contact)
     add(table, "energy.contact", &o.energy.contact, output(DRAPE_ENERGY, "J"),
-        "energy of what is pressed on bodies");
+        o.has_self_contact ? "energy of what is pressed on bodies and on cloth"
+                           : "energy of what is pressed on bodies");
   if (!o.has_balance) return;
   add(table, "energy.dissipated", &o.energy.dissipated, output(DRAPE_ENERGY, "J"),
       "energy that damping, air and friction have taken");

@@ -149,6 +149,9 @@ Left forces_left(const System& system, Motion& motion, const State& s) {
   const Vec3 g = gravity_of(system, s);
   for (std::size_t n : system.particle)
     for (std::size_t k = 0; k < 3; ++k) (*a[k])[n] = (*a[k])[n] * system.inverse_mass[n] + g[k];
+  if (self_any(s))
+    self_synchronous(system, motion.self, s, 0, 1, motion.now_x.data(), motion.now_y.data(),
+                     motion.now_z.data());
   if (touch_any(s))
     touch_synchronous(system, *motion.kernel, motion.touch, s, 0, 1, motion.now_x.data(), motion.now_y.data(),
                       motion.now_z.data());

@@ -196,6 +196,7 @@ void leapfrog_begin(const System& system, Motion& motion, State& s) {
   rates_begin(system, s);
   subs_begin(system, motion, s);
   touch_begin(system, *motion.kernel, motion.touch, s);
+  self_begin(system, s);
   subs_begin(system, motion, s);  // with what is near
 }
 
@@ -218,6 +219,7 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
   s.advance_length = length;
   s.advance_begins = true;
   inputs_begin(system, motion, s, length);
+  self_hurry(system, s, 0);
   motion.path.intervals = on_grid ? std::int64_t(whole) : 1;
   Advance result = Advance::kDone;
   if (on_grid) {

@@ -7,6 +7,7 @@
 #include "motion/balance.h"
 #include "motion/drive.h"
 #include "motion/kernel.h"
+#include "motion/self_touch.h"
 #include "motion/touch.h"
 
 namespace drape {
@@ -25,6 +26,7 @@ struct Motion {
   std::vector<Vec3> torque;   // [pins] N m, of the slopes that clamps hold
   Balance balance;
   TouchRoom touch;
+  SelfRoom self;
 };
 Motion motion_make(const System& system);
 

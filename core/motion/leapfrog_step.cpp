@@ -61,14 +61,15 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
   if (!s.sewn.empty()) seams_rates(system, s, motion.gap_rate);
   const bool touches = touch_any(s);
   if (touches) touch_keep(motion.touch, s);
+  const bool rubs = self_touches(system);
+  if (rubs) self_keep(system, motion.self, s, h);
   kernel_step(*motion.kernel, system, c, motion.workspace, s);
   if (!s.sewn.empty()) s.gap_rate.swap(motion.gap_rate);
-  if (touches) {
-    const double old = system.integrator == Integrator::kPaper ? 0 : s.h_old / 2;
-    const TouchStep touch{stage.drift, stage.keep,    stage.kick, old,
-                          h / 2,       stage.impulse, begins,     stage.centred};
-    touch_apply(system, *motion.kernel, motion.touch, touch, s);
-  }
+  const double old = system.integrator == Integrator::kPaper ? 0 : s.h_old / 2;
+  const TouchStep touch{stage.drift, stage.keep,    stage.kick, old,
+                        h / 2,       stage.impulse, begins,     stage.centred};
+  if (rubs) self_apply(system, motion.self, touch, s);
+  if (touches) touch_apply(system, *motion.kernel, motion.touch, touch, s);
   path_follow(motion.path, u, s);
   const HeldStep step{stage.drift,
                       stage.keep,
@@ -80,6 +81,7 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
                       stage.before};
   constraints_apply(system, motion.constraints, step, motion.held, s);
   if (!s.body.empty()) touch_watch(system, *motion.kernel, motion.touch, s, h);
+  if (rubs) self_watch(system, s, stage.drift);
   if (!s.sewn.empty()) seams_hold(system, s, h);
   if (system.energy && system.composition) balance_drifted(system, motion.balance, s, stage.decay);
   else if (system.energy) balance_end(system, motion.balance, s, s.h_old, h);
@@ -131,7 +133,7 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
   if (system.energy) {
     const BalanceNow now =
         balance_now(system, motion.balance, s, lead, motion.now_x, motion.now_y, motion.now_z);
-    s.dissipated = now.dissipated + motion.touch.dissipated;
+    s.dissipated = now.dissipated + motion.touch.dissipated + motion.self.dissipated;
     s.input = now.input + motion.held.work + motion.touch.input;
   }
   const double half = last_half(system, s);
@@ -177,16 +179,19 @@ void leapfrog_synchronous(const System& system, Motion& motion, const State& s, 
   held_refresh(motion.constraints, s, held);
   kernel_forces(*motion.kernel, system, s, motion.workspace, vx, vy, vz);
   held.work = 0;
+  motion.self.dissipated = 0;
   if (step) {
     each([&](double force, double v, double kick, double inverse_mass, double g) {
       return (decay * v + kick * (force * inverse_mass + g)) / centred;
     });
+    if (self_any(s)) self_synchronous(system, motion.self, s, half, centred, vx, vy, vz);
     if (touch_any(s)) touch_synchronous(system, *motion.kernel, motion.touch, s, half, centred, vx, vy, vz);
   } else {
     each([&](double force, double v, double kick, double inverse_mass, double g) {
       const double free = force * inverse_mass + g;
       return free - damping * ((v + kick * free) / centred);
     });
+    if (self_any(s)) self_synchronous(system, motion.self, s, 0, 1, vx, vy, vz);
     if (touch_any(s)) touch_synchronous(system, *motion.kernel, motion.touch, s, 0, 1, vx, vy, vz);
     held_rates(motion.constraints, s, Rate::kAcceleration, held);
     constraints_project(system, motion.constraints, held, {vx, vy, vz}, &load);

@@ -9,6 +9,7 @@
 #include "contact/response.h"
 #include "forces/lane_scalar.h"
 #include "motion/kernel.h"
+#include "motion/self_touch.h"
 #include "scene/faults.h"
 
 namespace drape {
@@ -279,7 +280,8 @@ bool touch_any(const State& s) {
 }
 
 double touch_omega2(const System& system, const State& s, int lattice) {
-  return touch_any(s) ? system.lattices[std::size_t(lattice)].touch.omega2 : 0;
+  const double omega2 = system.lattices[std::size_t(lattice)].touch.omega2;
+  return (touch_any(s) ? omega2 : 0) + (self_any(s) ? omega2 : 0);
 }
 
 namespace {

@@ -66,6 +66,9 @@ void seams_weld(const System& system, Motion& motion, State& s, const std::vecto
   constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
                       &s.pin_impulse);
   if (!s.wx.empty()) s.wx = s.vx, s.wy = s.vy, s.wz = s.vz;
+  double moved = 0;
+  for (const Seam& seam : system.seams.seam) moved = std::max(moved, seam.gap_tolerance);
+  self_hurry(system, s, moved);
 }
 
 void seams_restore(const System& system, Motion& motion, const State& s) {

@@ -5,7 +5,7 @@
 #include "forces/hinge_energy.h"
 #include "forces/seam.h"
 #include "forces/side.h"
-#include "motion/touch.h"
+#include "motion/self_touch.h"
 #include "system/links.h"
 
 namespace drape {
@@ -42,7 +42,7 @@ drape_energy energy_potential(const System& system, const State& s) {
   const SeamEnergy sewn = seams_energy(system, s);
   e.bending += sewn.bending;
   e.stretch += sewn.stretch;
-  e.contact = touch_energy(system, s);
+  e.contact = touch_energy(system, s) + self_energy(system, s);
   const Vec3& g = system.gravity;
   for (std::size_t n : system.particle)
     e.gravity -= system.mass[n] * (g[0] * s.x[n] + g[1] * s.y[n] + g[2] * s.z[n]);

@@ -100,10 +100,10 @@ void summary_fill(Outputs& o, const System& system, const State& s) {
   o.shown.strain_bias = strain.bias;
   o.shown.tension_max = strain.tension_max;
   o.shown.strain_beyond_test_count = strain.beyond_test_count;
-  const ContactSummary touch = touch_summary(system, s);
-  o.shown.contact_count = double(touch.count);
-  o.shown.contact_penetration = touch.penetration;
-  o.shown.contact_pressure = touch.pressure;
+  const ContactSummary touch = touch_summary(system, s), self = self_summary(system, s);
+  o.shown.contact_count = double(touch.count + self.count);
+  o.shown.contact_penetration = std::max(touch.penetration, self.penetration);
+  o.shown.contact_pressure = std::max(touch.pressure, self.pressure);
   o.shown.step_size = s.h_old > 0 ? s.h_old : system.communication / double(s.subs);
   o.shown.step_count = double(s.steps);
   o.shown.step_stability = o.shown.step_size * std::sqrt(s.omega2) / step_limit_angle(system);
@@ -118,7 +118,8 @@ void energy_fill(Outputs& o, const System& system, Motion& motion, const State& 
   const BalanceNow now = balance_now(system, motion.balance, s, velocity_lead(system, s), motion.now_x,
                                      motion.now_y, motion.now_z);
   const bool touches = touch_any(s);
-  e.dissipated = now.dissipated + (touches ? motion.touch.dissipated : 0);
+  e.dissipated =
+      now.dissipated + (touches ? motion.touch.dissipated : 0) + (self_any(s) ? motion.self.dissipated : 0);
   e.input = now.input + motion.held.work + (touches ? motion.touch.input : 0);
   e.balance_error = energy_sum(e) - s.energy_start - e.input + e.dissipated;
 }
@@ -136,6 +137,7 @@ void outputs_make(Outputs& o, const Scene& scene, const System& system) {
   for (const BodySpec& body : scene.bodies) o.bodies.push_back({body.name.c_str(), {}, {}});
   o.shown.has_energy = scene.energy;
   o.shown.has_balance = system.energy;
+  o.shown.has_self_contact = scene.self_contact;
   o.shown.has_fit = scene.mode == Mode::kFit;
   o.shown.probe_count = int(o.probes.size());
   o.shown.probe = o.probes.data();

@@ -35,6 +35,9 @@ void order_check(const Scene& scene, Problems& problems) {
     problems.push_back({"scene.order", order + "mode = \"fit\"; wanted: order = 2, or \"dynamic\""});
   if (!scene.seams.empty())
     problems.push_back({"scene.order", order + "seams, whose pull is damped; wanted: order = 2, or no seam"});
+  if (scene.self_contact)
+    problems.push_back({"scene.order", order + "self_contact, which is damped; wanted: order = 2, or "
+                                               "self_contact = false"});
   const auto braked = [&](const std::string& place, double value, const char* unit) {
     if (value > 0)
       problems.push_back(

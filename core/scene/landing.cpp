@@ -104,14 +104,6 @@ struct Land {
   }
 
   void operator()(Elsewhere) const {}
-  void operator()(const Only& only) const {
-    const auto* flag = node.as_boolean();
-    if (!flag) return misfit(path, node, key_wanted(key));
-    if (flag->get() != only.value)
-      fault_add(faults, path,
-                std::string("= ") + (flag->get() ? "true" : "false") + "; allowed: " + key_wanted(key) +
-                    " in this version");
-  }
   void operator()(const OneOf& one) const {
     const auto* whole = node.as_integer();
     if (!whole) return misfit(path, node, key_wanted(key));

@@ -54,17 +54,13 @@ struct OneOf {
   std::vector<std::int64_t> numbers;
   int* to;
 };  // one of some whole numbers
-struct Only {
-  bool value;
-};  // a key of the contract of which this version builds one value
 struct Tables {
   std::function<std::vector<Key>()> add;  // the rows of one more
 };  // a list of tables; those with a fault are there too
 struct Elsewhere {};  // a table with rows of its own
-using Landing =
-    std::variant<Elsewhere, Only, std::string*, Name, double*, Auto, Flag, Choice, OneOf, Reference, int*,
-                 Whole, Pair, Vec2*, std::optional<Vec2>*, Vec3*, std::vector<double>*, std::vector<int>*,
-                 std::vector<Vec2>*, std::vector<std::vector<Vec2>>*, Tables>;
+using Landing = std::variant<Elsewhere, std::string*, Name, double*, Auto, Flag, Choice, OneOf, Reference,
+                             int*, Whole, Pair, Vec2*, std::optional<Vec2>*, Vec3*, std::vector<double>*,
+                             std::vector<int>*, std::vector<Vec2>*, std::vector<std::vector<Vec2>>*, Tables>;
 
 struct Key {
   std::string name;  // within its table; "strip.width" is `width` in the table `strip`

@@ -33,7 +33,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"scene.wind", &s.wind, kOptional, range_of(kWind), "m/s"},
       {"scene.mode", Choice{{"dynamic", "fit"}, [&s](int k) { s.mode = Mode(k); }}},
       {"scene.order", OneOf{{2, 4, 6}, &s.order}},
-      {"scene.self_contact", Only{false}},
+      {"scene.self_contact", Flag{&s.self_contact}},
       {"scene.imperfection.amplitude", &s.imperfection_amplitude, kRequired, {0, 1, kAbove}, "m"},
       {"scene.imperfection.seed", Whole{&s.imperfection_seed}, kOptional, {0, 1e15}},
       {"air.density", &s.air_density, kOptional, {0, 1e4}, "kg/m^3"},

@@ -136,6 +136,7 @@ struct Scene {
   double communication = 1e-3;  // s
   double damping = 0;           // 1/s
   bool energy = false;
+  bool self_contact = false;
   Scaling scaling = Scaling::kWidth;
   BiasModel bias_model = BiasModel::kOdd;
   bool clamp_correction = true;

@@ -12,7 +12,6 @@ struct Wanted {
   std::string of(const char* what) const { return *key.unit ? std::string(what) + " in " + key.unit : what; }
 
   std::string operator()(Elsewhere) const { return "a table"; }
-  std::string operator()(const Only& only) const { return only.value ? "true" : "false"; }
   std::string operator()(const OneOf& one) const {
     std::string text;
     for (const std::int64_t n : one.numbers) text += (text.empty() ? "" : ", ") + std::to_string(n);

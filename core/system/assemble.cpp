@@ -8,6 +8,7 @@
 #include "piece/place.h"
 #include "seam/particles.h"
 #include "seam/tie.h"
+#include "self_contact/mesh.h"
 #include "system/composition.h"
 #include "system/threads.h"
 
@@ -206,6 +207,7 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
     const auto p = std::size_t(probe.piece);
     system.probes.push_back(probe_make(system.lattices[p], grid_locate(grids[p], probe.at)));
   }
+  if (scene.self_contact) system.self = self_mesh_make(system, start);
   return system;
 }
 

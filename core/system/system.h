@@ -12,6 +12,7 @@
 #include "fabric/law.h"
 #include "piece/grid.h"
 #include "seam/seams.h"
+#include "self_contact/self_contact.h"
 #include "system/array.h"
 #include "system/side.h"
 
@@ -99,6 +100,7 @@ struct System {
   Constraints constraints;    // of the pins, at the masses of the assembly
   std::vector<Probe> probes;  // as Scene::probes
   std::vector<Body> bodies;   // as Scene::bodies
+  SelfMesh self;              // of cloth that touches itself
 };
 
 inline bool system_has_air(const System& system) {
@@ -137,6 +139,7 @@ struct State {
   Array pulled_for;        // [pairs] s
 
   std::vector<BodyContact> body;  // [bodies]
+  SelfState self;
 
   Array lightness;  // [nodes] mass over inertia, at most 1; only in a fit
   Fit fit;

@@ -87,6 +87,8 @@ std::vector<Row> feature_rows(const Patience& patience) {
                                {"damping along the springs", 1, false, false, 0, 1e-5},
                                {"air", 1, false, false, 0, 0, true},
                                {"energy balance", 1, false, false, 0, 0, false, true},
+                               {"self-contact, nothing near", 1, false, false, 0, 0, false, false, 1},
+                               {"self-contact, two layers", 1, false, false, 0, 0, false, false, 2},
                                kFull};
   std::vector<Ready> cloths;
   std::vector<std::string> names;

@@ -50,7 +50,8 @@ Scene scene_of(const Features& features, int side) {
   piece.name = "cloth";
   piece.fabric = 0;
   piece.cell = kCell;
-  const double length = (side - 1) * kCell;
+  const int of_layer = features.layers == 2 ? int(side / std::numbers::sqrt2) : side;
+  const double length = (of_layer - 1) * kCell;
   if (features.cut) {
     constexpr int kCorners = 48;
     const double radius = length / std::sqrt(std::numbers::pi);
@@ -63,6 +64,12 @@ Scene scene_of(const Features& features, int side) {
     piece.outline = {{0, 0}, {length, 0}, {length, length}, {0, length}};
   }
   scene.pieces = {piece};
+  scene.self_contact = features.layers > 0;
+  if (features.layers == 2) {
+    piece.name = "upper";
+    piece.place.origin = {0.37 * kCell, 0.41 * kCell, fabric.thickness};
+    scene.pieces.push_back(piece);
+  }
   return scene;
 }
 

@@ -16,6 +16,8 @@ struct Features {
   double springs = 0;    // beta, s
   bool air = false;
   bool energy = false;  // the balance is kept
+  int layers =
+      0;  // with self-contact: 1, alone; 2, two squares that lie on each other, of half the particles
 };
 
 inline constexpr Features kStretchShear{"stretch and shear"};

@@ -87,6 +87,9 @@ void each_touch(const Lattice& lattice, const Contact& contact, const VectorXd& 
 
 Contact contact_make(const Scene& scene) {
   Contact contact;
+  if (scene.self_contact)
+    throw std::runtime_error(
+        "scene.self_contact = true; the reference takes scenes whose cloth does not touch itself: false");
   if (scene.bodies.empty()) return contact;
   for (const BodySpec& body : scene.bodies) contact.bodies.push_back(obstacle_of(body));
   for (std::size_t p = 0; p < scene.pieces.size(); ++p) {
