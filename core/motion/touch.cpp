@@ -259,19 +259,22 @@ void touch_synchronous(const System& system, const Kernel& kernel, TouchRoom& ro
 }
 
 double touch_step_most(const System& system, const State& s) {
-  if (system.bodies.empty()) return INFINITY;
-  constexpr double kWay = 0.5;  // of what triangles are listed for beyond the layer
-  double least = INFINITY, carried = 0, fastest = 0;
+  constexpr double kWay = 0.5;    // of what triangles are listed for beyond the layer
+  constexpr double kLeft = 0.25;  // of a budget: less than what is left of it when it is renewed
   const double layer = layer_most(system);
+  double longest = INFINITY;
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const BodySurface& surface = system.bodies[b].mesh.surface;
-    least = std::min(least, contact_reach(surface, layer) - layer);
-    carried = std::max(carried, vector3::norm(s.body[b].frame.velocity) +
-                                    vector3::norm(s.body[b].frame.spin) * surface.size);
+    const Frame& frame = s.body[b].frame;
+    const double listed = kWay * (contact_reach(surface, layer) - layer);
+    const double carried = vector3::norm(frame.velocity) + vector3::norm(frame.spin) * surface.size;
+    for (std::size_t n : system.particle) {
+      const double budget = s.body[b].budget2.empty() ? 0 : kLeft * std::sqrt(s.body[b].budget2[n]);
+      const double speed = std::sqrt(s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n]) + carried;
+      longest = std::min(longest, std::max(listed, budget) / speed);
+    }
   }
-  for (std::size_t n : system.particle)
-    fastest = std::max(fastest, s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n]);
-  return kWay * least / (std::sqrt(fastest) + carried);
+  return longest;
 }
 
 bool touch_any(const State& s) {
