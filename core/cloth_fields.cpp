@@ -3,19 +3,13 @@
 
 #include "cloth.h"
 #include "constraint/vector3.h"
+#include "seam/row.h"
 #include "system/links.h"
 
 namespace drape {
 namespace {
 
 using namespace vector3;
-
-Vec3 point_now(const SeamPoint& point, const State& s) {
-  Vec3 sum{0, 0, 0};
-  for (int k = 0; k < 4; ++k)
-    sum += point.weight[k] * Vec3{s.x[point.node[k]], s.y[point.node[k]], s.z[point.node[k]]};
-  return sum;
-}
 
 Vec3 outward(const Mat3& turn, const Vec3& x) { return {dot(turn[0], x), dot(turn[1], x), dot(turn[2], x)}; }
 

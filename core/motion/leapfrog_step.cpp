@@ -54,7 +54,8 @@ void clamp_torques_add(const System& system, Motion& motion, State& s, double sp
 // A stage that leads to the share u of the interval.
 void stage_run(const System& system, Motion& motion, State& s, const Stage& stage, double h, double u) {
   const bool begins = s.advance_begins && system.integrator != Integrator::kPaper;
-  const StepCoefficients c{stage.keep, stage.kick, stage.drift, gravity_of(system, s), velocity_lead(system, s)};
+  const StepCoefficients c{stage.keep, stage.kick, stage.drift, gravity_of(system, s),
+                           velocity_lead(system, s)};
   if (system.energy) balance_begin(system, motion.balance, s, c.lead);
   if (begins || system.energy) held_keep(motion.constraints, s, motion.held);
   clamp_torques_add(system, motion, s, begins ? stage.begun : stage.span);
@@ -184,15 +185,16 @@ void leapfrog_synchronous(const System& system, Motion& motion, const State& s, 
     each([&](double force, double v, double kick, double inverse_mass, double g) {
       return (decay * v + kick * (force * inverse_mass + g)) / centred;
     });
-    if (self_any(s)) self_synchronous(system, motion.self, s, half, centred, vx, vy, vz);
-    if (touch_any(s)) touch_synchronous(system, *motion.kernel, motion.touch, s, half, centred, vx, vy, vz);
+    if (self_touches(system)) self_synchronous(system, motion.self, s, half, centred, vx, vy, vz);
+    if (!s.body.empty())
+      touch_synchronous(system, *motion.kernel, motion.touch, s, half, centred, vx, vy, vz);
   } else {
     each([&](double force, double v, double kick, double inverse_mass, double g) {
       const double free = force * inverse_mass + g;
       return free - damping * ((v + kick * free) / centred);
     });
-    if (self_any(s)) self_synchronous(system, motion.self, s, 0, 1, vx, vy, vz);
-    if (touch_any(s)) touch_synchronous(system, *motion.kernel, motion.touch, s, 0, 1, vx, vy, vz);
+    if (self_touches(system)) self_synchronous(system, motion.self, s, 0, 1, vx, vy, vz);
+    if (!s.body.empty()) touch_synchronous(system, *motion.kernel, motion.touch, s, 0, 1, vx, vy, vz);
     held_rates(motion.constraints, s, Rate::kAcceleration, held);
     constraints_project(system, motion.constraints, held, {vx, vy, vz}, &load);
     each([&](double acceleration, double v, double kick, double, double) {

@@ -7,6 +7,7 @@
 #include "motion/step_limit.h"
 #include "outputs/energy.h"
 #include "outputs/strain.h"
+#include "seam/row.h"
 
 namespace drape {
 namespace {
@@ -45,7 +46,7 @@ void pins_fill(Outputs& o, const System& system, const State& s) {
 void bodies_fill(Outputs& o, const System& system, const Motion& motion, const State& s) {
   const bool moved = s.advance_length > 0 && !system.fit, half = last_half(system, s) > 0;
   for (std::size_t b = 0; b < o.bodies.size(); ++b) {
-    PinLoad load = touch_any(s) ? motion.touch.load[b] : PinLoad{};
+    PinLoad load = motion.touch.load[b];
     if (moved) {
       const double last = half ? 1 : 0, length = s.advance_length;
       load.force = (1 / length) * (s.body[b].impulse.force + last * load.force);
@@ -54,13 +55,6 @@ void bodies_fill(Outputs& o, const System& system, const Motion& motion, const S
     std::copy(load.force.begin(), load.force.end(), o.bodies[b].force);
     std::copy(load.torque.begin(), load.torque.end(), o.bodies[b].torque);
   }
-}
-
-Vec3 point_now(const SeamPoint& point, const State& s) {
-  Vec3 sum{0, 0, 0};
-  for (int k = 0; k < 4; ++k)
-    sum += point.weight[k] * Vec3{s.x[point.node[k]], s.y[point.node[k]], s.z[point.node[k]]};
-  return sum;
 }
 
 void seams_fill(Outputs& o, const System& system, const State& s) {
@@ -117,10 +111,8 @@ void energy_fill(Outputs& o, const System& system, Motion& motion, const State& 
   if (!o.shown.has_balance) return;
   const BalanceNow now = balance_now(system, motion.balance, s, velocity_lead(system, s), motion.now_x,
                                      motion.now_y, motion.now_z);
-  const bool touches = touch_any(s);
-  e.dissipated =
-      now.dissipated + (touches ? motion.touch.dissipated : 0) + (self_any(s) ? motion.self.dissipated : 0);
-  e.input = now.input + motion.held.work + (touches ? motion.touch.input : 0);
+  e.dissipated = now.dissipated + motion.touch.dissipated + motion.self.dissipated;
+  e.input = now.input + motion.held.work + motion.touch.input;
   e.balance_error = energy_sum(e) - s.energy_start - e.input + e.dissipated;
 }
 

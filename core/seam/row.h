@@ -16,6 +16,14 @@ inline Vec3 row_value(const SeamRow& row, const Array& x, const Array& y, const 
 }
 inline Vec3 row_value(const SeamRow& row, const State& s) { return row_value(row, s.x, s.y, s.z); }
 
+inline Vec3 point_now(const SeamPoint& point, const State& s) {
+  using namespace vector3;
+  Vec3 sum{0, 0, 0};
+  for (int k = 0; k < 4; ++k)
+    sum += point.weight[k] * Vec3{s.x[point.node[k]], s.y[point.node[k]], s.z[point.node[k]]};
+  return sum;
+}
+
 // A force on the sum is its nodes' by their weights.
 inline void row_force(const SeamRow& row, const Vec3& force, SideForces to) {
   for (int k = 0; k < row.count; ++k) {
