@@ -77,7 +77,7 @@ std::string trouble_text(const drape_cloth& c) {
   const State& s = c.state;
   for (const Lattice& l : c.system.lattices)
     for (std::size_t n : c.system.particle) {
-      if (n < l.first || n >= l.twin_first + std::size_t(l.twin_stride)) continue;
+      if (!l.owns(n)) continue;
       if (std::isfinite(s.x[n] + s.y[n] + s.z[n]) && std::isfinite(s.vx[n] + s.vy[n] + s.vz[n])) continue;
       const auto [column, row] = l.place_of(n);
       return "piece '" + c.scene.pieces[std::size_t(l.piece)].name + "', column " +

@@ -102,22 +102,22 @@ double contact_reach(const BodySurface& surface, double layer) {
   return std::max(kSeen * layer, layer + kSeenEdges * surface.edge_mean);
 }
 
-void contact_renew(const ContactSearch& search, BodyContact& c, std::size_t node, int lattice, double layer,
-                   const Vec3* x, const Vec3* step) {
+void contact_renew(const BodySurface& surface, Voxels& voxels, BodyContact& c, std::size_t node, int lattice,
+                   double layer, const Vec3* x, const Vec3* step) {
   static thread_local Nearest found;
   const auto name = std::uint32_t(node / kRowUnit);
   for (std::size_t i = 0; i < std::size_t(kRowUnit); ++i) {
     const std::size_t n = node + i;
     const Vec3 moved = x[i] + step[i] - Vec3{c.x[n], c.y[n], c.z[n]};
     if (!(dot(moved, moved) >= kUsed * kUsed * c.budget2[n])) continue;
-    const Neighbourhood near = voxels_at(search.voxels, x[i]);
+    const Neighbourhood near = voxels_at(voxels, x[i]);
     found.touch.clear();
     found.budget = near.clearance - layer;
     Vec3 side{};
     if (near.triangle)
-      nearest_find(search.body.mesh.surface, *near.triangle, x[i], layer,
-                   std::min(std::max(kKept * layer, layer + kAhead * norm(step[i])), search.reach),
-                   search.reach, side_known(c.blocks, name, i, side) ? &side : nullptr, found);
+      nearest_find(surface, *near.triangle, x[i], layer,
+                   std::min(std::max(kKept * layer, layer + kAhead * norm(step[i])), voxels.reach),
+                   voxels.reach, side_known(c.blocks, name, i, side) ? &side : nullptr, found);
     const double budget = std::max(found.budget, kLeast * layer);
     c.x[n] = x[i][0], c.y[n] = x[i][1], c.z[n] = x[i][2];
     c.budget2[n] = budget * budget;

@@ -9,18 +9,12 @@ namespace drape {
 // listed.
 inline constexpr double kKept = 3, kSeen = 4;
 
-struct ContactSearch {
-  const Body& body;
-  Voxels& voxels;
-  double reach;  // m
-};
-
 // How far around triangles are listed (m), for the thickest layer.
 double contact_reach(const BodySurface& surface, double layer);
 
 // Of kRowUnit nodes from `node` on, those at x (in the body's frame) that have used up most of their budgets,
 // or will by the next step, which moves them by `step` (m).
-void contact_renew(const ContactSearch& search, BodyContact& contact, std::size_t node, int lattice,
-                   double layer, const Vec3* x, const Vec3* step);
+void contact_renew(const BodySurface& surface, Voxels& voxels, BodyContact& contact, std::size_t node,
+                   int lattice, double layer, const Vec3* x, const Vec3* step);
 
 }  // namespace drape

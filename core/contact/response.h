@@ -163,10 +163,15 @@ void contact_run(const ContactJob& job) {
   const PoseLanes<L, kMoves> pose(*job.body);
   const ContactCoefficients& c = job.c;
   ContactSums<L> sums;
+  int lattice = 0;  // of the laws
+  ContactLanes<L> law(job.law[0], c, job.damping), told(job.law[0], job.told, job.damping);
   for (std::size_t k = 0; k < job.body->blocks.order.size(); ++k) {
     ContactBlock& b = job.body->blocks.pool[job.body->blocks.order[k].block];
-    const ContactLanes<L> law(job.law[b.lattice], c, job.damping),
-        told(job.law[b.lattice], job.told, job.damping);
+    if (b.lattice != lattice) {
+      lattice = b.lattice;
+      law = ContactLanes<L>(job.law[lattice], c, job.damping);
+      told = ContactLanes<L>(job.law[lattice], job.told, job.damping);
+    }
     for (int i = 0, part = 0; i < kRowUnit; i += L::kWidth, ++part) {
       const std::size_t n = b.node + std::size_t(i);
       const Row r{job.r[0] + n, job.r[1] + n, job.r[2] + n}, v{job.v[0] + n, job.v[1] + n, job.v[2] + n};

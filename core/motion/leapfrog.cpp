@@ -195,6 +195,7 @@ void leapfrog_begin(const System& system, Motion& motion, State& s) {
                       nullptr);
   rates_begin(system, s);
   subs_begin(system, motion, s);
+  if (s.body.empty() && !self_touches(system)) return;
   touch_begin(system, *motion.kernel, motion.touch, s);
   self_begin(system, s);
   subs_begin(system, motion, s);  // with what is near

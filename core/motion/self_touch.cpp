@@ -5,6 +5,7 @@
 #include <map>
 
 #include "constraint/vector3.h"
+#include "contact/penalty.h"
 #include "scene/faults.h"
 #include "self_contact/search.h"
 
@@ -61,16 +62,6 @@ void holds_set(const ContactCoefficients& c, const SelfTouches& all, SelfState& 
     if (t.normal + t.stop > 0) self.hold.push_back({t.node, t.cross, !t.slides, (1 / c.kick) * t.friction});
 }
 
-// The last half kick, which turns v_{n-1/2} into v_n.
-ContactCoefficients half_kick(double half, double centred) {
-  ContactCoefficients c;
-  c.kick = c.new_time = half / centred;
-  c.stop_rate = half > 0 ? 1 / (2 * half) : kContactUnbound;
-  c.push_rate = half > 0 ? kContactPush * c.stop_rate : 0;
-  c.impulse = centred;
-  return c;
-}
-
 }  // namespace
 
 void self_begin(const System& system, State& s) {
@@ -117,13 +108,7 @@ void self_apply(const System& system, SelfRoom& room, const TouchStep& step, Sta
     s.self.hold.clear();
     return;
   }
-  ContactCoefficients c;
-  c.kick = step.kick;
-  c.old_time = step.half_old / step.centred;
-  c.new_time = step.half_new / step.centred;
-  c.stop_rate = step.drift > 0 ? 1 / step.drift : kContactUnbound;
-  c.push_rate = kContactPush * c.stop_rate;
-  c.impulse = step.centred;
+  const ContactCoefficients c = touch_kick(step);
   for (SelfNode& n : all.node) n.v = n.fixed ? n.old : Vec3{s.vx[n.node], s.vy[n.node], s.vz[n.node]};
   self_respond(c, kSettled, kSweeps, all);
   for (const SelfNode& n : all.node) {
@@ -147,8 +132,7 @@ void self_synchronous(const System& system, SelfRoom& room, const State& s, doub
   room.dissipated = 0;
   self_look(system, s, 0, all, nullptr);
   self_prepare(system, s, false, all);
-  ContactCoefficients c = half_kick(half, centred);
-  if (half == 0) c.kick = 1;
+  const ContactCoefficients c = touch_last_kick(half, centred);
   for (SelfNode& n : all.node) {
     n.v = {vx[n.node], vy[n.node], vz[n.node]};
     if (n.fixed) n.v = half > 0 ? n.old : Vec3{0, 0, 0};
@@ -181,7 +165,7 @@ ContactSummary self_summary(const System& system, const State& s) {
     for (NodeIndex n : t.node) area = std::min(area, system.area[n]);
     ++sum.count;
     sum.penetration = std::max(sum.penetration, depth);
-    sum.pressure = std::max(sum.pressure, t.stiffness * self_penalty(kSelfBlend * t.layer, depth) / area);
+    sum.pressure = std::max(sum.pressure, t.stiffness * contact_penalty(kSelfBlend * t.layer, depth) / area);
   }
   return sum;
 }
@@ -189,7 +173,7 @@ ContactSummary self_summary(const System& system, const State& s) {
 double self_energy(const System& system, const State& s) {
   double sum = 0;
   for (const SelfTouch& t : touching(system, s))
-    sum += t.stiffness * self_penalty_energy(kSelfBlend * t.layer, t.layer - t.distance);
+    sum += t.stiffness * contact_penalty_energy(kSelfBlend * t.layer, t.layer - t.distance);
   return sum;
 }
 

@@ -5,6 +5,7 @@
 
 #include "constraint/vector3.h"
 #include "contact/nearest.h"
+#include "contact/penalty.h"
 #include "contact/renew.h"
 #include "contact/response.h"
 #include "forces/lane_scalar.h"
@@ -23,14 +24,13 @@ using vector3::operator-;
 using vector3::operator+=;
 
 // In a fit nothing rubs while seams are to be closed.
-std::vector<ContactLaw> laws_of(const System& system, const State& s, const Body& body) {
-  std::vector<ContactLaw> laws;
+void laws_set(const System& system, const State& s, const Body& body, std::vector<ContactLaw>& laws) {
+  laws.clear();
   for (const Lattice& l : system.lattices) {
     laws.push_back(l.touch);
     if (body.has_friction) laws.back().friction = body.friction;
     if (system.fit && s.fit.sewing) laws.back().friction = {0, 0};
   }
-  return laws;
 }
 
 double layer_most(const System& system) {
@@ -52,8 +52,7 @@ Vec3 inward(const Body& body, const BodyContact& c, const Vec3& at) {
 void block_renew(const System& system, TouchRoom& room, State& s, std::size_t b, std::size_t node,
                  double ahead) {
   const Body& body = system.bodies[b];
-  const auto owns = [&](const Lattice& l) { return node < l.twin_first + std::size_t(l.twin_stride); };
-  const Lattice& l = *std::find_if(system.lattices.begin(), system.lattices.end(), owns);
+  const Lattice& l = system_lattice_of(system, node);
   const Frame& frame = s.body[b].frame;
   Vec3 x[kRowUnit], step[kRowUnit];
   for (std::size_t i = 0; i < std::size_t(kRowUnit); ++i) {
@@ -64,13 +63,12 @@ void block_renew(const System& system, TouchRoom& room, State& s, std::size_t b,
     x[i] = inward(body, s.body[b], at);
     step[i] = inward(body, s.body[b], at + ahead * v) - x[i];
   }
-  const double reach = contact_reach(body.mesh.surface, layer_most(system));
-  contact_renew({body, room.voxels[b], reach}, s.body[b], node, l.piece, l.touch.layer, x, step);
+  contact_renew(body.mesh.surface, room.voxels[b], s.body[b], node, l.piece, l.touch.layer, x, step);
 }
 
 ContactJob job_of(const System& system, TouchRoom& room, const State& s, std::size_t b, double* sum) {
   ContactJob job{};
-  room.law = laws_of(system, s, system.bodies[b]);
+  laws_set(system, s, system.bodies[b], room.law);
   job.body = const_cast<BodyContact*>(&s.body[b]);  // its grips are written by passes that move
   job.old = room.old[b].data();
   job.mass = system.mass.data();
@@ -85,18 +83,34 @@ PinLoad load_of(const double* sum) { return {{sum[0], sum[1], sum[2]}, {sum[3], 
 
 double rate_of(double time) { return time > 0 ? 1 / time : kContactUnbound; }
 
-// The last half kick, which turns v_{n-1/2} into v_n.
-ContactCoefficients half_kick(double half, double centred) {
+}  // namespace
+
+ContactCoefficients touch_kick(const TouchStep& step) {
   ContactCoefficients c;
-  c.kick = c.new_time = half / centred;
+  c.drift = step.drift;
+  c.kick = step.kick;
+  c.old_time = step.half_old / step.centred;
+  c.new_time = step.half_new / step.centred;
+  c.stop_rate = rate_of(step.drift);
+  c.push_rate = kContactPush * c.stop_rate;
+  c.reach_time = step.drift;
+  c.impulse = step.centred;
+  c.keep = step.keep;
+  c.told_share = step.half_old / step.kick;
+  c.told_centred = step.told_centred;
+  return c;
+}
+
+ContactCoefficients touch_last_kick(double half, double centred) {
+  ContactCoefficients c;
+  c.kick = half > 0 ? half / centred : 1;
+  c.new_time = half / centred;
   c.stop_rate = rate_of(2 * half);
   c.push_rate = half > 0 ? kContactPush * c.stop_rate : 0;
   c.reach_time = 2 * half;
   c.impulse = centred;
   return c;
 }
-
-}  // namespace
 
 TouchRoom touch_make(const System& system) {
   TouchRoom room;
@@ -134,14 +148,15 @@ double depth_at(const System& system, TouchRoom& room, const State& s, std::size
                 std::size_t n) {
   const Body& body = system.bodies[b];
   const Vec3 x = inward(body, s.body[b], {s.x[n], s.y[n], s.z[n]});
-  const double inside = voxels_depth(room.voxels[b], body.mesh.surface, x);
-  if (inside > 0) return l.touch.layer + inside;
-  const Neighbourhood near = voxels_at(room.voxels[b], x);
-  if (!near.triangle) return 0;
-  Nearest found;
-  nearest_find(body.mesh.surface, *near.triangle, x, l.touch.layer, l.touch.layer, l.touch.layer, nullptr,
-               found);
-  return found.touch.empty() ? 0 : l.touch.layer - found.touch[0].distance;
+  Voxels& voxels = room.voxels[b];
+  if (const Neighbourhood near = voxels_at(voxels, x); near.triangle) {
+    Nearest found;
+    nearest_find(body.mesh.surface, *near.triangle, x, l.touch.layer, voxels.reach, voxels.reach, nullptr,
+                 found);
+    if (!found.touch.empty()) return l.touch.layer - found.touch[0].distance;
+  }
+  const double inside = voxels_depth(voxels, body.mesh.surface, x);
+  return inside > 0 ? l.touch.layer + inside : 0;
 }
 
 }  // namespace
@@ -153,7 +168,7 @@ void touch_start_check(const System& system, const Scene& scene, TouchRoom& room
       std::size_t count = 0, worst = 0;
       double deepest = 0;
       for (std::size_t n : system.particle) {
-        if (n < l.first || n >= l.twin_first + std::size_t(l.twin_stride)) continue;
+        if (!l.owns(n)) continue;
         const double depth = depth_at(system, room, s, b, l, n);
         if (!(depth > kContactDeepest * l.touch.layer)) continue;
         ++count;
@@ -191,19 +206,8 @@ void touch_apply(const System& system, const Kernel& kernel, TouchRoom& room, co
     job.r[0] = s.x.data(), job.r[1] = s.y.data(), job.r[2] = s.z.data();
     job.v[0] = s.vx.data(), job.v[1] = s.vy.data(), job.v[2] = s.vz.data();
     if (!s.lightness.empty()) job.lightness = s.lightness.data();
-    ContactCoefficients& c = job.c;
-    c.drift = step.drift;
-    c.kick = step.kick;
-    c.old_time = step.half_old / step.centred;
-    c.new_time = step.half_new / step.centred;
-    c.stop_rate = rate_of(step.drift);
-    c.push_rate = kContactPush * c.stop_rate;
-    c.reach_time = step.drift;
-    c.impulse = step.centred;
-    c.keep = step.keep;
-    c.told_share = step.half_old / step.kick;
-    c.told_centred = step.told_centred;
-    job.told = half_kick(step.half_old, step.told_centred);
+    job.c = touch_kick(step);
+    job.told = touch_last_kick(step.half_old, step.told_centred);
     job.begins = step.begins && step.half_old > 0;
     job.moves = true;
     kernel.contact.run[system.bodies[b].moves](job);
@@ -225,7 +229,7 @@ void touch_watch(const System& system, const Kernel& kernel, TouchRoom& room, St
                          l.first,
                          l.first + std::size_t(l.rows) * std::size_t(l.stride)};
       count += kernel.contact.watch[system.bodies[b].moves](watch, room.due.data() + count);
-      watch.begin = l.twin_first, watch.end = l.twin_first + std::size_t(l.twin_stride);
+      watch.begin = l.twin_first, watch.end = l.end();
       count += kernel.contact.watch[system.bodies[b].moves](watch, room.due.data() + count);
     }
     for (std::size_t k = 0; k < count; ++k) block_renew(system, room, s, b, room.due[k], ahead);
@@ -245,9 +249,8 @@ void touch_synchronous(const System& system, const Kernel& kernel, TouchRoom& ro
     for (std::size_t k = 0; k < 3; ++k)
       job.r[k] = const_cast<double*>(r[k]->data());  // read only: nothing moves
     job.v[0] = vx, job.v[1] = vy, job.v[2] = vz;
-    job.c = half_kick(half, centred);
+    job.c = touch_last_kick(half, centred);
     if (half == 0) {
-      job.c.kick = 1;
       job.old = nullptr;
       job.energy = false;
     }
@@ -310,15 +313,9 @@ void each_depth(const System& system, const State& s, Visit visit) {
     }
 }
 
-// phi and its integral.
-double penalty(const ContactLaw& law, double depth) {
-  const double blend = kContactBlend * law.layer, t = std::min(depth / blend, 1.0);
-  return blend * t * t * t * (1 - t / 2) + std::max(depth - blend, 0.0);
-}
-double penalty_energy(const ContactLaw& law, double depth) {
-  const double blend = kContactBlend * law.layer, t = std::min(depth / blend, 1.0),
-               on = std::max(depth - blend, 0.0);
-  return blend * blend * t * t * t * t * (0.25 - t / 10) + on * (blend / 2 + on / 2);
+// Of a particle, by one surface: (m/a) W^2 phi(e), Pa.
+double pressure_of(const System& system, std::size_t n, const ContactLaw& law, double depth) {
+  return system.mass[n] / system.area[n] * law.omega2 * contact_penalty(kContactBlend * law.layer, depth);
 }
 
 }  // namespace
@@ -330,15 +327,23 @@ ContactSummary touch_summary(const System& system, const State& s) {
     sum.count += n != last;
     last = n;
     sum.penetration = std::max(sum.penetration, depth);
-    sum.pressure = std::max(sum.pressure, system.mass[n] / system.area[n] * law.omega2 * penalty(law, depth));
+    sum.pressure = std::max(sum.pressure, pressure_of(system, n, law, depth));
   });
   return sum;
+}
+
+std::vector<double> touch_pressure(const System& system, const State& s) {
+  std::vector<double> pressure(system.nodes, 0.0);
+  each_depth(system, s, [&](std::size_t n, const ContactLaw& law, double depth) {
+    pressure[n] += pressure_of(system, n, law, depth);
+  });
+  return pressure;
 }
 
 double touch_energy(const System& system, const State& s) {
   double sum = 0;
   each_depth(system, s, [&](std::size_t n, const ContactLaw& law, double depth) {
-    sum += system.mass[n] * law.omega2 * penalty_energy(law, depth);
+    sum += system.mass[n] * law.omega2 * contact_penalty_energy(kContactBlend * law.layer, depth);
   });
   return sum;
 }

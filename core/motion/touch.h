@@ -1,6 +1,6 @@
 // Contact within a step: what keeps the cloth out of bodies. core/README.md, section 7.
 #pragma once
-#include "contact/contact.h"
+#include "contact/job.h"
 #include "contact/voxels.h"
 #include "system/system.h"
 
@@ -38,6 +38,11 @@ struct TouchStep {
   double told_centred;        // 1 + c h_o/2
 };
 
+// What the kick of a step, and the last half kick of `half` s, which turns v_{n-1/2} into v_n, do; half = 0:
+// accelerations.
+ContactCoefficients touch_kick(const TouchStep& step);
+ContactCoefficients touch_last_kick(double half, double centred);
+
 // Adds to a free step what the bodies do. Needs touch_keep.
 void touch_apply(const System& system, const Kernel& kernel, TouchRoom& room, const TouchStep& step,
                  State& state);
@@ -62,5 +67,8 @@ double touch_omega2(const System& system, const State& state, int lattice);
 // What touches now, and the energy of the penalties, J.
 ContactSummary touch_summary(const System& system, const State& state);
 double touch_energy(const System& system, const State& state);
+
+// The pressure of bodies on each node, Pa, summed over the surfaces that it touches.
+std::vector<double> touch_pressure(const System& system, const State& state);
 
 }  // namespace drape

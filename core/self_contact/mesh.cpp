@@ -17,12 +17,6 @@ constexpr double kApartThick = 2;    // thicknesses along the cloth, at least
 constexpr double kSamePlace = 1e-3;  // cells: sewn points nearer than that are one
 constexpr double kTooNear = 1e-3;    // of the thickness: what starts nearer never touches
 
-int lattice_of_node(const System& system, std::size_t n) {
-  for (const Lattice& l : system.lattices)
-    if (n < l.twin_first + std::size_t(l.twin_stride)) return l.piece;
-  return int(system.lattices.size()) - 1;
-}
-
 void cells_lay(const System& system, SelfMesh& mesh) {
   for (const Lattice& l : system.lattices)
     each_cell(system, l, [&](const std::size_t* corner, double) {
@@ -79,7 +73,7 @@ std::vector<SewnPoint> sewn_points(const System& system) {
   std::vector<SewnPoint> points;
   for (std::size_t p = 0; p < system.seams.pair.size(); ++p)
     for (const SeamPoint& side : system.seams.pair[p].side) {
-      const Lattice& l = system.lattices[std::size_t(lattice_of_node(system, side.node[0]))];
+      const Lattice& l = system_lattice_of(system, side.node[0]);
       SewnPoint at{l.piece, int(p), 0, 0};
       for (int k = 0; k < 4; ++k) {
         const auto [i, j] = l.place_of(side.node[k]);
@@ -150,7 +144,7 @@ SelfMesh self_mesh_make(const System& system, const State& start) {
   parts_own(system, mesh);
   spans_lay(system, mesh);
   mesh.lattice_of.assign(system.nodes, 0);
-  for (std::size_t n : system.particle) mesh.lattice_of[n] = lattice_of_node(system, n);
+  for (std::size_t n : system.particle) mesh.lattice_of[n] = system_lattice_of(system, n).piece;
   mesh.fixed.assign(system.nodes, 0);
   for (const FixedNode& f : system.constraints.fixed) mesh.fixed[f.node] = 1;
   mesh.cell_least = INFINITY;

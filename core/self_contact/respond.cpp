@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "constraint/vector3.h"
+#include "contact/penalty.h"
 #include "self_contact/mesh.h"
 #include "self_contact/touch.h"
 
@@ -121,7 +122,7 @@ double normal_begin(const ContactCoefficients& c, SelfTouches& all, SelfTouch& t
   const double u = std::min(depth / blend, 1.0);
   t.resist = t.lightness * t.drag * u * u * (3 - 2 * u);
   t.before = dot(t.n, gap_rate(all, t, &SelfNode::old));
-  t.stored = t.normal = c.kick * t.stiffness * self_penalty(blend, depth);
+  t.stored = t.normal = c.kick * t.stiffness * contact_penalty(blend, depth);
   normal_push(all, t, t.normal);
   return t.lightness * t.normal;
 }
@@ -166,16 +167,6 @@ double friction_change(SelfTouches& all, SelfTouch& t, const Vec3& wanted) {
 }
 
 }  // namespace
-
-double self_penalty(double blend, double depth) {
-  const double t = std::min(depth / blend, 1.0);
-  return blend * t * t * t * (1 - t / 2) + std::max(depth - blend, 0.0);
-}
-
-double self_penalty_energy(double blend, double depth) {
-  const double t = std::min(depth / blend, 1.0), on = std::max(depth - blend, 0.0);
-  return blend * blend * t * t * t * t * (0.25 - t / 10) + on * (blend / 2 + on / 2);
-}
 
 void self_prepare(const System& system, const State& s, bool inertia_of_fit, SelfTouches& all) {
   all.node.clear();

@@ -68,9 +68,6 @@ void self_respond(const ContactCoefficients& c, double settled, int sweeps, Self
 // J that damping, stops and friction have taken.
 double self_dissipated(const ContactCoefficients& c, SelfTouches& touches);
 
-// phi and its integral, at a depth, with a penalty that reaches its slope at `blend`.
 inline constexpr double kSelfBlend = kContactBlend / 2;  // of the layer, which is that of two cloths
-double self_penalty(double blend, double depth);
-double self_penalty_energy(double blend, double depth);
 
 }  // namespace drape

@@ -97,7 +97,7 @@ std::vector<Columns> lattice_reach(const Lattice& l, const Array& area) {
 // m = rho a
 void masses_set(System& system) {
   for (const Lattice& l : system.lattices) {
-    for (std::size_t n = l.first; n < l.twin_first + std::size_t(l.twin_stride); ++n) {
+    for (std::size_t n = l.first; n < l.end(); ++n) {
       system.mass[n] = l.law.areal_density * system.area[n];
       system.inverse_mass[n] = system.area[n] > 0 ? 1 / system.mass[n] : 0;
     }

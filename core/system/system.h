@@ -52,6 +52,8 @@ struct Lattice {
     const int k = grid_node - columns * rows;
     return k >= 0 ? twin_first + std::size_t(k) : node(grid_node % columns, grid_node / columns);
   }
+  std::size_t end() const { return twin_first + std::size_t(twin_stride); }  // behind its last node
+  bool owns(std::size_t n) const { return n >= first && n < end(); }
   std::array<int, 2> place_of(std::size_t n) const {  // column and row
     if (n >= twin_first) return twin_place[n - twin_first];
     return {int((n - first) % std::size_t(stride)), int((n - first) / std::size_t(stride))};
@@ -97,11 +99,18 @@ struct System {
   std::vector<std::size_t> particle;  // [particles] their nodes: pieces in order, row by row
   std::vector<ConstraintRow> pin_rows;
   std::vector<RigidLink> links;  // of the particles of seams with outline = "paper"
-  Constraints constraints;    // of the pins, at the masses of the assembly
-  std::vector<Probe> probes;  // as Scene::probes
-  std::vector<Body> bodies;   // as Scene::bodies
-  SelfMesh self;              // of cloth that touches itself
+  Constraints constraints;       // of the pins, at the masses of the assembly
+  std::vector<Probe> probes;     // as Scene::probes
+  std::vector<Body> bodies;      // as Scene::bodies
+  SelfMesh self;                 // of cloth that touches itself
 };
+
+// The lattice that owns a node.
+inline const Lattice& system_lattice_of(const System& system, std::size_t n) {
+  const Lattice* l = system.lattices.data();
+  while (!l->owns(n)) ++l;
+  return *l;
+}
 
 inline bool system_has_air(const System& system) {
   return system.air.normal > 0 || system.air.tangential > 0;

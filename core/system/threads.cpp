@@ -245,7 +245,7 @@ void side_number(System& system) {
         side.node.push_back(*next);
       }
     }
-    for (; next != touched.end() && *next < l.twin_first + std::size_t(l.twin_stride); ++next)
+    for (; next != touched.end() && *next < l.end(); ++next)
       slot_of[std::size_t(next - touched.begin())] = std::size_t(l.twin_slot) + (*next - l.twin_first);
     while (side.node.size() % kRowUnit != 0) side.node.push_back(l.first);
   }

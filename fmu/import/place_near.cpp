@@ -12,12 +12,11 @@ namespace {
 using namespace vector3;
 
 constexpr double kNear = 0.012;    // m, between a panel and the body
-constexpr double kAround = 0.03;    // m, beyond a panel: between the vertices of the body
+constexpr double kAround = 0.03;   // m, beyond a panel: between the vertices of the body
 constexpr double kOver = 0.05;     // m, above a shoulder: a strap bends as it is drawn over it
 constexpr double kShoulder = 0.2;  // m, the most that a top may be above a seam to be in its way
 constexpr double kBeside = 0.01;   // m, on either side of a seam
 constexpr double kGap = 0.02;      // m: nearer edges are sewn at once
-constexpr double kSpeed = 1;       // m/s, of seams that come from afar
 
 // The ends of the first edge of a side, in space.
 struct Edge {
@@ -40,7 +39,8 @@ void panel_approach(PieceSpec& piece, const std::vector<Vec3>& body) {
   for (const Vec3& v : body) {
     const Vec3 d = v - place.origin;
     const double x = dot(d, place.axis_x), y = dot(d, place.axis_y), t = dot(d, normal);
-    if (x < low[0] - kAround || x > high[0] + kAround || y < low[1] - kAround || y > high[1] + kAround) continue;
+    if (x < low[0] - kAround || x > high[0] + kAround || y < low[1] - kAround || y > high[1] + kAround)
+      continue;
     (t < 0 ? below : above) = 1;
     nearest = std::min(nearest, std::abs(t));
   }
@@ -82,7 +82,7 @@ void garment_place_near(Scene& scene, const std::vector<Vec3>& body) {
     if (norm(gap) > kGap && std::abs(gap[1]) > 0.7 * norm(gap)) later.push_back(&seam);
     else farthest = std::max(farthest, norm(gap));
   }
-  for (SeamSpec* seam : later) seam->closed_at = std::ceil(100 * farthest / kSpeed) / 100;
+  for (SeamSpec* seam : later) seam->closed_at = std::ceil(100 * farthest / seam->speed) / 100;
 }
 
 }  // namespace drape

@@ -29,6 +29,11 @@ inline Assembled assemble(const Scene& scene) {
   return a;
 }
 
+inline void advance(Assembled& a, double length) {
+  std::string event;
+  ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, length, event), Advance::kDone);
+}
+
 // Every particle moved by up to `amplitude` (m) along each axis, in the judge's order.
 inline void crumple(Assembled& a, double amplitude, unsigned seed) {
   std::mt19937 random(seed);
@@ -51,6 +56,16 @@ inline Eigen::VectorXd gathered(const System& system, const Array& x, const Arra
 
 inline Eigen::VectorXd positions(const Assembled& a) {
   return gathered(a.system, a.state.x, a.state.y, a.state.z);
+}
+
+// A state taken up again goes on as it would have.
+inline void expect_goes_on(Assembled& a, double length) {
+  const State kept = a.state;
+  advance(a, length);
+  const Eigen::VectorXd first = positions(a);
+  a.state = kept;
+  advance(a, length);
+  EXPECT_EQ((positions(a) - first).cwiseAbs().maxCoeff(), 0.0);
 }
 
 inline Eigen::VectorXd forces_by(const Kernel& kernel, Assembled& a) {

@@ -89,6 +89,18 @@ inline Mesh cylinder(double radius, double length, int n) {
   return m;
 }
 
+inline FabricSpec linen(double thickness = 1e-3) {
+  FabricSpec fabric;
+  fabric.name = "linen";
+  fabric.areal_density = 0.2;
+  fabric.thickness = thickness;
+  fabric.warp = reference::straight(2000);
+  fabric.weft = reference::straight(2000);
+  fabric.bias = reference::diagram({0, 0.05, 0.1, 0.15}, {0, 1, 2, 3});
+  fabric.bending_warp = fabric.bending_weft = 1e-5;
+  return fabric;
+}
+
 // Adds a body to a scene.
 inline BodySpec& body_add(Scene& scene, const SceneFolder& folder, const std::string& name,
                           const Mesh& mesh) {

@@ -46,11 +46,6 @@ Scene rigid(Drive drive) {
   return scene;
 }
 
-void advance(Assembled& a, double length) {
-  std::string event;
-  ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, length, event), Advance::kDone);
-}
-
 // What the outside world saw of a pin in the last advance: impulse, and moment about the pin.
 PinLoad impulse_of(Assembled& a, std::size_t pin) {
   std::vector<PinLoad> load;

@@ -5,11 +5,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "cloth_fixture.h"
-#include "motion/weld.h"
 #include "piece/outline.h"
 #include "seam/particles.h"
 #include "seam/row.h"
+#include "seam_fixture.h"
 
 namespace drape {
 namespace {
@@ -28,25 +27,8 @@ Scene two_pieces(Vec3 gap) {
   scene.pieces[1].cell = 0.008 * std::sqrt(2.0);
   scene.pieces[1].grain = -0.4;
   scene.pieces[1].place.origin = {0.05 + gap[0], gap[1], gap[2]};
-  SeamSpec seam;
-  seam.name = "join";
-  seam.side[0] = {0, {1}, false};
-  seam.side[1] = {1, {3}, true};
-  scene.seams = {seam};
+  scene.seams = {seam_join()};
   return scene;
-}
-
-void advance(Assembled& a, double length) {
-  std::string event;
-  const Advance how = leapfrog_advance(a.system, a.motion, a.state, length, event, [&](double) {
-    bool changed = seams_pull_begin(a.system, a.state);
-    const std::vector<std::size_t> due = seams_due(a.system, a.state);
-    if (!due.empty()) seams_weld(a.system, a.motion, a.state, due);
-    changed = changed || !due.empty();
-    if (changed) leapfrog_retuned(a.system, a.motion, a.state);
-    return changed;
-  });
-  EXPECT_EQ(how, Advance::kDone);
 }
 
 double worst_link(const Assembled& a) {  // |r_b - r_a|/L - 1
@@ -92,8 +74,9 @@ TEST(Rigid, TiesToTheEdgeWithinOneAndAHalfCells) {
   EXPECT_TRUE(grids_make(even)[0].on_outline.empty());
 }
 
-// While the pieces are pulled, welded and after: links keep their lengths, the whole its momentum. Joined, two trusses
-// have more links than their particles can follow once the cloth bends: what is left over they share.
+// While the pieces are pulled, welded and after: links keep their lengths, the whole its momentum. Joined,
+// two trusses have more links than their particles can follow once the cloth bends: what is left over they
+// share.
 TEST(Rigid, KeepsLengthsAndMomentum) {
   Scene scene = two_pieces({0.004, 0.001, 0.003});
   scene.pieces[0].velocity = {0.3, -0.2, 0.1};
@@ -111,7 +94,7 @@ TEST(Rigid, KeepsLengthsAndMomentum) {
   EXPECT_NEAR(mass, 2 * 0.15 * 0.05 * 0.05, 1e-12 * mass);
   const Vec3 start = momentum();
   for (int k = 0; k < 300; ++k) {
-    advance(a, 1e-3);
+    sewn_advance(a, 1e-3);
     const bool sewn = std::count(a.state.sewn.begin(), a.state.sewn.end(), Sewn::kWelded) > 0;
     (sewn ? joined : apart) = std::max(sewn ? joined : apart, worst_link(a));
     const Vec3 now = momentum();
@@ -135,7 +118,7 @@ TEST(Rigid, IsOfOrderTwo) {
     scene.seams[0].gap_tolerance = 1e-9;
     scene.step = h;
     Assembled a = assemble(scene);
-    for (int k = 0; k < 10; ++k) advance(a, 1e-3);
+    for (int k = 0; k < 10; ++k) sewn_advance(a, 1e-3);
     ends.push_back(positions(a));
   }
   const double order = std::log2((ends[0] - ends[1]).norm() / (ends[1] - ends[2]).norm());
@@ -146,13 +129,13 @@ TEST(Rigid, IsOfOrderTwo) {
 // The same from a state taken up again: nothing but the state decides.
 TEST(Rigid, GoesOnFromAState) {
   Assembled a = assemble(two_pieces({0.002, 0, 0.001}));
-  for (int k = 0; k < 30; ++k) advance(a, 1e-3);
+  for (int k = 0; k < 30; ++k) sewn_advance(a, 1e-3);
   const State saved = a.state;
-  for (int k = 0; k < 30; ++k) advance(a, 1e-3);
+  for (int k = 0; k < 30; ++k) sewn_advance(a, 1e-3);
   const Eigen::VectorXd end = positions(a);
   a.state = saved;
   seams_restore(a.system, a.motion, a.state);
-  for (int k = 0; k < 30; ++k) advance(a, 1e-3);
+  for (int k = 0; k < 30; ++k) sewn_advance(a, 1e-3);
   EXPECT_EQ((positions(a) - end).cwiseAbs().maxCoeff(), 0);
 }
 

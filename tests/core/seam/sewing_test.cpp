@@ -3,13 +3,12 @@
 
 #include <cmath>
 
-#include "cloth_fixture.h"
 #include "forces/pull.h"
 #include "forces/seam.h"
-#include "motion/weld.h"
 #include "reference/run.h"
 #include "reference/sewing.h"
 #include "seam/row.h"
+#include "seam_fixture.h"
 #include "system/links.h"
 
 namespace drape {
@@ -26,11 +25,7 @@ Scene pair_of(const FabricSpec& fabric, double side, double cell, double ratio, 
   scene.pieces[1].name = "right";
   scene.pieces[1].cell = cell * ratio;
   scene.pieces[1].place.origin = {side + gap[0], gap[1], gap[2]};
-  SeamSpec seam;
-  seam.name = "join";
-  seam.side[0] = {0, {1}, false};
-  seam.side[1] = {1, {3}, true};
-  scene.seams = {seam};
+  scene.seams = {seam_join()};
   return scene;
 }
 
@@ -39,20 +34,6 @@ FabricSpec loose() {  // nodes without forces between them
   fabric.name = "loose";
   fabric.areal_density = 0.15;
   return fabric;
-}
-
-// Advances as a cloth does: seams are looked at at the beginning of each interval.
-void sewn_advance(Assembled& a, double length) {
-  std::string event;
-  const Advance how = leapfrog_advance(a.system, a.motion, a.state, length, event, [&](double) {
-    bool changed = seams_pull_begin(a.system, a.state);
-    const std::vector<std::size_t> due = seams_due(a.system, a.state);
-    if (!due.empty()) seams_weld(a.system, a.motion, a.state, due);
-    changed = changed || !due.empty();
-    if (changed) leapfrog_retuned(a.system, a.motion, a.state);
-    return changed;
-  });
-  EXPECT_EQ(how, Advance::kDone);
 }
 
 double gap_norm(const Assembled& a, std::size_t pair) {

@@ -42,11 +42,6 @@ inline PinSpec hold_all(double width, double height) {
   return pin;
 }
 
-inline void advance(Assembled& a, double length) {
-  std::string event;
-  ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, length, event), Advance::kDone);
-}
-
 struct PlainTriangle {
   std::size_t node[3];
   int lattice, i, j;

@@ -1,0 +1,18 @@
+// phi of the penalty and its integral, at a depth e > 0; phi' reaches 1 at e = blend. core/README.md,
+// section 7.
+#pragma once
+#include <algorithm>
+
+namespace drape {
+
+inline double contact_penalty(double blend, double depth) {
+  const double t = std::min(depth / blend, 1.0);
+  return blend * t * t * t * (1 - t / 2) + std::max(depth - blend, 0.0);
+}
+
+inline double contact_penalty_energy(double blend, double depth) {
+  const double t = std::min(depth / blend, 1.0), on = std::max(depth - blend, 0.0);
+  return blend * blend * t * t * t * t * (0.25 - t / 10) + on * (blend / 2 + on / 2);
+}
+
+}  // namespace drape
