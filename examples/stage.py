@@ -13,6 +13,7 @@ import numpy as np
 from fmpy.fmi2 import FMU2Slave
 
 ROOT = Path(__file__).resolve().parents[1]
+REST_STEP, REST_STEPS, RESIDUAL = 0.1, 200, 1e-5  # s; at most; the residual of a fit at rest
 
 
 def drape(*arguments):
@@ -92,6 +93,7 @@ class Unit:
 
     def __init__(self, description, slave):
         self.reference = {v.name: v.valueReference for v in description.modelVariables}
+        self.outputs = [v.name for v in description.modelVariables if v.causality == "output"]
         self.slave, self.time = slave, 0.0
         self.node_count = sum(name.startswith("node.position[") for name in self.reference) // 3
 
@@ -118,6 +120,14 @@ class Unit:
     def step(self, length):
         self.slave.doStep(self.time, length)
         self.time += length
+
+    def rest(self):
+        """Steps until a cloth in fit mode is at rest; False where it finds none. The first step moves the pins."""
+        for count in range(REST_STEPS):
+            self.step(REST_STEP)
+            if count > 0 and self.get("fit.residual")[0] <= RESIDUAL:
+                return True
+        return False
 
 
 @contextmanager

@@ -17,9 +17,8 @@ from matplotlib import pyplot
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
-import at_rest
+from stage import ROOT, drape, opened
 
-ROOT = HERE.parents[1]
 LIFT, WING, SUPPORT, WIDTH, G = 0.02, 0.07, 0.02, 0.03, 9.81  # m, m/s^2
 
 
@@ -59,17 +58,17 @@ def elastica_where(quantity, wanted):
 
 def hang(fmu):
     """Lifts the support within the first step; the outputs at rest by name."""
-    with at_rest.opened(fmu) as strip:
+    with opened(fmu) as strip:
         strip.set({"pin.support.position[3]": LIFT})
         strip.rest()
-        return dict(zip(strip.outputs, strip.get(strip.outputs)))
+        return dict(zip(strip.outputs, strip.get(*strip.outputs)))
 
 
 def main():
     folder = Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "build" / "pt2"
     folder.mkdir(parents=True, exist_ok=True)
     fmu = folder / "pt2.fmu"
-    at_rest.pack(HERE / "scene.toml", fmu)
+    drape("pack", HERE / "scene.toml", "-o", fmu)
     fabric = tomllib.loads((ROOT / "examples" / "fabrics" / "quilting_cotton.toml").read_text())
     rigidity, density = fabric["bending"]["rigidity_uN_cm2"][0], fabric["areal_density"]
     row = hang(fmu)

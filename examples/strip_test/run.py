@@ -17,9 +17,8 @@ from matplotlib import pyplot
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
-import at_rest
+from stage import ROOT, drape, opened
 
-ROOT = HERE.parents[1]
 STRIPS = ("warp", "weft", "bias")
 PERCENT = (1, 2, 3, 4, 6, 8, 10)  # points of all three diagrams
 GAUGE = 0.1  # m
@@ -28,12 +27,12 @@ GAUGE = 0.1  # m
 def pull(fmu):
     """[elongations x strips] N on the upper jaws at rest."""
     read = []
-    with at_rest.opened(fmu) as machine:
+    with opened(fmu) as machine:
         for percent in PERCENT:
             machine.set({f"pin.{strip}_high.position[2]": GAUGE * (1 + percent / 100) for strip in STRIPS})
             if not machine.rest():
                 sys.exit(f"the strips find no rest at {percent} %")
-            read.append([-force for force in machine.get([f"pin.{strip}_high.force[2]" for strip in STRIPS])])
+            read.append([-force for force in machine.get(*(f"pin.{strip}_high.force[2]" for strip in STRIPS))])
     return np.array(read)
 
 
@@ -60,7 +59,7 @@ def main():
     folder = Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "build" / "strip_test"
     folder.mkdir(parents=True, exist_ok=True)
     fmu = folder / "strip_test.fmu"
-    at_rest.pack(HERE / "scene.toml", fmu)
+    drape("pack", HERE / "scene.toml", "-o", fmu)
     fabric = tomllib.loads((ROOT / "examples" / "fabrics" / "half_wool.toml").read_text())
     force = pull(fmu)
     wanted = measured(fabric)

@@ -6,40 +6,15 @@ that bends across its seam as it does elsewhere has its least energy, 2 pi^2 B/w
     .venv/bin/python examples/tube/run.py [FOLDER]      results go to FOLDER, default build/tube
 """
 import math
-import os
-import subprocess
 import sys
 from pathlib import Path
 
-os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")  # draws without a screen
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from sewn import sewn
 
-import fmpy
-import pyvista
-
-HERE = Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
 DRAWN = (0.0, 0.05, 1.5)  # s
 EVERY = 0.05              # s
 WIDTH, HEIGHT = 0.25, 0.1  # m
-
-
-def command(*arguments):
-    drape = ROOT / "build" / "drape"
-    if not drape.exists():
-        sys.exit(f"{drape} is missing: run `bash examples/quickstart.sh`")
-    subprocess.run([drape, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL)
-
-
-def draw(frames, file):
-    """The cloth at several times side by side."""
-    plotter = pyvista.Plotter(off_screen=True, shape=(1, len(frames)), window_size=(300 * len(frames), 330), border=False)
-    for k, (time, frame) in enumerate(frames):
-        plotter.subplot(0, k)
-        plotter.add_mesh(pyvista.read(frame), color="#d8b78a", show_edges=True, edge_color="#8a6a40", line_width=0.6)
-        plotter.add_text(f"{time:.2f} s", position="lower_edge", font_size=9, color="black")
-        plotter.camera_position = [(0.02, -0.28, 0.24), (0, 0, 0.05), (0, 0, 1)]
-        plotter.set_background("white")
-    plotter.screenshot(str(file))
 
 
 def distance(row, one, other):
@@ -61,18 +36,5 @@ def check(result):
     print(f"closed and round: w/pi is {1e3 * WIDTH / math.pi:.2f} mm")
 
 
-
-def main():
-    folder = Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "build" / "tube"
-    folder.mkdir(parents=True, exist_ok=True)
-    fmu = folder / "tube.fmu"
-    command("pack", HERE / "scene.toml", "-o", fmu)
-    result = fmpy.simulate_fmu(str(fmu), output_interval=0.05)
-    command("run", HERE / "scene.toml", "-o", folder / "frames", "--until", DRAWN[-1], "--every", EVERY, "--frames")
-    files = sorted((folder / "frames").glob("frames/*.vtp"))
-    draw([(time, files[round(time / EVERY)]) for time in DRAWN], folder / "tube.png")
-    check(result)
-
-
 if __name__ == "__main__":
-    main()
+    sewn(Path(__file__).resolve().parent, check, DRAWN, EVERY, [(0.02, -0.28, 0.24), (0, 0, 0.05), (0, 0, 1)], panel=(300, 330))

@@ -5,41 +5,16 @@ the strips hang from the bar with their whole weight, as long as their warp stre
 
     .venv/bin/python examples/two_strips/run.py [FOLDER]      results go to FOLDER, default build/two_strips
 """
-import os
-import subprocess
 import sys
 from pathlib import Path
 
-os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")  # draws without a screen
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from sewn import sewn
 
-import fmpy
-import pyvista
-
-HERE = Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
 DRAWN = (0.0, 0.05, 1.5)  # s
 EVERY = 0.05              # s
 WIDTH, HEIGHT, BAR = 0.1, 0.24, 0.28  # m: of both strips sewn together; of the bar above the ground
 WEIGHT = 0.2 * WIDTH * HEIGHT * 9.81  # N
-
-
-def command(*arguments):
-    drape = ROOT / "build" / "drape"
-    if not drape.exists():
-        sys.exit(f"{drape} is missing: run `bash examples/quickstart.sh`")
-    subprocess.run([drape, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL)
-
-
-def draw(frames, file):
-    """The cloth at several times side by side."""
-    plotter = pyvista.Plotter(off_screen=True, shape=(1, len(frames)), window_size=(300 * len(frames), 440), border=False)
-    for k, (time, frame) in enumerate(frames):
-        plotter.subplot(0, k)
-        plotter.add_mesh(pyvista.read(frame), color="#d8b78a", show_edges=True, edge_color="#4a3316", line_width=1.2)
-        plotter.add_text(f"{time:.2f} s", position="lower_edge", font_size=9, color="black")
-        plotter.camera_position = [(0.36, -0.52, 0.28), (0.055, 0, 0.155), (0, 0, 1)]
-        plotter.set_background("white")
-    plotter.screenshot(str(file))
 
 
 def check(result):
@@ -58,18 +33,5 @@ def check(result):
     print(f"closed; {length:.5f} m of {WIDTH} m; the bar carries {pull:.5f} N of {WEIGHT:.5f} N")
 
 
-
-def main():
-    folder = Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "build" / "two_strips"
-    folder.mkdir(parents=True, exist_ok=True)
-    fmu = folder / "two_strips.fmu"
-    command("pack", HERE / "scene.toml", "-o", fmu)
-    result = fmpy.simulate_fmu(str(fmu), output_interval=0.05)
-    command("run", HERE / "scene.toml", "-o", folder / "frames", "--until", DRAWN[-1], "--every", EVERY, "--frames")
-    files = sorted((folder / "frames").glob("frames/*.vtp"))
-    draw([(time, files[round(time / EVERY)]) for time in DRAWN], folder / "two_strips.png")
-    check(result)
-
-
 if __name__ == "__main__":
-    main()
+    sewn(Path(__file__).resolve().parent, check, DRAWN, EVERY, [(0.36, -0.52, 0.28), (0.055, 0, 0.155), (0, 0, 1)], edge_color="#4a3316", line_width=1.2)

@@ -4,13 +4,6 @@ import math
 from scenes import HORIZONTAL, sheet
 
 
-def box(a, b, c):
-    """A box about the origin; quads."""
-    points = [(x * a / 2, y * b / 2, z * c / 2) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
-    quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
-    return obj(points, quads)
-
-
 def ball(radius, n):
     """A ball about the origin of n rings of n triangles."""
     points = [(0, 0, radius)]
