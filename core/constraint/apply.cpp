@@ -88,6 +88,9 @@ Vec3 told(const HeldStep& step, const Vec3& old, const Vec3& free, const Vec3& r
   return step.before * old + (step.half / step.kick) * (free - step.keep * old) - step.centred * rate;
 }
 
+// The same of a change of the velocity since.
+Vec3 told_again(const HeldStep& step, const Vec3& change) { return (step.half / step.kick) * change; }
+
 // The work of an impulse on the outside world while what it acts on goes from one velocity to the next.
 double work(const Vec3& impulse, const Vec3& old, const Vec3& now) { return -0.5 * dot(impulse, old + now); }
 
@@ -99,7 +102,9 @@ void fixed_apply(const System& system, const Constraints& c, const HeldStep& ste
     const Vec3 next = at(held.next, k), free = at(v, n), kept = (1 / step.h) * (next - at(held.now, k));
     Vec3 impulse = (system.mass[n] * step.impulse) * (free - kept);
     if (system.energy) s.input += work(impulse, step.before * at(held.old, k), kept);
-    if (step.begins) impulse -= system.mass[n] * told(step, at(held.old, k), free, at(held.rate, k));
+    if (step.begins)
+      impulse -= system.mass[n] * (step.again ? told_again(step, free - kept)
+                                              : told(step, at(held.old, k), free, at(held.rate, k)));
     load_add(c, held.arm, c.fixed[k].target, impulse, s.pin_impulse);
     set(v, n, kept);
     set(r, n, next);
@@ -110,6 +115,7 @@ void rows_apply(const System& system, const Constraints& c, const HeldStep& step
                 State& s) {
   const Field r{s.x.data(), s.y.data(), s.z.data()}, v{s.vx.data(), s.vy.data(), s.vz.data()};
   const std::size_t fixed = c.fixed.size();
+  const bool tells = step.begins && !step.again;
   std::size_t entry = fixed;
   const auto old_of = [&](const SparseRow& row) {
     Vec3 sum{0, 0, 0};
@@ -119,17 +125,17 @@ void rows_apply(const System& system, const Constraints& c, const HeldStep& step
   for (std::size_t k = 0; k < c.rows.size(); ++k) {
     const SparseRow& row = c.rows[k].on;
     set(held.y, k, row_sum(row, r) - at(held.next, fixed + k));
-    if (step.begins) set(held.z, k, told(step, old_of(row), row_sum(row, v), at(held.rate, fixed + k)));
+    if (tells) set(held.z, k, told(step, old_of(row), row_sum(row, v), at(held.rate, fixed + k)));
   }
   factor_solve(c.factor, held.y.data());
-  if (step.begins) factor_solve(c.factor, held.z.data());
+  if (tells) factor_solve(c.factor, held.z.data());
   rows_correct(system, c, held.y, 1, r);
   rows_correct(system, c, held.y, 1 / step.h, v);
   entry = fixed;
   for (std::size_t k = 0; k < c.rows.size(); ++k) {
     Vec3 impulse = (step.impulse / step.h) * at(held.y, k);
     if (system.energy) s.input += work(impulse, step.before * old_of(c.rows[k].on), row_sum(c.rows[k].on, v));
-    if (step.begins) impulse -= at(held.z, k);
+    if (step.begins) impulse -= tells ? at(held.z, k) : told_again(step, (1 / step.h) * at(held.y, k));
     load_add(c, held.arm, c.rows[k].target, impulse, s.pin_impulse);
   }
 }
@@ -201,13 +207,14 @@ void rigid_apply(const System& system, const Constraints& c, const HeldStep& ste
   const std::size_t fixed = c.fixed.size();
   RigidNow& now = held.rigid;
   std::size_t entry = fixed;
+  const bool tells = step.begins && !step.again;
   std::vector<Vec3> old;
   for (const HeldRow& row : c.rows) {
     Vec3 sum{0, 0, 0};
     for (double w : row.on.weight) sum += w * at(held.old, entry++);
     old.push_back(sum);
   }
-  if (step.begins) {
+  if (tells) {
     rigid_ask(
         c, now,
         [&](std::size_t k) { return told(step, old[k], row_sum(c.rows[k].on, v), at(held.rate, fixed + k)); },
@@ -228,7 +235,7 @@ void rigid_apply(const System& system, const Constraints& c, const HeldStep& ste
   for (std::size_t k = 0; k < c.rows.size(); ++k) {
     Vec3 impulse = (step.impulse / step.h) * at(now.y, k);
     if (system.energy) s.input += work(impulse, step.before * old[k], row_sum(c.rows[k].on, v));
-    if (step.begins) impulse -= at(held.z, k);
+    if (step.begins) impulse -= tells ? at(held.z, k) : told_again(step, (1 / step.h) * at(now.y, k));
     load_add(c, held.arm, c.rows[k].target, impulse, s.pin_impulse);
   }
 }
@@ -241,7 +248,7 @@ HeldMotion held_make(const Constraints& c) {
   for (const HeldRow& row : c.rows) entries += row.on.node.size();
   entries += 2 * c.rigid.link.size();
   held.rigid = rigid_now(c.rigid);
-  for (Array* a : {&held.now, &held.next, &held.rate, &held.taken})
+  for (Array* a : {&held.now, &held.next, &held.rate, &held.out, &held.taken})
     a->assign(3 * (c.fixed.size() + c.rows.size()), 0.0);
   for (Array* a : {&held.y, &held.z}) a->assign(3 * c.rows.size(), 0.0);
   held.arm.assign(3 * c.parts.size(), 0.0);
@@ -284,18 +291,21 @@ void held_keep(const Constraints& c, const State& s, HeldMotion& held) {
     for (std::size_t n : link.node) keep(n);
 }
 
-void constraints_apply(const System& system, const Constraints& c, const HeldStep& step, HeldMotion& held,
-                       State& s) {
-  bool moving = false;
-  each_target(c, [&](std::size_t k, const Target& t) {
-    if (!t.moves) return;
-    moving = true;
-    set(held.next, k, target_now(c, s, t));
-  });
+void constraints_meet(const System& system, const Constraints& c, const HeldStep& step, HeldMotion& held,
+                      State& s) {
+  if (!step.again)
+    each_target(c, [&](std::size_t k, const Target& t) {
+      if (t.moves) set(held.next, k, target_now(c, s, t));
+    });
   fixed_apply(system, c, step, held, s);
   if (!c.rigid.link.empty()) rigid_apply(system, c, step, held, s);
   else if (!c.rows.empty()) rows_apply(system, c, step, held, s);
+}
+
+void constraints_end(const Constraints& c, const State& s, HeldMotion& held) {
   rigid_aim(c.rigid, s.x.data(), s.y.data(), s.z.data(), held.rigid);
+  bool moving = false;
+  each_target(c, [&](std::size_t, const Target& t) { moving = moving || t.moves; });
   if (!moving) return;
   held.now.swap(held.next);
   held.next = held.now;
@@ -320,7 +330,7 @@ void constraints_project(const System& system, const Constraints& c, HeldMotion&
   const std::size_t fixed = c.fixed.size();
   for (std::size_t k = 0; k < fixed; ++k) {
     const std::size_t n = c.fixed[k].node;
-    set(held.taken, k, system.mass[n] * (at(field, n) - at(held.rate, k)));
+    set(held.out, k, system.mass[n] * (at(field, n) - at(held.rate, k)));
     set(field, n, at(held.rate, k));
   }
   if (!c.rigid.link.empty()) {
@@ -331,10 +341,10 @@ void constraints_project(const System& system, const Constraints& c, HeldMotion&
     factor_solve(c.factor, held.y.data());
     rows_correct(system, c, held.y, 1, field);
   }
-  for (std::size_t k = 0; k < c.rows.size(); ++k) set(held.taken, fixed + k, at(held.y, k));
+  for (std::size_t k = 0; k < c.rows.size(); ++k) set(held.out, fixed + k, at(held.y, k));
+  for (std::size_t k = 0; k < held.out.size(); ++k) held.taken[k] += held.out[k];
   if (load)
-    each_target(c,
-                [&](std::size_t k, const Target& t) { load_add(c, held.arm, t, at(held.taken, k), *load); });
+    each_target(c, [&](std::size_t k, const Target& t) { load_add(c, held.arm, t, at(held.out, k), *load); });
 }
 
 double held_work(const Constraints& c, const State& s, double before, double centred,

@@ -16,7 +16,8 @@ struct HeldMotion {
   Array arm;        // [parts x 3] m, R (start - share p_0) at t_n
   Array old;        // [entries x 3] m/s, v_{n-1/2} of fixed nodes and of the rows' and links' nodes in order
   Array y, z;       // [rows x 3]
-  Array taken;      // [held x 3] what the last projection took out, times m
+  Array out;        // [held x 3] what the last projection took out, times m
+  Array taken;      // [held x 3] the sum of these since it was 0
   RigidNow rigid;   // links
   double work = 0;  // J, of the pins on the cloth in the half step that the state's sums lack
 };
@@ -38,12 +39,16 @@ struct HeldStep {
   bool begins;           // the first step of an advance: needs held_keep, and held_rates of velocities
   double half, centred;  // h_o/2 and 1 + c h_o/2; above order 2, what the kick has of the step before, and 1
   double before;         // above order 2, what damping has left of v before the kick; else 1
+  bool again = false;    // the free step has been met; this meets what was added to it since
 };
 
 // Puts held nodes where the frames of the state (at t_{n+1}) want them after the free step, and adds to the
 // impulses of the pins. With system.energy (and held_keep), adds their work on the cloth to state.input.
-void constraints_apply(const System& system, const Constraints& constraints, const HeldStep& step,
-                       HeldMotion& held, State& state);
+void constraints_meet(const System& system, const Constraints& constraints, const HeldStep& step,
+                      HeldMotion& held, State& state);
+
+// Ends a step: what is held at t_{n+1} is so now.
+void constraints_end(const Constraints& constraints, const State& state, HeldMotion& held);
 
 // Three components of a nodal field, [nodes] each.
 struct Field {

@@ -49,6 +49,9 @@ struct alignas(kLine) ContactBlock {
   double point[3][kRowUnit];  // m
   double shape[6][kRowUnit];  // D: xx xy xz yy yz zz
   double grip[kRowUnit];      // 1 where the particle sticks, else 0
+  double carry[3][kRowUnit];  // m/s^2, what a particle that is not alone got in the last step
+  double shared[kRowUnit];    // 1 where other surfaces are near as well, else 0
+  bool shares;                // somewhere
   std::size_t node;           // the first of them
   int lattice;
   bool empty() const {

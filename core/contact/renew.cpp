@@ -28,6 +28,8 @@ void lane_clear(ContactBlock& b, std::size_t i) {
   for (auto& row : b.side) row[i] = 0;
   b.offset[i] = -kFar;
   b.grip[i] = 0;
+  for (auto& row : b.carry) row[i] = 0;
+  b.shared[i] = 0;
 }
 
 void lane_set(ContactBlock& b, std::size_t i, const Touch& touch, double grip) {
@@ -69,10 +71,17 @@ void lane_write(ContactBlocks& blocks, std::uint32_t node, int lattice, std::siz
                 const std::vector<Touch>& touch) {
   const std::size_t first = place_first(blocks, node), count = places_of(blocks, first, node);
   const double grip = count > 0 ? blocks.pool[blocks.order[first].block].grip[lane] : 0;
-  for (std::size_t k = 0; k < count; ++k) lane_clear(blocks.pool[blocks.order[first + k].block], lane);
+  for (std::size_t k = touch.size(); k < count; ++k)
+    lane_clear(blocks.pool[blocks.order[first + k].block], lane);
   for (std::size_t k = 0; k < touch.size(); ++k) {
     if (k >= count) block_insert(blocks, first + k, node, lattice);
-    lane_set(blocks.pool[blocks.order[first + k].block], lane, touch[k], k == 0 ? grip : 0);
+    ContactBlock& b = blocks.pool[blocks.order[first + k].block];
+    lane_set(b, lane, touch[k], k == 0 ? grip : 0);
+    b.shared[lane] = touch.size() > 1 ? 1 : 0;
+  }
+  for (std::size_t k = 0; k < std::max(count, touch.size()); ++k) {
+    ContactBlock& b = blocks.pool[blocks.order[first + k].block];
+    b.shares = std::any_of(b.shared, b.shared + kRowUnit, [](double shared) { return shared > 0; });
   }
 }
 

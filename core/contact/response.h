@@ -9,6 +9,11 @@
 //              has no tangential velocity at all: it does not creep.
 //
 // A kernel has moved the particles without this: v is the free v_{n+1/2}, r = r_n + drift v.
+//
+// Pins and welds share what one particle is given among all that they tie together, and several surfaces act
+// on a particle one after the other, so that a single pass leaves a part undone. Such particles are given in
+// advance what they got in the step before (carry); pins, welds and other surfaces leave what it lacks, and
+// the pass takes it back and does it anew. At rest the two are the same.
 #pragma once
 #include "contact/job.h"
 #include "forces/rows.h"
@@ -135,6 +140,21 @@ DRAPE_INLINE Gap<L> contact_gap(const ContactBlock& b, int i, const Vec<L>& x, L
            select(clear, u.z * inverse, at(b.side[2]))}};
 }
 
+// What a tied particle is given in advance in the next step.
+template <class L>
+DRAPE_INLINE Vec<L> carry_of(const ContactLanes<L>& law, const ContactCoefficients& c, const Vec<L>& dv,
+                             L tied, L light) {
+  const L most = L(kContactCarry) * law.layer * law.stop_rate, size = sqrt(dot(dv, dv));
+  const L share = tied * min(most / max(size, L(1e-300)), L(1.0));
+  return dv * select(gt(light, L(0.0)), share / (L(c.kick) * light), L(0.0));
+}
+template <class L>
+DRAPE_INLINE void carry_store(ContactBlock& b, int i, const Vec<L>& carry) {
+  L::store(b.carry[0] + i, carry.x);
+  L::store(b.carry[1] + i, carry.y);
+  L::store(b.carry[2] + i, carry.z);
+}
+
 // Sums over the blocks, one for each place of a block: the same bits for every width of a lane.
 template <class L>
 struct ContactSums {
@@ -175,7 +195,17 @@ void contact_run(const ContactJob& job) {
     for (int i = 0, part = 0; i < kRowUnit; i += L::kWidth, ++part) {
       const std::size_t n = b.node + std::size_t(i);
       const Row r{job.r[0] + n, job.r[1] + n, job.r[2] + n}, v{job.v[0] + n, job.v[1] + n, job.v[2] + n};
-      const Vec<L> free = vec_load<L>(v, 0), moved = vec_load<L>(r, 0), at = moved - free * L(c.drift);
+      const L light = job.lightness ? L::load(job.lightness + n) : L(1.0);
+      Vec<L> free = vec_load<L>(v, 0), moved = vec_load<L>(r, 0);
+      const bool carries = job.tied || b.shares;
+      if (carries) {
+        const Vec<L> carried_on =
+            Vec<L>{L::load(b.carry[0] + i), L::load(b.carry[1] + i), L::load(b.carry[2] + i)} *
+            (L(c.kick) * light);
+        free = free - carried_on;
+        moved = moved - carried_on * L(c.drift);
+      }
+      const Vec<L> at = moved - free * L(c.drift);
       const Vec<L> x = pose.inward(at), arm = at - pose.origin, carried = pose.velocity_at(arm),
                    w = free - carried;
       const L s =
@@ -184,11 +214,16 @@ void contact_run(const ContactJob& job) {
       const L nearer = L(c.reach_time) * (abs(w.x) + abs(w.y) + abs(w.z));
       if (!any(gt(law.layer, s - nearer))) {
         if (job.moves) L::store(b.grip + i, L(0.0));
+        if (carries) {
+          vec_store(v, 0, free);
+          if (job.moves) vec_store(r, 0, moved);
+          if (job.moves) carry_store(b, i, Vec<L>{L(0.0), L(0.0), L(0.0)});
+        }
         continue;
       }
       const Gap<L> gap = contact_gap(b, i, x, s);
       const Vec<L> normal = pose.outward(gap.n);
-      const L light = job.lightness ? L::load(job.lightness + n) : L(1.0), grip = L::load(b.grip + i);
+      const L grip = L::load(b.grip + i);
       const double* kept = job.old ? job.old + 3 * kRowUnit * k + std::size_t(i) : nullptr;
       const Vec<L> old =
           kept ? Vec<L>{L::load(kept), L::load(kept + kRowUnit), L::load(kept + 2 * kRowUnit)} : free;
@@ -199,6 +234,10 @@ void contact_run(const ContactJob& job) {
       const Vec<L> now = free + hit.dv;
       vec_store(v, 0, now);
       if (job.moves) vec_store(r, 0, moved + hit.dv * L(c.drift));
+      if (carries && job.moves) {
+        const L tied = job.tied ? L::load(job.tied + n) : L(0.0);
+        carry_store(b, i, carry_of(law, c, hit.dv, max(tied, L::load(b.shared + i)), light));
+      }
       if (job.energy) {
         // J of the rest moves against v_mid - v_b, all of J with v_b
         const Vec<L> middle = (old + now) * L(0.5) - carried;

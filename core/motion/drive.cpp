@@ -162,17 +162,24 @@ Frame path_frame(const PinPath& p, double z) {
   return frame;
 }
 
+namespace {
+double share_of(const Path& path, double u) { return (double(path.interval) + u) / double(path.intervals); }
+}  // namespace
+
 void path_follow(const Path& path, double u, State& s) {
-  const double z = (double(path.interval) + u) / double(path.intervals);
+  const double z = share_of(path, u);
   s.wind = z == 1 ? path.wind_to : path.wind_from + z * (path.wind_to - path.wind_from);
   for (const PinPath& p : path.pins) {
     Frame& frame = s.pin_frame[std::size_t(p.pin)];
     frame = path_frame(p, p.uniform ? u : z);
     s.pin_turn[std::size_t(p.pin)] = rotation_matrix(frame.turn);
   }
+}
+
+void bodies_follow(const Path& path, double u, State& s) {
   for (const PinPath& p : path.bodies) {
     BodyContact& body = s.body[std::size_t(p.pin)];
-    body.frame = path_frame(p, z);
+    body.frame = path_frame(p, share_of(path, u));
     body.turn = rotation_matrix(body.frame.turn);
   }
 }

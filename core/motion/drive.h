@@ -54,7 +54,8 @@ void path_interval(Path& path, const State& state, std::int64_t k, double length
 // The frame at the share z of a path.
 Frame path_frame(const PinPath& path, double z);
 
-// Puts wind and frames of the state to the share u of the present interval.
+// Puts wind and pins of the state, or its bodies, to the share u of the present interval.
 void path_follow(const Path& path, double u, State& state);
+void bodies_follow(const Path& path, double u, State& state);
 
 }  // namespace drape

@@ -149,17 +149,10 @@ Left forces_left(const System& system, Motion& motion, const State& s) {
   const Vec3 g = gravity_of(system, s);
   for (std::size_t n : system.particle)
     for (std::size_t k = 0; k < 3; ++k) (*a[k])[n] = (*a[k])[n] * system.inverse_mass[n] + g[k];
-  if (self_touches(system))
-    self_synchronous(system, motion.self, s, 0, 1, motion.now_x.data(), motion.now_y.data(),
-                     motion.now_z.data());
-  if (!s.body.empty())
-    touch_synchronous(system, *motion.kernel, motion.touch, s, 0, 1, motion.now_x.data(), motion.now_y.data(),
-                      motion.now_z.data());
   std::vector<PinLoad> load(s.pin_impulse.size());
   held_refresh(motion.constraints, s, motion.held);
-  held_rates(motion.constraints, s, Rate::kAcceleration, motion.held);
-  constraints_project(system, motion.constraints, motion.held,
-                      {motion.now_x.data(), motion.now_y.data(), motion.now_z.data()}, &load);
+  synchronous_meet(system, motion, s, Rate::kAcceleration, 0, 1,
+                   {motion.now_x.data(), motion.now_y.data(), motion.now_z.data()}, &load);
   Left left;
   for (const PinLoad& l : load) left.pins += norm(l.force);
   for (std::size_t n : system.particle)

@@ -150,6 +150,7 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   const bool jumps = path_jumps(motion.path, s) && system.integrator == Integrator::kLeapfrog;
   if (jumps) leapfrog_complete(system, motion, s);
   path_follow(motion.path, 0, s);
+  bodies_follow(motion.path, 0, s);
   held_refresh(motion.constraints, s, motion.held);
   held_rates(motion.constraints, s, Rate::kVelocity, motion.held);
   if (!jumps) return;
@@ -181,6 +182,7 @@ Motion motion_make(const System& system) {
   m.held = held_make(m.constraints);
   m.balance = balance_make(system);
   m.touch = touch_make(system);
+  touch_tie(system, m.constraints, m.touch);
   m.torque.resize(system.constraints.pins.size());
   for (Array* a : {&m.now_x, &m.now_y, &m.now_z}) a->assign(system.nodes, 0.0);
   return m;

@@ -1,4 +1,5 @@
 // One step as kicks and drifts, and the completion of its last kick. core/README.md, section 4.
+#include <algorithm>
 #include <cmath>
 
 #include "constraint/vector3.h"
@@ -69,18 +70,25 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
   const double old = system.integrator == Integrator::kPaper ? 0 : s.h_old / 2;
   const TouchStep touch{stage.drift, stage.keep,    stage.kick, old,
                         h / 2,       stage.impulse, begins,     stage.centred};
+  path_follow(motion.path, u, s);
+  HeldStep step{stage.drift,
+                stage.keep,
+                stage.kick,
+                stage.impulse,
+                begins,
+                begins ? stage.half : 0,
+                begins ? stage.centred : 1,
+                stage.before};
+  if (touches) touch_carry(motion.touch, touch, s);
+  constraints_meet(system, motion.constraints, step, motion.held, s);
   if (rubs) self_apply(system, motion.self, touch, s);
   if (touches) touch_apply(system, *motion.kernel, motion.touch, touch, s);
-  path_follow(motion.path, u, s);
-  const HeldStep step{stage.drift,
-                      stage.keep,
-                      stage.kick,
-                      stage.impulse,
-                      begins,
-                      begins ? stage.half : 0,
-                      begins ? stage.centred : 1,
-                      stage.before};
-  constraints_apply(system, motion.constraints, step, motion.held, s);
+  if (touches || (rubs && self_hits(motion.self))) {
+    step.again = true;
+    constraints_meet(system, motion.constraints, step, motion.held, s);
+  }
+  constraints_end(motion.constraints, s, motion.held);
+  bodies_follow(motion.path, u, s);
   if (!s.body.empty()) touch_watch(system, *motion.kernel, motion.touch, s, h);
   if (rubs) self_watch(system, s, stage.drift);
   if (!s.sewn.empty()) seams_hold(system, s, h);
@@ -154,6 +162,18 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
   s.h_old = s.h_older = 0;
 }
 
+void synchronous_meet(const System& system, Motion& motion, const State& s, Rate which, double half,
+                      double centred, Field f, std::vector<PinLoad>* load) {
+  held_rates(motion.constraints, s, which, motion.held);
+  touch_carry_synchronous(motion.touch, s, half, centred, f.x, f.y, f.z);
+  constraints_project(system, motion.constraints, motion.held, f, load);
+  if (self_touches(system)) self_synchronous(system, motion.self, s, half, centred, f.x, f.y, f.z);
+  if (!s.body.empty())
+    touch_synchronous(system, *motion.kernel, motion.touch, s, half, centred, f.x, f.y, f.z);
+  if (touch_any(s) || (self_touches(system) && self_hits(motion.self)))
+    constraints_project(system, motion.constraints, motion.held, f, load);
+}
+
 // v_n = (v_{n-1/2} + (h_old/2) f)/(1 + c h_old/2) with the free acceleration f = F/m + g; above order 2, the
 // damped v of the last drift + b h_old f; the paper's scheme holds v_n itself. Loads are what a projection
 // takes out of that half kick; where there was none, and in a fit, whose steps have another inertia, of the
@@ -181,28 +201,24 @@ void leapfrog_synchronous(const System& system, Motion& motion, const State& s, 
   kernel_forces(*motion.kernel, system, s, motion.workspace, vx, vy, vz);
   held.work = 0;
   motion.self.dissipated = 0;
+  std::fill(held.taken.begin(), held.taken.end(), 0.0);
   if (step) {
     each([&](double force, double v, double kick, double inverse_mass, double g) {
       return (decay * v + kick * (force * inverse_mass + g)) / centred;
     });
-    if (self_touches(system)) self_synchronous(system, motion.self, s, half, centred, vx, vy, vz);
-    if (!s.body.empty())
-      touch_synchronous(system, *motion.kernel, motion.touch, s, half, centred, vx, vy, vz);
+    synchronous_meet(system, motion, s, Rate::kVelocity, half, centred, {vx, vy, vz}, &load);
   } else {
     each([&](double force, double v, double kick, double inverse_mass, double g) {
       const double free = force * inverse_mass + g;
       return free - damping * ((v + kick * free) / centred);
     });
-    if (self_touches(system)) self_synchronous(system, motion.self, s, 0, 1, vx, vy, vz);
-    if (!s.body.empty()) touch_synchronous(system, *motion.kernel, motion.touch, s, 0, 1, vx, vy, vz);
-    held_rates(motion.constraints, s, Rate::kAcceleration, held);
-    constraints_project(system, motion.constraints, held, {vx, vy, vz}, &load);
+    synchronous_meet(system, motion, s, Rate::kAcceleration, 0, 1, {vx, vy, vz}, &load);
     each([&](double acceleration, double v, double kick, double, double) {
       return (v + kick * acceleration) / (centred - kick * damping);
     });
+    held_rates(motion.constraints, s, Rate::kVelocity, held);
+    constraints_project(system, motion.constraints, held, {vx, vy, vz}, nullptr);
   }
-  held_rates(motion.constraints, s, Rate::kVelocity, held);
-  constraints_project(system, motion.constraints, held, {vx, vy, vz}, step ? &load : nullptr);
   if (step) {
     if (system.energy) held.work = held_work(motion.constraints, s, decay, centred, held);
     for (PinLoad& l : load) l = {(centred / half) * l.force, (centred / half) * l.torque};

@@ -12,6 +12,7 @@ struct SelfRoom {
 };
 
 inline bool self_touches(const System& system) { return !system.self.cell.empty(); }
+inline bool self_hits(const SelfRoom& room) { return !room.touches.touch.empty(); }        // in the last pass
 inline bool self_any(const State& s) { return s.self.pairs && s.self.pairs->size() > 0; }  // near each other
 
 // Searches for what is near; for a new state.

@@ -72,6 +72,7 @@ ContactJob job_of(const System& system, TouchRoom& room, const State& s, std::si
   job.body = const_cast<BodyContact*>(&s.body[b]);  // its grips are written by passes that move
   job.old = room.old[b].data();
   job.mass = system.mass.data();
+  if (!room.tied.empty()) job.tied = room.tied.data();
   job.law = room.law.data();
   job.damping = system.bodies[b].damping;
   job.energy = system.energy;
@@ -103,12 +104,19 @@ ContactCoefficients touch_kick(const TouchStep& step) {
 
 ContactCoefficients touch_last_kick(double half, double centred) {
   ContactCoefficients c;
-  c.kick = half > 0 ? half / centred : 1;
+  c.kick = half / centred;
   c.new_time = half / centred;
   c.stop_rate = rate_of(2 * half);
-  c.push_rate = half > 0 ? kContactPush * c.stop_rate : 0;
+  c.push_rate = kContactPush * c.stop_rate;
   c.reach_time = 2 * half;
   c.impulse = centred;
+  return c;
+}
+
+ContactCoefficients touch_force(double h) {
+  ContactCoefficients c;
+  c.kick = 1;
+  c.stop_rate = rate_of(h * h);
   return c;
 }
 
@@ -196,6 +204,51 @@ void touch_keep(TouchRoom& room, const State& s) {
   }
 }
 
+void touch_tie(const System& system, const Constraints& constraints, TouchRoom& room) {
+  room.tied.clear();
+  if (system.bodies.empty() || constraints.rows.empty()) return;
+  room.tied.assign(system.nodes, 0.0);
+  for (const HeldRow& row : constraints.rows)
+    for (std::size_t n : row.on.node) room.tied[n] = 1;
+  for (const RigidLink& link : constraints.rigid.link)
+    for (std::size_t n : link.node) room.tied[n] = 1;
+}
+
+namespace {
+
+// Gives particles that are not alone in advance what they got in the step before.
+void carry_give(const TouchRoom& room, const State& s, double kick, const double* lightness, double* v[3],
+                double* r[3], double drift) {
+  for (const BodyContact& body : s.body)
+    for (const ContactPlace& place : body.blocks.order) {
+      const ContactBlock& b = body.blocks.pool[place.block];
+      if (room.tied.empty() && !b.shares) continue;
+      for (std::size_t i = 0; i < std::size_t(kRowUnit); ++i) {
+        const std::size_t n = b.node + i;
+        const double given = kick * (lightness ? lightness[n] : 1);
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double dv = b.carry[k][i] * given;
+          v[k][n] += dv;
+          if (r) r[k][n] += dv * drift;
+        }
+      }
+    }
+}
+
+}  // namespace
+
+void touch_carry(const TouchRoom& room, const TouchStep& step, State& s) {
+  double* v[] = {s.vx.data(), s.vy.data(), s.vz.data()};
+  double* r[] = {s.x.data(), s.y.data(), s.z.data()};
+  carry_give(room, s, step.kick, s.lightness.empty() ? nullptr : s.lightness.data(), v, r, step.drift);
+}
+
+void touch_carry_synchronous(const TouchRoom& room, const State& s, double half, double centred, double* vx,
+                             double* vy, double* vz) {
+  double* v[] = {vx, vy, vz};
+  carry_give(room, s, half > 0 ? half / centred : 1, nullptr, v, nullptr, 0);
+}
+
 void touch_apply(const System& system, const Kernel& kernel, TouchRoom& room, const TouchStep& step,
                  State& s) {
   for (std::size_t b = 0; b < s.body.size(); ++b) {
@@ -249,7 +302,7 @@ void touch_synchronous(const System& system, const Kernel& kernel, TouchRoom& ro
     for (std::size_t k = 0; k < 3; ++k)
       job.r[k] = const_cast<double*>(r[k]->data());  // read only: nothing moves
     job.v[0] = vx, job.v[1] = vy, job.v[2] = vz;
-    job.c = touch_last_kick(half, centred);
+    job.c = half > 0 ? touch_last_kick(half, centred) : touch_force(s.h_old);
     if (half == 0) {
       job.old = nullptr;
       job.energy = false;

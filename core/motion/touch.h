@@ -10,11 +10,12 @@ struct Kernel;
 
 // Room for contact; made once per System.
 struct TouchRoom {
-  std::vector<Voxels> voxels;        // [bodies]
-  std::vector<Array> old;            // [bodies][blocks x 3 x kRowUnit] v_{n-1/2}
-  std::vector<std::size_t> due;      // [nodes / kRowUnit] first nodes of blocks to look at anew
-  std::vector<ContactLaw> law;       // [lattices] of the present body
-  std::vector<PinLoad> load;         // [bodies] of the last synchronous pass
+  std::vector<Voxels> voxels;    // [bodies]
+  std::vector<Array> old;        // [bodies][blocks x 3 x kRowUnit] v_{n-1/2}
+  std::vector<std::size_t> due;  // [nodes / kRowUnit] first nodes of blocks to look at anew
+  Array tied;                    // [nodes] 1 where pins and welds tie a particle to others; empty: nowhere
+  std::vector<ContactLaw> law;   // [lattices] of the present body
+  std::vector<PinLoad> load;     // [bodies] of the last synchronous pass
   double dissipated = 0, input = 0;  // J, likewise
 };
 TouchRoom touch_make(const System& system);
@@ -38,10 +39,20 @@ struct TouchStep {
   double told_centred;        // 1 + c h_o/2
 };
 
-// What the kick of a step, and the last half kick of `half` s, which turns v_{n-1/2} into v_n, do; half = 0:
-// accelerations.
+// What the kick of a step, and the last half kick of `half` s, which turns v_{n-1/2} into v_n, do.
 ContactCoefficients touch_kick(const TouchStep& step);
 ContactCoefficients touch_last_kick(double half, double centred);
+
+// The same of accelerations, with stops as in a step of h.
+ContactCoefficients touch_force(double h);
+
+// Notes which particles are tied to others; for new constraints.
+void touch_tie(const System& system, const Constraints& constraints, TouchRoom& room);
+
+// Before pins and welds: gives particles that are not alone what the bodies did to them in the step before.
+void touch_carry(const TouchRoom& room, const TouchStep& step, State& state);
+void touch_carry_synchronous(const TouchRoom& room, const State& state, double half, double centred,
+                             double* vx, double* vy, double* vz);
 
 // Adds to a free step what the bodies do. Needs touch_keep.
 void touch_apply(const System& system, const Kernel& kernel, TouchRoom& room, const TouchStep& step,

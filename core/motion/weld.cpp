@@ -86,6 +86,7 @@ void seams_restore(const System& system, Motion& motion, const State& s) {
   motion.constraints =
       constraints_make(rows, system.inverse_mass, system.constraints.pins, none, system.links);
   motion.held = held_make(motion.constraints);
+  touch_tie(system, motion.constraints, motion.touch);
 }
 
 }  // namespace drape
