@@ -8,6 +8,7 @@
 #include "constraint/frame.h"
 #include "contact/body_surface.h"
 #include "contact/query.h"
+#include "contact/ridge.h"
 #include "system/array.h"
 
 namespace drape {
@@ -30,6 +31,7 @@ struct Body {
   Vec2 friction{0, 0};        // static, kinetic
   double damping = 1;         // of the normal motion while it touches, over the critical one
   Frame start;
+  Ridges ridges;
   std::vector<std::string> remarks;  // what is odd about the mesh, but no fault
 };
 
@@ -71,6 +73,26 @@ struct ContactBlocks {
   std::vector<ContactPlace> order;
 };
 
+// A link or cell of the cloth (a number of RidgeCloth) near a ridge of the body.
+struct RidgePair {
+  std::uint32_t part, ridge;
+  bool outside = false;  // known to belong out of the body
+  double grip = 0;       // 1 where it sticks, else 0
+  Vec3 carry{0, 0, 0};   // N, what it got in the last step
+};
+
+// Which pairs are near. `way` grows by the most that any of the nodes moves against the body.
+struct RidgeContact {
+  std::vector<char> near;            // [nodes] 1: a ridge may be near its links; empty where a body has none
+  std::vector<std::uint32_t> fresh;  // nodes near since the pairs were listed
+  std::vector<std::uint32_t> node;   // those of all links and cells of near nodes, sorted
+  std::vector<Vec3> last;            // [of node] m, where they are, in the body's frame
+  std::vector<RidgePair> pair;       // sorted
+  std::vector<double> wake;          // [pairs] m, way until which they do not touch
+  double way = 0, listed = 0;        // m; pairs were listed at this way
+  double reach = 0;                  // m, of the next step
+};
+
 // What the motion changes of a body.
 struct BodyContact {
   Frame frame;      // at t_n
@@ -79,6 +101,7 @@ struct BodyContact {
   Array x, y, z;    // [nodes] m, where a particle was when its surroundings were last looked at
   Array budget2;    // [nodes] m^2, of the distance that it may move from there; infinite at unused nodes
   ContactBlocks blocks;
+  RidgeContact ridge;
 };
 
 struct ContactSummary {

@@ -66,9 +66,9 @@ void block_insert(ContactBlocks& blocks, std::size_t at, std::uint32_t node, int
   blocks.order.insert(blocks.order.begin() + std::ptrdiff_t(at), {node, k});
 }
 
-// Puts what one particle touches into the blocks of its node.
+// Puts what one particle touches into the blocks of its node. `shared`: its links may meet ridges as well.
 void lane_write(ContactBlocks& blocks, std::uint32_t node, int lattice, std::size_t lane,
-                const std::vector<Touch>& touch) {
+                const std::vector<Touch>& touch, bool shared) {
   const std::size_t first = place_first(blocks, node), count = places_of(blocks, first, node);
   const double grip = count > 0 ? blocks.pool[blocks.order[first].block].grip[lane] : 0;
   for (std::size_t k = touch.size(); k < count; ++k)
@@ -77,11 +77,11 @@ void lane_write(ContactBlocks& blocks, std::uint32_t node, int lattice, std::siz
     if (k >= count) block_insert(blocks, first + k, node, lattice);
     ContactBlock& b = blocks.pool[blocks.order[first + k].block];
     lane_set(b, lane, touch[k], k == 0 ? grip : 0);
-    b.shared[lane] = touch.size() > 1 ? 1 : 0;
+    b.shared[lane] = touch.size() > 1 || shared ? 1 : 0;
   }
   for (std::size_t k = 0; k < std::max(count, touch.size()); ++k) {
     ContactBlock& b = blocks.pool[blocks.order[first + k].block];
-    b.shares = std::any_of(b.shared, b.shared + kRowUnit, [](double shared) { return shared > 0; });
+    b.shares = std::any_of(b.shared, b.shared + kRowUnit, [](double is) { return is > 0; });
   }
 }
 
@@ -111,8 +111,25 @@ double contact_reach(const BodySurface& surface, double layer) {
   return std::max(kSeen * layer, layer + kSeenEdges * surface.edge_mean);
 }
 
+namespace {
+
+// How far a node may go until it must be looked at for ridges again; notes whether one is near.
+double ridge_way(const RidgeNear& of, RidgeContact& c, std::size_t n, const Vec3& x, double clearance,
+                 double step) {
+  if (of.ridges.ridge.empty()) return INFINITY;
+  const double within = of.within + 2 * kAhead * step;
+  double distance = clearance;
+  if (distance <= within + of.margin) distance = ridges_distance(of.ridges, x, within + 2 * of.margin);
+  const bool near = distance <= within + of.margin;
+  if (near && !c.near[n]) c.fresh.push_back(std::uint32_t(n));
+  c.near[n] = near;
+  return near ? INFINITY : distance - within;
+}
+
+}  // namespace
+
 void contact_renew(const BodySurface& surface, Voxels& voxels, BodyContact& c, std::size_t node, int lattice,
-                   double layer, const Vec3* x, const Vec3* step) {
+                   double layer, const RidgeNear& ridges, const Vec3* x, const Vec3* step) {
   static thread_local Nearest found;
   const auto name = std::uint32_t(node / kRowUnit);
   for (std::size_t i = 0; i < std::size_t(kRowUnit); ++i) {
@@ -127,10 +144,11 @@ void contact_renew(const BodySurface& surface, Voxels& voxels, BodyContact& c, s
       nearest_find(surface, *near.triangle, x[i], layer,
                    std::min(std::max(kKept * layer, layer + kAhead * norm(step[i])), voxels.reach),
                    voxels.reach, side_known(c.blocks, name, i, side) ? &side : nullptr, found);
-    const double budget = std::max(found.budget, kLeast * layer);
+    const double way = ridge_way(ridges, c.ridge, n, x[i], near.clearance, norm(step[i]));
+    const double budget = std::max(std::min(found.budget, way), kLeast * layer);
     c.x[n] = x[i][0], c.y[n] = x[i][1], c.z[n] = x[i][2];
     c.budget2[n] = budget * budget;
-    lane_write(c.blocks, name, lattice, i, found.touch);
+    lane_write(c.blocks, name, lattice, i, found.touch, !c.ridge.near.empty() && c.ridge.near[n]);
   }
   blocks_prune(c.blocks, name);
 }

@@ -12,9 +12,15 @@ inline constexpr double kKept = 3, kSeen = 4;
 // How far around triangles are listed (m), for the thickest layer.
 double contact_reach(const BodySurface& surface, double layer);
 
+// How near nodes must be to a ridge to be noted, and for how far that is good at least.
+struct RidgeNear {
+  const Ridges& ridges;
+  double within, margin;  // m
+};
+
 // Of kRowUnit nodes from `node` on, those at x (in the body's frame) that have used up most of their budgets,
 // or will by the next step, which moves them by `step` (m).
 void contact_renew(const BodySurface& surface, Voxels& voxels, BodyContact& contact, std::size_t node,
-                   int lattice, double layer, const Vec3* x, const Vec3* step);
+                   int lattice, double layer, const RidgeNear& ridges, const Vec3* x, const Vec3* step);
 
 }  // namespace drape

@@ -5,11 +5,14 @@
 #include <cstdio>
 #include <limits>
 
+#include "constraint/vector3.h"
 #include "motion/fit.h"
 #include "motion/step_limit.h"
 
 namespace drape {
 namespace {
+
+using vector3::operator*;
 
 constexpr int kWatchLongest = 32;    // steps between two looks at the step limit, at most
 constexpr int kWatchGiven = 8;       // the same where the scene gives the step
@@ -140,6 +143,18 @@ double kinetic_energy(const System& system, const State& s) {
   return sum / 2;
 }
 
+// Links on ridges share nodes with each other and with particles that touch, so that what bodies have been
+// told of the half step before this advance is found as it was then, and taken out of the first step of it.
+void ridges_told(const System& system, Motion& motion, State& s) {
+  motion.touch.told = ridge_any(s) && last_half(system, s) > 0 && !system.fit;
+  if (!motion.touch.told) return;
+  std::vector<PinLoad> pins;
+  leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(), motion.now_z.data(),
+                       pins);
+  for (std::size_t b = 0; b < s.body.size(); ++b)
+    s.body[b].impulse = {-1.0 * motion.touch.load[b].force, -1.0 * motion.touch.load[b].torque};
+}
+
 // Lays the paths of an advance and begins them. Where the velocity of a pin jumps, so do those of the cloth;
 // the impulse is the first of the advance. (The paper's scheme takes it up in its first step.)
 void inputs_begin(const System& system, Motion& motion, State& s, double length) {
@@ -149,6 +164,7 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   if (system.fit && path_moves(motion.path)) fit_wake(s);
   const bool jumps = path_jumps(motion.path, s) && system.integrator == Integrator::kLeapfrog;
   if (jumps) leapfrog_complete(system, motion, s);
+  ridges_told(system, motion, s);
   path_follow(motion.path, 0, s);
   bodies_follow(motion.path, 0, s);
   held_refresh(motion.constraints, s, motion.held);

@@ -62,14 +62,15 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
   clamp_torques_add(system, motion, s, begins ? stage.begun : stage.span);
   if (!s.sewn.empty()) seams_rates(system, s, motion.gap_rate);
   const bool touches = touch_any(s);
-  if (touches) touch_keep(motion.touch, s);
+  if (touches) touch_keep(system, motion.touch, s);
   const bool rubs = self_touches(system);
   if (rubs) self_keep(system, motion.self, s, h);
   kernel_step(*motion.kernel, system, c, motion.workspace, s);
   if (!s.sewn.empty()) s.gap_rate.swap(motion.gap_rate);
   const double old = system.integrator == Integrator::kPaper ? 0 : s.h_old / 2;
-  const TouchStep touch{stage.drift, stage.keep,    stage.kick, old,
-                        h / 2,       stage.impulse, begins,     stage.centred};
+  const TouchStep touch{
+      stage.drift,  stage.keep, stage.kick, old, h / 2, stage.impulse, begins && !motion.touch.told,
+      stage.centred};
   path_follow(motion.path, u, s);
   HeldStep step{stage.drift,
                 stage.keep,
@@ -79,7 +80,7 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
                 begins ? stage.half : 0,
                 begins ? stage.centred : 1,
                 stage.before};
-  if (touches) touch_carry(motion.touch, touch, s);
+  if (touches) touch_carry(system, motion.touch, touch, s);
   constraints_meet(system, motion.constraints, step, motion.held, s);
   if (rubs) self_apply(system, motion.self, touch, s);
   if (touches) touch_apply(system, *motion.kernel, motion.touch, touch, s);
@@ -165,7 +166,7 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
 void synchronous_meet(const System& system, Motion& motion, const State& s, Rate which, double half,
                       double centred, Field f, std::vector<PinLoad>* load) {
   held_rates(motion.constraints, s, which, motion.held);
-  touch_carry_synchronous(motion.touch, s, half, centred, f.x, f.y, f.z);
+  touch_carry_synchronous(system, motion.touch, s, half, centred, f.x, f.y, f.z);
   constraints_project(system, motion.constraints, motion.held, f, load);
   if (self_touches(system)) self_synchronous(system, motion.self, s, half, centred, f.x, f.y, f.z);
   if (!s.body.empty())

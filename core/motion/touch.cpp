@@ -6,6 +6,7 @@
 #include "constraint/vector3.h"
 #include "contact/nearest.h"
 #include "contact/penalty.h"
+#include "contact/pose.h"
 #include "contact/renew.h"
 #include "contact/response.h"
 #include "forces/lane_scalar.h"
@@ -39,16 +40,6 @@ double layer_most(const System& system) {
   return most;
 }
 
-// Where a place is in the body's frame.
-Vec3 inward(const Body& body, const BodyContact& c, const Vec3& at) {
-  if (!body.moves) return at;
-  const Vec3 d = at - c.frame.position;
-  Vec3 x{0, 0, 0};
-  for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t i = 0; i < 3; ++i) x[k] += c.turn[i][k] * d[i];
-  return x;
-}
-
 void block_renew(const System& system, TouchRoom& room, State& s, std::size_t b, std::size_t node,
                  double ahead) {
   const Body& body = system.bodies[b];
@@ -60,10 +51,11 @@ void block_renew(const System& system, TouchRoom& room, State& s, std::size_t b,
     const Vec3 at{s.x[n], s.y[n], s.z[n]}, arm = at - frame.position;
     Vec3 v{s.vx[n], s.vy[n], s.vz[n]};
     if (body.moves) v = v - frame.velocity - cross(frame.spin, arm);
-    x[i] = inward(body, s.body[b], at);
-    step[i] = inward(body, s.body[b], at + ahead * v) - x[i];
+    x[i] = pose_inward(body, s.body[b], at);
+    step[i] = pose_inward(body, s.body[b], at + ahead * v) - x[i];
   }
-  contact_renew(body.mesh.surface, room.voxels[b], s.body[b], node, l.piece, l.touch.layer, x, step);
+  contact_renew(body.mesh.surface, room.voxels[b], s.body[b], node, l.piece, l.touch.layer,
+                {body.ridges, ridge_near(l), ridge_margin(l)}, x, step);
 }
 
 ContactJob job_of(const System& system, TouchRoom& room, const State& s, std::size_t b, double* sum) {
@@ -81,6 +73,12 @@ ContactJob job_of(const System& system, TouchRoom& room, const State& s, std::si
 }
 
 PinLoad load_of(const double* sum) { return {{sum[0], sum[1], sum[2]}, {sum[3], sum[4], sum[5]}}; }
+
+// The step that an acceleration is stopped for: the last one, before the first and at the rest of a fit the
+// next.
+double step_of(const System& system, const State& s) {
+  return s.h_old > 0 ? s.h_old : system.communication / double(std::max<std::int64_t>(s.subs, 1));
+}
 
 double rate_of(double time) { return time > 0 ? 1 / time : kContactUnbound; }
 
@@ -133,6 +131,7 @@ TouchRoom touch_make(const System& system) {
 }
 
 void touch_begin(const System& system, const Kernel& kernel, TouchRoom& room, State& s) {
+  ridge_begin(system, s);
   for (BodyContact& c : s.body) {
     c.blocks = ContactBlocks{};
     c.x = s.x, c.y = s.y, c.z = s.z;
@@ -148,6 +147,7 @@ void touch_begin(const System& system, const Kernel& kernel, TouchRoom& room, St
         if (s.vx[n] == 0 && s.vy[n] == 0 && s.vz[n] == 0) block.grip[i] = 1;
       }
   }
+  ridge_stick(system, s);
 }
 
 namespace {
@@ -155,7 +155,7 @@ namespace {
 double depth_at(const System& system, TouchRoom& room, const State& s, std::size_t b, const Lattice& l,
                 std::size_t n) {
   const Body& body = system.bodies[b];
-  const Vec3 x = inward(body, s.body[b], {s.x[n], s.y[n], s.z[n]});
+  const Vec3 x = pose_inward(body, s.body[b], {s.x[n], s.y[n], s.z[n]});
   Voxels& voxels = room.voxels[b];
   if (const Neighbourhood near = voxels_at(voxels, x); near.triangle) {
     Nearest found;
@@ -173,27 +173,35 @@ void touch_start_check(const System& system, const Scene& scene, TouchRoom& room
                        std::vector<Problem>& problems) {
   for (std::size_t b = 0; b < system.bodies.size(); ++b)
     for (const Lattice& l : system.lattices) {
-      std::size_t count = 0, worst = 0;
+      std::size_t count = 0;
+      Vec3 worst{0, 0, 0};
       double deepest = 0;
       for (std::size_t n : system.particle) {
         if (!l.owns(n)) continue;
         const double depth = depth_at(system, room, s, b, l, n);
         if (!(depth > kContactDeepest * l.touch.layer)) continue;
         ++count;
-        if (depth > deepest) deepest = depth, worst = n;
+        if (depth > deepest) deepest = depth, worst = {s.x[n], s.y[n], s.z[n]};
+      }
+      const char* what = " particles inside the body ";
+      if (count == 0) {
+        const RidgeDeep deep = ridge_deepest(system, s, b, l, room.voxels[b]);
+        count = deep.count, deepest = deep.depth, worst = deep.at;
+        what = " links or cells through sharp edges or tips of the body ";
       }
       if (count == 0) continue;
       problems.push_back({"piece." + scene.pieces[std::size_t(l.piece)].name + ".place",
-                          "puts " + std::to_string(count) + " particles inside the body " +
-                              in_quotes(system.bodies[b].name) +
+                          "puts " + std::to_string(count) + what + in_quotes(system.bodies[b].name) +
                               " or nearer to it than half the thickness, " + number_text(l.touch.layer) +
                               " m; the deepest by " + number_text(deepest) + " m at (" +
-                              number_text(s.x[worst]) + ", " + number_text(s.y[worst]) + ", " +
-                              number_text(s.z[worst]) + "); wanted: all outside"});
+                              number_text(worst[0]) + ", " + number_text(worst[1]) + ", " +
+                              number_text(worst[2]) + "); wanted: all outside"});
     }
 }
 
-void touch_keep(TouchRoom& room, const State& s) {
+namespace {
+
+void old_keep(TouchRoom& room, const State& s) {
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     const ContactBlocks& blocks = s.body[b].blocks;
     room.old[b].resize(3 * kRowUnit * blocks.order.size());
@@ -202,6 +210,13 @@ void touch_keep(TouchRoom& room, const State& s) {
       for (const Array* v : {&s.vx, &s.vy, &s.vz})
         to = std::copy_n(v->data() + std::size_t(place.node) * kRowUnit, kRowUnit, to);
   }
+}
+
+}  // namespace
+
+void touch_keep(const System& system, TouchRoom& room, State& s) {
+  old_keep(room, s);
+  ridge_keep(system, s, room.ridge);
 }
 
 void touch_tie(const System& system, const Constraints& constraints, TouchRoom& room) {
@@ -237,16 +252,22 @@ void carry_give(const TouchRoom& room, const State& s, double kick, const double
 
 }  // namespace
 
-void touch_carry(const TouchRoom& room, const TouchStep& step, State& s) {
+void touch_carry(const System& system, const TouchRoom& room, const TouchStep& step, State& s) {
   double* v[] = {s.vx.data(), s.vy.data(), s.vz.data()};
   double* r[] = {s.x.data(), s.y.data(), s.z.data()};
-  carry_give(room, s, step.kick, s.lightness.empty() ? nullptr : s.lightness.data(), v, r, step.drift);
+  const double* lightness = s.lightness.empty() ? nullptr : s.lightness.data();
+  carry_give(room, s, step.kick, lightness, v, r, step.drift);
+  ridge_carry(system, s, room.ridge, touch_kick(step), {{v[0], v[1], v[2]}, {r[0], r[1], r[2]}, lightness});
 }
 
-void touch_carry_synchronous(const TouchRoom& room, const State& s, double half, double centred, double* vx,
-                             double* vy, double* vz) {
+void touch_carry_synchronous(const System& system, TouchRoom& room, const State& s, double half,
+                             double centred, double* vx, double* vy, double* vz) {
   double* v[] = {vx, vy, vz};
-  carry_give(room, s, half > 0 ? half / centred : 1, nullptr, v, nullptr, 0);
+  ContactCoefficients c;
+  c.kick = half > 0 ? half / centred : 1;
+  carry_give(room, s, c.kick, nullptr, v, nullptr, 0);
+  ridge_look(system, s, room.ridge);
+  ridge_carry(system, s, room.ridge, c, {{vx, vy, vz}, {}, nullptr});
 }
 
 void touch_apply(const System& system, const Kernel& kernel, TouchRoom& room, const TouchStep& step,
@@ -269,6 +290,19 @@ void touch_apply(const System& system, const Kernel& kernel, TouchRoom& room, co
     s.dissipated += sum[6];
     s.input += sum[7];
   }
+  if (room.ridge.empty()) return;
+  ridge_respond(system, s, room.ridge, touch_kick(step),
+                {{s.vx.data(), s.vy.data(), s.vz.data()},
+                 {s.x.data(), s.y.data(), s.z.data()},
+                 s.lightness.empty() ? nullptr : s.lightness.data()},
+                &s, room.ridge_sums);
+  for (std::size_t b = 0; b < s.body.size(); ++b) {
+    s.body[b].impulse.force += room.ridge_sums.load[b].force;
+    s.body[b].impulse.torque += room.ridge_sums.load[b].torque;
+  }
+  if (!system.energy) return;
+  s.dissipated += room.ridge_sums.dissipated;
+  s.input += room.ridge_sums.input;
 }
 
 void touch_watch(const System& system, const Kernel& kernel, TouchRoom& room, State& s, double ahead) {
@@ -286,13 +320,14 @@ void touch_watch(const System& system, const Kernel& kernel, TouchRoom& room, St
       count += kernel.contact.watch[system.bodies[b].moves](watch, room.due.data() + count);
     }
     for (std::size_t k = 0; k < count; ++k) block_renew(system, room, s, b, room.due[k], ahead);
+    ridge_watch(system, s, b, ahead);
   }
 }
 
 void touch_synchronous(const System& system, const Kernel& kernel, TouchRoom& room, const State& s,
                        double half, double centred, double* vx, double* vy, double* vz) {
   room.dissipated = room.input = 0;
-  if (half > 0) touch_keep(room, s);
+  if (half > 0) old_keep(room, s);
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     room.load[b] = PinLoad{};
     if (s.body[b].blocks.order.empty()) continue;
@@ -302,7 +337,7 @@ void touch_synchronous(const System& system, const Kernel& kernel, TouchRoom& ro
     for (std::size_t k = 0; k < 3; ++k)
       job.r[k] = const_cast<double*>(r[k]->data());  // read only: nothing moves
     job.v[0] = vx, job.v[1] = vy, job.v[2] = vz;
-    job.c = half > 0 ? touch_last_kick(half, centred) : touch_force(s.h_old);
+    job.c = half > 0 ? touch_last_kick(half, centred) : touch_force(step_of(system, s));
     if (half == 0) {
       job.old = nullptr;
       job.energy = false;
@@ -312,6 +347,17 @@ void touch_synchronous(const System& system, const Kernel& kernel, TouchRoom& ro
     room.dissipated += sum[6];
     room.input += sum[7];
   }
+  if (room.ridge.empty()) return;
+  ridge_respond(system, s, room.ridge,
+                half > 0 ? touch_last_kick(half, centred) : touch_force(step_of(system, s)),
+                {{vx, vy, vz}, {}, nullptr}, nullptr, room.ridge_sums);
+  for (std::size_t b = 0; b < s.body.size(); ++b) {
+    room.load[b].force += room.ridge_sums.load[b].force;
+    room.load[b].torque += room.ridge_sums.load[b].torque;
+  }
+  if (half == 0 || !system.energy) return;
+  room.dissipated += room.ridge_sums.dissipated;
+  room.input += room.ridge_sums.input;
 }
 
 double touch_step_most(const System& system, const State& s) {
@@ -330,17 +376,17 @@ double touch_step_most(const System& system, const State& s) {
       longest = std::min(longest, std::max(listed, budget) / speed);
     }
   }
-  return longest;
+  return std::min(longest, ridge_step_most(system, s));
 }
 
 bool touch_any(const State& s) {
   return std::any_of(s.body.begin(), s.body.end(),
-                     [](const BodyContact& c) { return !c.blocks.order.empty(); });
+                     [](const BodyContact& c) { return !c.blocks.order.empty() || !c.ridge.pair.empty(); });
 }
 
 double touch_omega2(const System& system, const State& s, int lattice) {
   const double omega2 = system.lattices[std::size_t(lattice)].touch.omega2;
-  return (touch_any(s) ? omega2 : 0) + (self_any(s) ? omega2 : 0);
+  return (touch_any(s) ? omega2 : 0) + (ridge_any(s) ? omega2 : 0) + (self_any(s) ? omega2 : 0);
 }
 
 namespace {
@@ -357,7 +403,7 @@ void each_depth(const System& system, const State& s, Visit visit) {
       for (int i = 0; i < kRowUnit; ++i) {
         if (b.offset[i] == -kFar) continue;
         const std::size_t n = b.node + std::size_t(i);
-        const Vec3 x = inward(system.bodies[k], s.body[k], {s.x[n], s.y[n], s.z[n]});
+        const Vec3 x = pose_inward(system.bodies[k], s.body[k], {s.x[n], s.y[n], s.z[n]});
         const double height = dot(Vec3{b.side[0][i], b.side[1][i], b.side[2][i]}, x) - b.offset[i];
         const Gap<Lane> gap = contact_gap<Lane>(b, i, {x[0], x[1], x[2]}, height);
         const double depth = law.layer - gap.distance.v;
@@ -382,6 +428,13 @@ ContactSummary touch_summary(const System& system, const State& s) {
     sum.penetration = std::max(sum.penetration, depth);
     sum.pressure = std::max(sum.pressure, pressure_of(system, n, law, depth));
   });
+  ridge_each(system, s, [&](const RidgeTouch& t, double depth, double force) {
+    double area = INFINITY;
+    for (int k = 0; k < t.part->weights(); ++k) area = std::min(area, system.area[t.part->node[k]]);
+    ++sum.count;
+    sum.penetration = std::max(sum.penetration, depth);
+    sum.pressure = std::max(sum.pressure, force / area);
+  });
   return sum;
 }
 
@@ -390,6 +443,10 @@ std::vector<double> touch_pressure(const System& system, const State& s) {
   each_depth(system, s, [&](std::size_t n, const ContactLaw& law, double depth) {
     pressure[n] += pressure_of(system, n, law, depth);
   });
+  ridge_each(system, s, [&](const RidgeTouch& t, double, double force) {
+    for (int k = 0; k < t.part->weights(); ++k)
+      pressure[t.part->node[k]] += t.gap.weight[k] * force / system.area[t.part->node[k]];
+  });
   return pressure;
 }
 
@@ -397,6 +454,10 @@ double touch_energy(const System& system, const State& s) {
   double sum = 0;
   each_depth(system, s, [&](std::size_t n, const ContactLaw& law, double depth) {
     sum += system.mass[n] * law.omega2 * contact_penalty_energy(kContactBlend * law.layer, depth);
+  });
+  ridge_each(system, s, [&](const RidgeTouch& t, double depth, double) {
+    const double blend = kContactBlend * system.lattices[std::size_t(t.part->lattice)].touch.layer;
+    sum += t.stiffness * contact_penalty_energy(blend, depth);
   });
   return sum;
 }

@@ -2,6 +2,7 @@
 #pragma once
 #include "contact/job.h"
 #include "contact/voxels.h"
+#include "motion/ridge_touch.h"
 #include "system/system.h"
 
 namespace drape {
@@ -10,12 +11,15 @@ struct Kernel;
 
 // Room for contact; made once per System.
 struct TouchRoom {
-  std::vector<Voxels> voxels;    // [bodies]
-  std::vector<Array> old;        // [bodies][blocks x 3 x kRowUnit] v_{n-1/2}
-  std::vector<std::size_t> due;  // [nodes / kRowUnit] first nodes of blocks to look at anew
-  Array tied;                    // [nodes] 1 where pins and welds tie a particle to others; empty: nowhere
-  std::vector<ContactLaw> law;   // [lattices] of the present body
-  std::vector<PinLoad> load;     // [bodies] of the last synchronous pass
+  std::vector<Voxels> voxels;     // [bodies]
+  std::vector<Array> old;         // [bodies][blocks x 3 x kRowUnit] v_{n-1/2}
+  std::vector<std::size_t> due;   // [nodes / kRowUnit] first nodes of blocks to look at anew
+  Array tied;                     // [nodes] 1 where pins and welds tie a particle to others; empty: nowhere
+  std::vector<ContactLaw> law;    // [lattices] of the present body
+  std::vector<RidgeTouch> ridge;  // links and cells on ridges, of the present pass
+  RidgeSums ridge_sums;
+  bool told = false;  // what bodies were told of the half step before this advance is taken out already
+  std::vector<PinLoad> load;         // [bodies] of the last synchronous pass
   double dissipated = 0, input = 0;  // J, likewise
 };
 TouchRoom touch_make(const System& system);
@@ -27,8 +31,8 @@ void touch_begin(const System& system, const Kernel& kernel, TouchRoom& room, St
 void touch_start_check(const System& system, const Scene& scene, TouchRoom& room, const State& state,
                        std::vector<Problem>& problems);
 
-// The velocities of what is near, before a step changes them.
-void touch_keep(TouchRoom& room, const State& state);
+// What is on ridges, and the velocities of all that is near, before a step changes them.
+void touch_keep(const System& system, TouchRoom& room, State& state);
 
 // What a step is to contact.
 struct TouchStep {
@@ -50,9 +54,9 @@ ContactCoefficients touch_force(double h);
 void touch_tie(const System& system, const Constraints& constraints, TouchRoom& room);
 
 // Before pins and welds: gives particles that are not alone what the bodies did to them in the step before.
-void touch_carry(const TouchRoom& room, const TouchStep& step, State& state);
-void touch_carry_synchronous(const TouchRoom& room, const State& state, double half, double centred,
-                             double* vx, double* vy, double* vz);
+void touch_carry(const System& system, const TouchRoom& room, const TouchStep& step, State& state);
+void touch_carry_synchronous(const System& system, TouchRoom& room, const State& state, double half,
+                             double centred, double* vx, double* vy, double* vz);
 
 // Adds to a free step what the bodies do. Needs touch_keep.
 void touch_apply(const System& system, const Kernel& kernel, TouchRoom& room, const TouchStep& step,
@@ -70,7 +74,7 @@ void touch_synchronous(const System& system, const Kernel& kernel, TouchRoom& ro
 // The longest step (s) in which no particle goes past what its surroundings were searched for.
 double touch_step_most(const System& system, const State& state);
 
-bool touch_any(const State& state);  // a particle is near a body
+bool touch_any(const State& state);  // a particle is near a body, or a link near a ridge
 
 // omega^2 that contact adds to that of a lattice, 1/s^2.
 double touch_omega2(const System& system, const State& state, int lattice);

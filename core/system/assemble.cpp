@@ -182,7 +182,7 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
   }
   system.bodies = bodies_make(scene, problems);
   for (const Body& body : system.bodies)
-    start.body.push_back({body.start, rotation_matrix(body.start.turn), {}, {}, {}, {}, {}, {}});
+    start.body.push_back({body.start, rotation_matrix(body.start.turn), {}, {}, {}, {}, {}, {}, {}});
   if (!problems.empty()) return system;
   seams_tie(scene, grids, system);
   side_number(system);
@@ -208,6 +208,7 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
     system.probes.push_back(probe_make(system.lattices[p], grid_locate(grids[p], probe.at)));
   }
   if (scene.self_contact) system.self = self_mesh_make(system, start);
+  ridges_find(system);
   return system;
 }
 

@@ -9,6 +9,7 @@
 #include "constraint/constraint.h"
 #include "constraint/frame.h"
 #include "contact/contact.h"
+#include "contact/ridge_cloth.h"
 #include "fabric/law.h"
 #include "piece/grid.h"
 #include "seam/seams.h"
@@ -102,6 +103,7 @@ struct System {
   Constraints constraints;       // of the pins, at the masses of the assembly
   std::vector<Probe> probes;     // as Scene::probes
   std::vector<Body> bodies;      // as Scene::bodies
+  RidgeCloth ridge_cloth;        // empty where no body has a ridge
   SelfMesh self;                 // of cloth that touches itself
 };
 

@@ -1,0 +1,144 @@
+#include "contact/ridge_gap.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "constraint/vector3.h"
+#include "self_contact/nearest.h"
+
+namespace drape {
+namespace {
+
+using namespace vector3;
+
+constexpr double kThin = 1e-12;     // of the square of a length: no direction is left
+constexpr double kParallel = 1e-4;  // sin^2 of an angle
+constexpr double kBeyond = 1e-9;    // of a ridge: what meets two of them where they join counts
+constexpr int kNewton = 12;         // iterations, at most
+constexpr double kSettled = 1e-13;  // of a cell's side
+
+// Turns n, of length 1, to the side from which the body falls away in all directions; the least sine of
+// these, or 0 where there is none.
+double side_set(const Ridge& r, Vec3& n) {
+  double low = INFINITY, high = -INFINITY;
+  for (const Vec3& f : r.fall) {
+    const double falls = -dot(n, f);
+    low = std::min(low, falls);
+    high = std::max(high, falls);
+  }
+  if (low > 0) return low;
+  if (high >= 0) return 0;
+  n = -1.0 * n;
+  return -high;
+}
+
+// Over the ridge where `sines`, the least that counts, is above `sine`.
+void over_set(RidgeGap& gap, double sines, double sine, const Vec3& n, double distance) {
+  if (!(sines > sine)) return;
+  const double rise = std::min(sines / sine - 1, 1.0);
+  gap.over = true;
+  gap.share = rise * rise * (3 - 2 * rise);
+  gap.n = n;
+  gap.distance = distance;
+}
+
+}  // namespace
+
+RidgeGap gap_link_edge(const Ridge& edge, const Vec3* end, double sine) {
+  RidgeGap gap;
+  const Vec3 e = end[1] - end[0], f = edge.to - edge.from, r = end[0] - edge.from, across = cross(e, f);
+  const double ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), er = dot(e, r), fr = dot(f, r);
+  const double det = ee * ff - ef * ef, s = (ef * fr - ff * er) / det, t = (ee * fr - ef * er) / det;
+  if (!(det > kParallel * ee * ff && s > 0 && s < 1 && t >= -kBeyond && t <= 1 + kBeyond)) {
+    const double to_ends = std::min(segment_distance2(end[0], edge.from, edge.to),
+                                    segment_distance2(end[1], edge.from, edge.to));
+    gap.clearance = std::sqrt(std::min(
+        {to_ends, segment_distance2(edge.from, end[0], end[1]), segment_distance2(edge.to, end[0], end[1])}));
+    return gap;
+  }
+  Vec3 n = (1 / norm(across)) * across;
+  gap.clearance = std::abs(dot(r, n));
+  const double sines = side_set(edge, n);
+  over_set(gap, sines, sine, n, dot(r, n));
+  gap.weight[0] = 1 - s;
+  gap.weight[1] = s;
+  return gap;
+}
+
+// A minimum also along the cloth: n.m >= sine |m| for the ways m from the link into its cells.
+RidgeGap gap_link_tip(const Ridge& tip, const Vec3* end, const Vec3 (*beyond)[2], int cells, double sine) {
+  RidgeGap gap;
+  const Vec3 link = end[1] - end[0];
+  const double t = segment_foot(tip.from, end[0], end[1]);
+  const Vec3 arm = end[0] + t * link - tip.from;
+  gap.clearance = norm(arm);
+  const double length2 = dot(link, link);
+  if (!(t > 0 && t < 1) || !(dot(arm, arm) > kThin * length2)) return gap;
+  Vec3 n = (1 / gap.clearance) * arm;
+  double sines = side_set(tip, n);
+  for (int k = 0; k < cells && sines > 0; ++k) {
+    Vec3 into = (1 - t) * (beyond[k][0] - end[0]) + t * (beyond[k][1] - end[1]);
+    into -= (dot(into, link) / length2) * link;
+    sines = std::min(sines, dot(n, into) / norm(into));
+  }
+  over_set(gap, sines, sine, n, dot(arm, n));
+  gap.weight[0] = 1 - t;
+  gap.weight[1] = t;
+  return gap;
+}
+
+namespace {
+
+// The foot (u, v) of p on the bilinear surface, by Gauss-Newton from its middle: (x - p).x_u = (x - p).x_v =
+// 0.
+struct BilinearFoot {
+  double u, v;
+  Vec3 arm, along_u, along_v;
+  bool inside;
+};
+BilinearFoot bilinear_foot(const Vec3& p, const Vec3* c) {
+  const Vec3 twist = (c[3] - c[2]) - (c[1] - c[0]);
+  BilinearFoot f{0.5, 0.5, {}, {}, {}, false};
+  for (int k = 0; k < kNewton; ++k) {
+    f.along_u = (c[1] - c[0]) + f.v * twist;
+    f.along_v = (c[2] - c[0]) + f.u * twist;
+    f.arm = c[0] + f.u * (c[1] - c[0]) + f.v * (c[2] - c[0]) + (f.u * f.v) * twist - p;
+    const double uu = dot(f.along_u, f.along_u), uv = dot(f.along_u, f.along_v),
+                 vv = dot(f.along_v, f.along_v), ru = dot(f.arm, f.along_u), rv = dot(f.arm, f.along_v);
+    const double det = uu * vv - uv * uv;
+    if (!(det > kThin * uu * vv)) return f;
+    const double du = (uv * rv - vv * ru) / det, dv = (uv * ru - uu * rv) / det;
+    if (std::abs(du) < kSettled && std::abs(dv) < kSettled) {
+      f.inside = f.u > 0 && f.u < 1 && f.v > 0 && f.v < 1;
+      return f;
+    }
+    f.u = std::clamp(f.u + du, -1.0, 2.0);
+    f.v = std::clamp(f.v + dv, -1.0, 2.0);
+  }
+  f.inside = f.u > 0 && f.u < 1 && f.v > 0 && f.v < 1;
+  return f;
+}
+
+}  // namespace
+
+RidgeGap gap_cell_tip(const Ridge& tip, const Vec3* c, double sine) {
+  RidgeGap gap;
+  const Vec3& p = tip.from;
+  const double sides2 =
+      std::min(std::min(segment_distance2(p, c[0], c[1]), segment_distance2(p, c[2], c[3])),
+               std::min(segment_distance2(p, c[0], c[2]), segment_distance2(p, c[1], c[3])));
+  const BilinearFoot f = bilinear_foot(p, c);
+  gap.clearance = std::sqrt(f.inside ? std::min(sides2, dot(f.arm, f.arm)) : sides2);
+  if (!f.inside) return gap;
+  const Vec3 across = cross(f.along_u, f.along_v);
+  Vec3 n = (1 / norm(across)) * across;
+  const double sines = side_set(tip, n);
+  over_set(gap, sines, sine, n, dot(f.arm, n));
+  gap.weight[0] = (1 - f.u) * (1 - f.v);
+  gap.weight[1] = f.u * (1 - f.v);
+  gap.weight[2] = (1 - f.u) * f.v;
+  gap.weight[3] = f.u * f.v;
+  return gap;
+}
+
+}  // namespace drape

@@ -1,0 +1,170 @@
+// What ridges do to links and cells: the law of particles (contact/response.h) on the gap of a pair. With
+// K = sum W_k^2/m_k, an impulse J on the gap's velocity sum W_k v_k gives the nodes W_k J/m_k and the gap K
+// J.
+//
+// The stiffness k = min(m_k) W^2/2 does not change as the foot slides, so that the penalty has an energy, and
+// k K <= W^2/2, for W_k >= 0, sum W_k = 1.
+#include "motion/ridge_touch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/penalty.h"
+#include "contact/response.h"
+#include "forces/lane_scalar.h"
+#include "motion/ridge_pairs.h"
+
+namespace drape {
+namespace {
+
+using vector3::cross;
+using vector3::dot;
+using vector3::norm;
+using vector3::operator*;
+using vector3::operator+;
+using vector3::operator-;
+using vector3::operator+=;
+using Lane = ScalarLane<false>;
+
+constexpr double kSoft = 0.5;     // of W^2 of a particle
+constexpr double kSunk = 0.5;     // layers past a solid's ridge, for which a link at first sight belongs out
+constexpr double kAsleep = 1e-9;  // m
+
+Vec<Lane> lanes(const Vec3& v) { return {v[0], v[1], v[2]}; }
+Vec3 vector(const Vec<Lane>& v) { return {v.x.v, v.y.v, v.z.v}; }
+
+bool belongs_out(const Body& body, const RidgePair& pair, const RidgeGap& gap, double layer) {
+  if (!gap.over) return false;
+  return gap.distance > 0 || pair.outside || (body.mesh.surface.solid && gap.distance > -kSunk * layer);
+}
+
+RidgeTouch touch_of(const System& system, const State& s, std::size_t b, std::size_t pair,
+                    const RidgePart& part, const RidgeGap& gap) {
+  const Body& body = system.bodies[b];
+  RidgeTouch t{b, pair, &part, gap, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0, 0};
+  double least = INFINITY, lightness = 0;
+  for (int k = 0; k < part.weights(); ++k) {
+    const std::size_t n = part.node[k];
+    const double w = gap.weight[k];
+    t.at += w * Vec3{s.x[n], s.y[n], s.z[n]};
+    t.old += w * Vec3{s.vx[n], s.vy[n], s.vz[n]};
+    least = std::min(least, system.mass[n]);
+    lightness += w * w * system.inverse_mass[n];
+  }
+  t.gap.n = pose_outward(body, s.body[b], gap.n);
+  t.carried = pose_velocity(body, s.body[b], t.at);
+  t.stiffness = gap.share * kSoft * system.lattices[std::size_t(part.lattice)].touch.omega2 * least;
+  t.mass = 1 / lightness;
+  return t;
+}
+
+// Finds what touches or may within `reach`. With `moves`, notes what that tells of each pair.
+void find(const System& system, const State& s, State* moves, std::vector<RidgeTouch>& touches) {
+  touches.clear();
+  for (std::size_t b = 0; b < s.body.size(); ++b) {
+    const RidgeContact& c = s.body[b].ridge;
+    for (std::size_t p = 0; p < c.pair.size(); ++p) {
+      if (c.wake[p] > c.way + c.reach + kAsleep) continue;
+      const RidgePair& pair = c.pair[p];
+      const RidgePart& part = system.ridge_cloth.part[pair.part];
+      const Lattice& l = system.lattices[std::size_t(part.lattice)];
+      Vec3 x[6];
+      ridge_places(system, s, b, part, x);
+      const RidgeGap gap = ridge_gap(part, system.bodies[b].ridges.ridge[pair.ridge], x, ridge_sine(l));
+      const double left = gap.clearance - l.touch.layer;
+      const bool asleep = left > c.reach;
+      const bool out = !asleep && belongs_out(system.bodies[b], pair, gap, l.touch.layer);
+      if (moves) {
+        RidgeContact& to = moves->body[b].ridge;
+        to.wake[p] = asleep ? to.way + left : to.way;
+        to.pair[p].outside = out;
+        if (!out) to.pair[p].grip = 0, to.pair[p].carry = {0, 0, 0};
+      }
+      if (out) touches.push_back(touch_of(system, s, b, p, part, gap));
+    }
+  }
+}
+
+ContactLaw law_of(const System& system, const State& s, const RidgeTouch& t) {
+  const Body& body = system.bodies[t.body];
+  ContactLaw law = system.lattices[std::size_t(t.part->lattice)].touch;
+  if (body.has_friction) law.friction = body.friction;
+  if (system.fit && s.fit.sewing) law.friction = {0, 0};
+  law.omega2 = t.stiffness / t.mass;
+  return law;
+}
+
+// Adds what an impulse J on the gap does, times `over`.
+void push(const System& system, const RidgeTouch& t, const ContactCoefficients& c, const RidgeField& f,
+          const Vec3& j) {
+  for (int k = 0; k < t.part->weights(); ++k) {
+    const std::size_t n = t.part->node[k];
+    const double over = t.gap.weight[k] * system.inverse_mass[n] * (f.lightness ? f.lightness[n] : 1);
+    for (std::size_t i = 0; i < 3; ++i) {
+      f.v[i][n] += over * j[i];
+      if (f.r[i]) f.r[i][n] += c.drift * (over * j[i]);
+    }
+  }
+}
+
+Vec3 free_velocity(const RidgeTouch& t, const RidgeField& f) {
+  Vec3 v{0, 0, 0};
+  for (int k = 0; k < t.part->weights(); ++k)
+    for (std::size_t i = 0; i < 3; ++i) v[i] += t.gap.weight[k] * f.v[i][t.part->node[k]];
+  return v;
+}
+
+// K
+double gap_lightness(const System& system, const RidgeTouch& t, const RidgeField& f) {
+  double sum = 0;
+  for (int k = 0; k < t.part->weights(); ++k) {
+    const std::size_t n = t.part->node[k];
+    sum += t.gap.weight[k] * t.gap.weight[k] * system.inverse_mass[n] * (f.lightness ? f.lightness[n] : 1);
+  }
+  return sum;
+}
+
+}  // namespace
+
+void ridge_keep(const System& system, State& s, std::vector<RidgeTouch>& touches) {
+  find(system, s, &s, touches);
+}
+
+void ridge_look(const System& system, const State& s, std::vector<RidgeTouch>& touches) {
+  find(system, s, nullptr, touches);
+}
+
+void ridge_carry(const System& system, const State& s, const std::vector<RidgeTouch>& touches,
+                 const ContactCoefficients& c, const RidgeField& f) {
+  for (const RidgeTouch& t : touches) push(system, t, c, f, c.kick * s.body[t.body].ridge.pair[t.pair].carry);
+}
+
+void ridge_respond(const System& system, const State& s, const std::vector<RidgeTouch>& touches,
+                   const ContactCoefficients& c, const RidgeField& f, State* moves, RidgeSums& sums) {
+  sums.load.assign(s.body.size(), PinLoad{});
+  sums.dissipated = sums.input = 0;
+  for (const RidgeTouch& t : touches) {
+    const RidgePair& pair = s.body[t.body].ridge.pair[t.pair];
+    const double k = gap_lightness(system, t, f);
+    const ContactLanes<Lane> law(law_of(system, s, t), c, system.bodies[t.body].damping);
+    push(system, t, c, f, -c.kick * pair.carry);
+    const Vec3 free = free_velocity(t, f), old = c.old_time > 0 || c.new_time > 0 ? t.old : free;
+    const ContactHit<Lane> hit =
+        contact_hit(law, lanes(t.gap.n), Lane(t.gap.distance), lanes(free - t.carried),
+                    lanes(old - t.carried), Lane(pair.grip), Lane(k * t.mass));
+    const Vec3 dv = vector(hit.dv), j = (1 / k) * dv, impulse = -c.impulse * j;
+    push(system, t, c, f, j);
+    sums.load[t.body].force += impulse;
+    sums.load[t.body].torque += cross(t.at - s.body[t.body].frame.position, impulse);
+    const Vec3 middle = 0.5 * (old + free + dv) - t.carried;
+    sums.dissipated += dot(impulse, middle) + c.impulse / k * hit.stored.v * dot(t.gap.n, middle);
+    sums.input -= dot(impulse, t.carried);
+    if (!moves) continue;
+    RidgePair& to = moves->body[t.body].ridge.pair[t.pair];
+    const double most = kContactCarry * law.layer.v * c.stop_rate, size = norm(dv);
+    to.grip = hit.grip.v;
+    to.carry = (size > most ? most / size : 1) / c.kick * j;
+  }
+}
+
+}  // namespace drape
