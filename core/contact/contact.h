@@ -78,6 +78,8 @@ struct RidgePair {
   std::uint32_t part, ridge;
   bool outside = false;  // known to belong out of the body
   double grip = 0;       // 1 where it sticks, else 0
+  double share = 0;      // of its penalty
+  double stored = 0;     // J, of its penalty
   Vec3 carry{0, 0, 0};   // N, what it got in the last step
 };
 

@@ -30,22 +30,34 @@ bool is_sharp(Ridge& r, double sine, const Vec3* normal) {
   return r.sharp > sine && !(normal && dot(out, *normal) <= 0);
 }
 
+// How far a triangle reaches along `into` from an edge through `from`.
+double height_over(const BodySurface& s, const Vec3& from, int triangle, const Vec3& into) {
+  double most = 0;
+  for (int c : s.corner[std::size_t(triangle)])
+    most = std::max(most, dot(s.point[std::size_t(c)] - from, into));
+  return most;
+}
+
 void edges_add(const BodySurface& s, double sine, Ridges& to) {
   for (std::size_t k = 0; k < s.edges.size(); ++k) {
     const SurfaceEdge& e = s.edges[k];
     if (s.solid && e.triangle.size() != 2) continue;  // a bad edge
-    Ridge r{s.point[std::size_t(e.corner[0])], s.point[std::size_t(e.corner[1])], false, int(k), e.into, 0};
+    Ridge r{
+        s.point[std::size_t(e.corner[0])], s.point[std::size_t(e.corner[1])], false, int(k), e.into, {}, 0};
+    for (std::size_t f = 0; f < e.triangle.size(); ++f)
+      r.length.push_back(height_over(s, r.from, e.triangle[f], e.into[f]));
     if (is_sharp(r, sine, s.solid ? &e.normal : nullptr)) to.ridge.push_back(r);
   }
 }
 
 void tips_add(const BodySurface& s, double sine, Ridges& to) {
   for (std::size_t p = 0; p < s.point.size(); ++p) {
-    Ridge r{s.point[p], s.point[p], true, int(p), {}, 0};
+    Ridge r{s.point[p], s.point[p], true, int(p), {}, {}, 0};
     for (int k : s.edges_at[p]) {
       const SurfaceEdge& e = s.edges[std::size_t(k)];
       const int other = e.corner[0] == int(p) ? e.corner[1] : e.corner[0];
       r.fall.push_back(unit(s.point[std::size_t(other)] - s.point[p]));
+      r.length.push_back(norm(s.point[std::size_t(other)] - s.point[p]));
     }
     if (is_sharp(r, sine, s.solid ? &s.normal_at[p] : nullptr)) to.ridge.push_back(r);
   }

@@ -33,13 +33,16 @@ double side_set(const Ridge& r, Vec3& n) {
 }
 
 // Over the ridge where `sines`, the least that counts, is above `sine`.
-void over_set(RidgeGap& gap, double sines, double sine, const Vec3& n, double distance) {
+void over_set(const Ridge& r, double sines, double sine, const Vec3& n, double distance, RidgeGap& gap) {
   if (!(sines > sine)) return;
   const double rise = std::min(sines / sine - 1, 1.0);
   gap.over = true;
   gap.share = rise * rise * (3 - 2 * rise);
   gap.n = n;
   gap.distance = distance;
+  gap.inside = INFINITY;
+  for (std::size_t k = 0; k < r.fall.size(); ++k)
+    gap.inside = std::min(gap.inside, -r.length[k] * dot(n, r.fall[k]));
 }
 
 }  // namespace
@@ -59,7 +62,7 @@ RidgeGap gap_link_edge(const Ridge& edge, const Vec3* end, double sine) {
   Vec3 n = (1 / norm(across)) * across;
   gap.clearance = std::abs(dot(r, n));
   const double sines = side_set(edge, n);
-  over_set(gap, sines, sine, n, dot(r, n));
+  over_set(edge, sines, sine, n, dot(r, n), gap);
   gap.weight[0] = 1 - s;
   gap.weight[1] = s;
   return gap;
@@ -81,7 +84,7 @@ RidgeGap gap_link_tip(const Ridge& tip, const Vec3* end, const Vec3 (*beyond)[2]
     into -= (dot(into, link) / length2) * link;
     sines = std::min(sines, dot(n, into) / norm(into));
   }
-  over_set(gap, sines, sine, n, dot(arm, n));
+  over_set(tip, sines, sine, n, dot(arm, n), gap);
   gap.weight[0] = 1 - t;
   gap.weight[1] = t;
   return gap;
@@ -133,7 +136,7 @@ RidgeGap gap_cell_tip(const Ridge& tip, const Vec3* c, double sine) {
   const Vec3 across = cross(f.along_u, f.along_v);
   Vec3 n = (1 / norm(across)) * across;
   const double sines = side_set(tip, n);
-  over_set(gap, sines, sine, n, dot(f.arm, n));
+  over_set(tip, sines, sine, n, dot(f.arm, n), gap);
   gap.weight[0] = (1 - f.u) * (1 - f.v);
   gap.weight[1] = f.u * (1 - f.v);
   gap.weight[2] = (1 - f.u) * f.v;

@@ -15,6 +15,7 @@ struct RidgeGap {
   double clearance = 0;  // m, of the two from each other, without a sign
   bool over = false;     // a local minimum of the distance; what follows is only then set
   double distance = 0;   // d, m
+  double inside = 0;     // m, by which the body falls away below it: deeper, the cloth is beyond the body
   double share = 0;      // of the penalty: from 0 where it begins to be one to 1 at twice the sine
   Vec3 n{0, 0, 0};
   double weight[4]{};  // W

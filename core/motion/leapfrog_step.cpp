@@ -160,6 +160,7 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
     s.vy[n] = motion.now_y[n];
     s.vz[n] = motion.now_z[n];
   }
+  if (ridge_any(s)) ridge_keep(system, s, motion.touch.ridge);  // what penalties lost is counted above
   s.h_old = s.h_older = 0;
 }
 

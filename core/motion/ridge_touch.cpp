@@ -33,9 +33,11 @@ constexpr double kAsleep = 1e-9;  // m
 Vec<Lane> lanes(const Vec3& v) { return {v[0], v[1], v[2]}; }
 Vec3 vector(const Vec<Lane>& v) { return {v.x.v, v.y.v, v.z.v}; }
 
-bool belongs_out(const Body& body, const RidgePair& pair, const RidgeGap& gap, double layer) {
+// What is first seen past a ridge has slid over it in one step where it is in the solid, and else was there
+// before: below a plate, or in the groove behind the fold of a sheet.
+bool belongs_out(const Body& body, const RidgePair& pair, const RidgeGap& gap) {
   if (!gap.over) return false;
-  return gap.distance > 0 || pair.outside || (body.mesh.surface.solid && gap.distance > -kSunk * layer);
+  return gap.distance > 0 || pair.outside || (body.mesh.surface.solid && -gap.distance < gap.inside);
 }
 
 RidgeTouch touch_of(const System& system, const State& s, std::size_t b, std::size_t pair,
@@ -58,8 +60,17 @@ RidgeTouch touch_of(const System& system, const State& s, std::size_t b, std::si
   return t;
 }
 
-// Finds what touches or may within `reach`. With `moves`, notes what that tells of each pair.
-void find(const System& system, const State& s, State* moves, std::vector<RidgeTouch>& touches) {
+// J that a pair stores.
+double energy_of(const System& system, const RidgeTouch& t) {
+  const double layer = system.lattices[std::size_t(t.part->lattice)].touch.layer;
+  const double depth = layer - t.gap.distance;
+  return depth > 0 ? t.stiffness * contact_penalty_energy(kContactBlend * layer, depth) : 0;
+}
+
+// Finds what touches or may within the reach of the step. With `moves`, notes what that tells of each pair.
+// J that pairs have lost since the last step because their share fell, or they are none any more.
+double find(const System& system, const State& s, State* moves, std::vector<RidgeTouch>& touches) {
+  double lost = 0;
   touches.clear();
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     const RidgeContact& c = s.body[b].ridge;
@@ -73,16 +84,29 @@ void find(const System& system, const State& s, State* moves, std::vector<RidgeT
       const RidgeGap gap = ridge_gap(part, system.bodies[b].ridges.ridge[pair.ridge], x, ridge_sine(l));
       const double left = gap.clearance - l.touch.layer;
       const bool asleep = left > c.reach;
-      const bool out = !asleep && belongs_out(system.bodies[b], pair, gap, l.touch.layer);
+      const bool out = !asleep && belongs_out(system.bodies[b], pair, gap);
       if (moves) {
         RidgeContact& to = moves->body[b].ridge;
         to.wake[p] = asleep ? to.way + left : to.way;
         to.pair[p].outside = out;
         if (!out) to.pair[p].grip = 0, to.pair[p].carry = {0, 0, 0};
       }
-      if (out) touches.push_back(touch_of(system, s, b, p, part, gap));
+      double stored = 0, at_share = 0;  // now; and with the share of before
+      if (out) {
+        touches.push_back(touch_of(system, s, b, p, part, gap));
+        stored = energy_of(system, touches.back());
+        at_share = stored > 0 ? stored / gap.share * pair.share : 0;
+      } else {
+        at_share = pair.stored;
+      }
+      lost += at_share - stored;
+      if (moves) {
+        moves->body[b].ridge.pair[p].share = out ? gap.share : 0;
+        moves->body[b].ridge.pair[p].stored = stored;
+      }
     }
   }
+  return lost;
 }
 
 ContactLaw law_of(const System& system, const State& s, const RidgeTouch& t) {
@@ -126,12 +150,12 @@ double gap_lightness(const System& system, const RidgeTouch& t, const RidgeField
 
 }  // namespace
 
-void ridge_keep(const System& system, State& s, std::vector<RidgeTouch>& touches) {
-  find(system, s, &s, touches);
+double ridge_keep(const System& system, State& s, std::vector<RidgeTouch>& touches) {
+  return find(system, s, &s, touches);
 }
 
-void ridge_look(const System& system, const State& s, std::vector<RidgeTouch>& touches) {
-  find(system, s, nullptr, touches);
+double ridge_look(const System& system, const State& s, std::vector<RidgeTouch>& touches) {
+  return find(system, s, nullptr, touches);
 }
 
 void ridge_carry(const System& system, const State& s, const std::vector<RidgeTouch>& touches,

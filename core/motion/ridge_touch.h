@@ -36,11 +36,12 @@ void ridge_watch(const System& system, State& state, std::size_t body, double ah
 // The longest step (s) in which nodes near a ridge move by no more than an eighth of a cell.
 double ridge_step_most(const System& system, const State& state);
 
-// Before a step: finds what touches at t_n, and keeps its velocities.
-void ridge_keep(const System& system, State& state, std::vector<RidgeTouch>& touches);
+// Before a step: finds what touches at t_n, and keeps its velocities. Gives J that penalties have lost since
+// the step before otherwise than by their work: as their share fell, or as pairs opened.
+double ridge_keep(const System& system, State& state, std::vector<RidgeTouch>& touches);
 
 // The same of a state that does not change.
-void ridge_look(const System& system, const State& state, std::vector<RidgeTouch>& touches);
+double ridge_look(const System& system, const State& state, std::vector<RidgeTouch>& touches);
 
 // Velocities, and in a step places, that touching changes. Inertia is mass over lightness.
 struct RidgeField {

@@ -216,7 +216,8 @@ void old_keep(TouchRoom& room, const State& s) {
 
 void touch_keep(const System& system, TouchRoom& room, State& s) {
   old_keep(room, s);
-  ridge_keep(system, s, room.ridge);
+  const double lost = ridge_keep(system, s, room.ridge);
+  if (system.energy) s.dissipated += lost;
 }
 
 void touch_tie(const System& system, const Constraints& constraints, TouchRoom& room) {
@@ -266,7 +267,7 @@ void touch_carry_synchronous(const System& system, TouchRoom& room, const State&
   ContactCoefficients c;
   c.kick = half > 0 ? half / centred : 1;
   carry_give(room, s, c.kick, nullptr, v, nullptr, 0);
-  ridge_look(system, s, room.ridge);
+  room.ridge_lost = ridge_look(system, s, room.ridge);
   ridge_carry(system, s, room.ridge, c, {{vx, vy, vz}, {}, nullptr});
 }
 
@@ -326,7 +327,8 @@ void touch_watch(const System& system, const Kernel& kernel, TouchRoom& room, St
 
 void touch_synchronous(const System& system, const Kernel& kernel, TouchRoom& room, const State& s,
                        double half, double centred, double* vx, double* vy, double* vz) {
-  room.dissipated = room.input = 0;
+  room.dissipated = half > 0 && system.energy ? room.ridge_lost : 0;
+  room.input = 0;
   if (half > 0) old_keep(room, s);
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     room.load[b] = PinLoad{};

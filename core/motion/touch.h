@@ -18,7 +18,8 @@ struct TouchRoom {
   std::vector<ContactLaw> law;    // [lattices] of the present body
   std::vector<RidgeTouch> ridge;  // links and cells on ridges, of the present pass
   RidgeSums ridge_sums;
-  bool told = false;  // what bodies were told of the half step before this advance is taken out already
+  double ridge_lost = 0;  // J, of ridge_look
+  bool told = false;      // what bodies were told of the half step before this advance is taken out already
   std::vector<PinLoad> load;         // [bodies] of the last synchronous pass
   double dissipated = 0, input = 0;  // J, likewise
 };
