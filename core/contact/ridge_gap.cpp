@@ -14,6 +14,8 @@ using namespace vector3;
 constexpr double kThin = 1e-12;     // of the square of a length: no direction is left
 constexpr double kParallel = 1e-4;  // sin^2 of an angle
 constexpr double kBeyond = 1e-9;    // of a ridge: what meets two of them where they join counts
+constexpr double kPast = 0.5;       // of a side of the cloth: how far beyond it a foot may be
+constexpr double kSteep = 0.01;     // sine between a cell and the way out of a tip
 constexpr int kNewton = 12;         // iterations, at most
 constexpr double kSettled = 1e-13;  // of a cell's side
 
@@ -32,6 +34,12 @@ double side_set(const Ridge& r, Vec3& n) {
   return -high;
 }
 
+Vec3 out_of(const Ridge& r) {
+  Vec3 out{0, 0, 0};
+  for (const Vec3& f : r.fall) out -= f;
+  return out;
+}
+
 // Over the ridge where `sines`, the least that counts, is above `sine`.
 void over_set(const Ridge& r, double sines, double sine, const Vec3& n, double distance, RidgeGap& gap) {
   if (!(sines > sine)) return;
@@ -42,25 +50,34 @@ void over_set(const Ridge& r, double sines, double sine, const Vec3& n, double d
   gap.distance = distance;
   gap.inside = INFINITY;
   for (std::size_t k = 0; k < r.fall.size(); ++k)
-    gap.inside = std::min(gap.inside, -r.length[k] * dot(n, r.fall[k]));
+    if (const double falls = -dot(n, r.fall[k]); falls > sine)
+      gap.inside = std::min(gap.inside, falls * r.length[k]);
 }
 
 }  // namespace
 
+// The link passes over (or under) the ridge where its ends are on both sides of the plane through the ridge
+// and its way out. On a ridge of more than 90 degrees of turn, the foot on the link's line may then lie a
+// little beyond its end.
 RidgeGap gap_link_edge(const Ridge& edge, const Vec3* end, double sine) {
   RidgeGap gap;
   const Vec3 e = end[1] - end[0], f = edge.to - edge.from, r = end[0] - edge.from, across = cross(e, f);
   const double ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), er = dot(e, r), fr = dot(f, r);
   const double det = ee * ff - ef * ef, s = (ef * fr - ff * er) / det, t = (ee * fr - ef * er) / det;
-  if (!(det > kParallel * ee * ff && s > 0 && s < 1 && t >= -kBeyond && t <= 1 + kBeyond)) {
+  const bool crosses = det > kParallel * ee * ff && t >= -kBeyond && t <= 1 + kBeyond;
+  const bool on_link = crosses && s > 0 && s < 1;
+  Vec3 n = crosses ? (1 / norm(across)) * across : across;
+  if (on_link) {
+    gap.clearance = std::abs(dot(r, n));
+  } else {
     const double to_ends = std::min(segment_distance2(end[0], edge.from, edge.to),
                                     segment_distance2(end[1], edge.from, edge.to));
     gap.clearance = std::sqrt(std::min(
         {to_ends, segment_distance2(edge.from, end[0], end[1]), segment_distance2(edge.to, end[0], end[1])}));
-    return gap;
+    if (!crosses || !(s > -kPast && s < 1 + kPast)) return gap;
+    const Vec3 side = cross(f, out_of(edge));
+    if (!(dot(r, side) * dot(end[1] - edge.from, side) < 0)) return gap;
   }
-  Vec3 n = (1 / norm(across)) * across;
-  gap.clearance = std::abs(dot(r, n));
   const double sines = side_set(edge, n);
   over_set(edge, sines, sine, n, dot(r, n), gap);
   gap.weight[0] = 1 - s;
@@ -122,8 +139,41 @@ BilinearFoot bilinear_foot(const Vec3& p, const Vec3* c) {
   return f;
 }
 
+// Whether the line through p along `out` meets the cell, and where: Newton in the plane across it.
+bool axis_meets(const Vec3& p, const Vec3& out, const Vec3* c, double& u, double& v) {
+  const Vec3 other = std::abs(out[0]) < 0.6 * norm(out) ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+  const Vec3 a = cross(out, other), b = cross(out, a), twist = (c[3] - c[2]) - (c[1] - c[0]);
+  u = v = 0.5;
+  for (int k = 0; k < kNewton; ++k) {
+    const Vec3 along_u = (c[1] - c[0]) + v * twist, along_v = (c[2] - c[0]) + u * twist;
+    const Vec3 arm = c[0] + u * (c[1] - c[0]) + v * (c[2] - c[0]) + (u * v) * twist - p;
+    const double au = dot(a, along_u), av = dot(a, along_v), bu = dot(b, along_u), bv = dot(b, along_v),
+                 ra = dot(a, arm), rb = dot(b, arm), det = au * bv - av * bu;
+    if (det == 0) return false;
+    const double du = (av * rb - bv * ra) / det, dv = (bu * ra - au * rb) / det;
+    u = std::clamp(u + du, -1.0, 2.0);
+    v = std::clamp(v + dv, -1.0, 2.0);
+    if (std::abs(du) < kSettled && std::abs(dv) < kSettled) break;
+  }
+  return u >= 0 && u <= 1 && v >= 0 && v <= 1;
+}
+
 }  // namespace
 
+namespace {
+
+void weights_set(double u, double v, RidgeGap& gap) {
+  gap.weight[0] = (1 - u) * (1 - v);
+  gap.weight[1] = u * (1 - v);
+  gap.weight[2] = (1 - u) * v;
+  gap.weight[3] = u * v;
+}
+
+}  // namespace
+
+// The cell passes over (or under) the tip where its foot is on the cell, or the way out of the tip meets it.
+// Where it is steeper than the tip, or the foot is beyond its sides, the height along the way out counts, and
+// is only stopped: it does not jump as the tip slides from cell to cell.
 RidgeGap gap_cell_tip(const Ridge& tip, const Vec3* c, double sine) {
   RidgeGap gap;
   const Vec3& p = tip.from;
@@ -132,15 +182,25 @@ RidgeGap gap_cell_tip(const Ridge& tip, const Vec3* c, double sine) {
                std::min(segment_distance2(p, c[0], c[2]), segment_distance2(p, c[1], c[3])));
   const BilinearFoot f = bilinear_foot(p, c);
   gap.clearance = std::sqrt(f.inside ? std::min(sides2, dot(f.arm, f.arm)) : sides2);
-  if (!f.inside) return gap;
-  const Vec3 across = cross(f.along_u, f.along_v);
-  Vec3 n = (1 / norm(across)) * across;
-  const double sines = side_set(tip, n);
-  over_set(tip, sines, sine, n, dot(f.arm, n), gap);
-  gap.weight[0] = (1 - f.u) * (1 - f.v);
-  gap.weight[1] = f.u * (1 - f.v);
-  gap.weight[2] = (1 - f.u) * f.v;
-  gap.weight[3] = f.u * f.v;
+  if (f.inside) {
+    const Vec3 across = cross(f.along_u, f.along_v);
+    Vec3 n = (1 / norm(across)) * across;
+    const double sines = side_set(tip, n);
+    weights_set(f.u, f.v, gap);
+    over_set(tip, sines, sine, n, dot(f.arm, n), gap);
+  }
+  double u = 0, v = 0;
+  Vec3 out = out_of(tip);
+  out = (1 / norm(out)) * out;
+  if (gap.over || !axis_meets(p, out, c, u, v)) return gap;
+  weights_set(u, v, gap);
+  Vec3 at{0, 0, 0},
+      n = cross((1 - v) * (c[1] - c[0]) + v * (c[3] - c[2]), (1 - u) * (c[2] - c[0]) + u * (c[3] - c[1]));
+  for (int k = 0; k < 4; ++k) at += gap.weight[k] * c[k];
+  n = (dot(n, out) < 0 ? -1 : 1) / norm(n) * n;
+  if (dot(n, out) < kSteep) n = out;
+  over_set(tip, tip.sharp, sine, n, dot(at - p, n), gap);
+  gap.share = 0;
   return gap;
 }
 

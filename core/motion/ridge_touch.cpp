@@ -26,8 +26,10 @@ using vector3::operator-;
 using vector3::operator+=;
 using Lane = ScalarLane<false>;
 
-constexpr double kSoft = 0.5;     // of W^2 of a particle
-constexpr double kSunk = 0.5;     // layers past a solid's ridge, for which a link at first sight belongs out
+constexpr double kSoft = 0.5;      // of W^2 of a particle
+constexpr double kSunk = 0.5;      // layers past a solid's ridge, for which a link at first sight belongs out
+constexpr double kSettled = 1e-3;  // of the first change of a velocity: sweeps end
+constexpr int kSweeps = 10;
 constexpr double kAsleep = 1e-9;  // m
 
 Vec<Lane> lanes(const Vec3& v) { return {v[0], v[1], v[2]}; }
@@ -91,15 +93,13 @@ double find(const System& system, const State& s, State* moves, std::vector<Ridg
         to.pair[p].outside = out;
         if (!out) to.pair[p].grip = 0, to.pair[p].carry = {0, 0, 0};
       }
-      double stored = 0, at_share = 0;  // now; and with the share of before
+      double stored = 0, kept = pair.stored;  // J: now; and now with the share of before
       if (out) {
         touches.push_back(touch_of(system, s, b, p, part, gap));
         stored = energy_of(system, touches.back());
-        at_share = stored > 0 ? stored / gap.share * pair.share : 0;
-      } else {
-        at_share = pair.stored;
+        if (gap.share > 0) kept = pair.share / gap.share * stored;
       }
-      lost += at_share - stored;
+      lost += kept - stored;
       if (moves) {
         moves->body[b].ridge.pair[p].share = out ? gap.share : 0;
         moves->body[b].ridge.pair[p].stored = stored;
@@ -131,7 +131,7 @@ void push(const System& system, const RidgeTouch& t, const ContactCoefficients& 
   }
 }
 
-Vec3 free_velocity(const RidgeTouch& t, const RidgeField& f) {
+Vec3 gap_velocity(const RidgeTouch& t, const RidgeField& f) {
   Vec3 v{0, 0, 0};
   for (int k = 0; k < t.part->weights(); ++k)
     for (std::size_t i = 0; i < 3; ++i) v[i] += t.gap.weight[k] * f.v[i][t.part->node[k]];
@@ -163,31 +163,76 @@ void ridge_carry(const System& system, const State& s, const std::vector<RidgeTo
   for (const RidgeTouch& t : touches) push(system, t, c, f, c.kick * s.body[t.body].ridge.pair[t.pair].carry);
 }
 
+namespace {
+
+// What a pair gives in a pass.
+struct Given {
+  Vec3 impulse{0, 0, 0};  // J, N s over what is taken out of v after the kick
+  double stored = 0;      // of it along n, what the penalty's potential gives
+  double grip = 0;
+};
+
+// J of a pair, given what all others do; how much it changes the gap's velocity.
+double pair_respond(const System& system, const State& s, const RidgeTouch& t, const ContactCoefficients& c,
+                    const RidgeField& f, Given& given) {
+  const double k = gap_lightness(system, t, f);
+  const ContactLanes<Lane> law(law_of(system, s, t), c, system.bodies[t.body].damping);
+  push(system, t, c, f, -1.0 * given.impulse);
+  const Vec3 free = gap_velocity(t, f), old = c.old_time > 0 || c.new_time > 0 ? t.old : free;
+  const ContactHit<Lane> hit =
+      contact_hit(law, lanes(t.gap.n), Lane(t.gap.distance), lanes(free - t.carried), lanes(old - t.carried),
+                  Lane(s.body[t.body].ridge.pair[t.pair].grip), Lane(k * t.mass));
+  const Vec3 impulse = (1 / k) * vector(hit.dv);
+  const double change = k * norm(impulse - given.impulse);
+  given = {impulse, hit.stored.v / k, hit.grip.v};
+  push(system, t, c, f, impulse);
+  return change;
+}
+
+void sums_add(const State& s, const RidgeTouch& t, const ContactCoefficients& c, const RidgeField& f,
+              const Given& given, RidgeSums& sums) {
+  const Vec3 now = gap_velocity(t, f), impulse = -c.impulse * given.impulse;
+  const Vec3 old = c.old_time > 0 || c.new_time > 0 ? t.old : now, middle = 0.5 * (old + now) - t.carried;
+  sums.load[t.body].force += impulse;
+  sums.load[t.body].torque += cross(t.at - s.body[t.body].frame.position, impulse);
+  sums.dissipated += dot(impulse, middle) + c.impulse * given.stored * dot(t.gap.n, middle);
+  sums.input -= dot(impulse, t.carried);
+}
+
+// What is given in advance in the next step: no more than a layer's way.
+Vec3 carry_of(const System& system, const RidgeTouch& t, const ContactCoefficients& c, const RidgeField& f,
+              const Vec3& impulse) {
+  const double layer = system.lattices[std::size_t(t.part->lattice)].touch.layer;
+  const double most = kContactCarry * layer * c.stop_rate, size = gap_lightness(system, t, f) * norm(impulse);
+  return (size > most ? most / size : 1) / c.kick * impulse;
+}
+
+}  // namespace
+
 void ridge_respond(const System& system, const State& s, const std::vector<RidgeTouch>& touches,
                    const ContactCoefficients& c, const RidgeField& f, State* moves, RidgeSums& sums) {
+  static thread_local std::vector<Given> given;
   sums.load.assign(s.body.size(), PinLoad{});
   sums.dissipated = sums.input = 0;
-  for (const RidgeTouch& t : touches) {
-    const RidgePair& pair = s.body[t.body].ridge.pair[t.pair];
-    const double k = gap_lightness(system, t, f);
-    const ContactLanes<Lane> law(law_of(system, s, t), c, system.bodies[t.body].damping);
-    push(system, t, c, f, -c.kick * pair.carry);
-    const Vec3 free = free_velocity(t, f), old = c.old_time > 0 || c.new_time > 0 ? t.old : free;
-    const ContactHit<Lane> hit =
-        contact_hit(law, lanes(t.gap.n), Lane(t.gap.distance), lanes(free - t.carried),
-                    lanes(old - t.carried), Lane(pair.grip), Lane(k * t.mass));
-    const Vec3 dv = vector(hit.dv), j = (1 / k) * dv, impulse = -c.impulse * j;
-    push(system, t, c, f, j);
-    sums.load[t.body].force += impulse;
-    sums.load[t.body].torque += cross(t.at - s.body[t.body].frame.position, impulse);
-    const Vec3 middle = 0.5 * (old + free + dv) - t.carried;
-    sums.dissipated += dot(impulse, middle) + c.impulse / k * hit.stored.v * dot(t.gap.n, middle);
-    sums.input -= dot(impulse, t.carried);
+  given.assign(touches.size(), Given{});
+  for (std::size_t k = 0; k < touches.size(); ++k)
+    given[k].impulse = c.kick * s.body[touches[k].body].ridge.pair[touches[k].pair].carry;
+  double first = 0;
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    double most = 0;
+    for (std::size_t k = 0; k < touches.size(); ++k) {
+      most = std::max(most, pair_respond(system, s, touches[k], c, f, given[k]));
+      if (sweep == 0) first = std::max(first, gap_lightness(system, touches[k], f) * norm(given[k].impulse));
+    }
+    if (!(most > kSettled * first)) break;
+  }
+  for (std::size_t k = 0; k < touches.size(); ++k) {
+    const RidgeTouch& t = touches[k];
+    sums_add(s, t, c, f, given[k], sums);
     if (!moves) continue;
     RidgePair& to = moves->body[t.body].ridge.pair[t.pair];
-    const double most = kContactCarry * law.layer.v * c.stop_rate, size = norm(dv);
-    to.grip = hit.grip.v;
-    to.carry = (size > most ? most / size : 1) / c.kick * j;
+    to.grip = given[k].grip;
+    to.carry = carry_of(system, t, c, f, given[k].impulse);
   }
 }
 

@@ -14,7 +14,7 @@ using namespace vector3;
 
 constexpr double kReachSteps = 2;    // at the present speed, for which pairs are looked at before they touch
 constexpr double kReachLayer = 0.1;  // of the layer, likewise
-constexpr double kWay = 0.125;       // of a cell: the most a step may move what is near
+constexpr double kWay = 0.25;        // of the layer: the most a step may move what is near
 
 Vec3 place(const State& s, std::size_t n) { return {s.x[n], s.y[n], s.z[n]}; }
 
@@ -164,7 +164,7 @@ double ridge_step_most(const System& system, const State& s) {
     for (std::uint32_t n : s.body[b].ridge.node) {
       const Vec3 v =
           Vec3{s.vx[n], s.vy[n], s.vz[n]} - pose_velocity(system.bodies[b], s.body[b], place(s, n));
-      longest = std::min(longest, kWay * system_lattice_of(system, n).cell / norm(v));
+      longest = std::min(longest, kWay * system_lattice_of(system, n).touch.layer / norm(v));
     }
   return longest;
 }

@@ -317,6 +317,7 @@ TEST(Ridge, MomentumIsBalancedOverEveryAdvance) {
 // Where a line through x = y = 0 along z meets the cloth, if it does: the height there of its bilinear cells.
 bool height_over_tip(const Assembled& a, double& height) {
   const Lattice& l = a.system.lattices[0];
+  bool met = false;
   for (int j = 0; j + 1 < l.rows; ++j)
     for (int i = 0; i + 1 < l.columns; ++i) {
       const std::size_t c[4] = {l.node(i, j), l.node(i + 1, j), l.node(i, j + 1), l.node(i + 1, j + 1)};
@@ -336,22 +337,29 @@ bool height_over_tip(const Assembled& a, double& height) {
         u -= (yv * x - xv * y) / det;
         v -= (xu * y - yu * x) / det;
       }
-      if (!(u >= 0 && u <= 1 && v >= 0 && v <= 1)) continue;
-      height = at(a.state.z);
-      return true;
+      if (!(u >= 0 && u <= 1 && v >= 0 && v <= 1 && std::hypot(at(a.state.x), at(a.state.y)) < 1e-9))
+        continue;
+      height = met ? std::min(height, at(a.state.z)) : at(a.state.z);
+      met = true;
     }
-  return false;
+  return met;
 }
 
 // A cloth thrown at 50 m/s onto a pyramid whose tip is between its nodes, and onto a roof between its nodes,
 // at the automatic step.
 TEST(Ridge, NoTipOrEdgeGetsThroughAtFiftyMetresPerSecond) {
   const SceneFolder folder;
-  for (const bool tip : {true, false})
-    for (const double mu : {0.0, 0.5}) {
-      Scene scene = over_roof(0.05, 0.01, 0.02, 1.0, folder);
-      if (tip) scene.bodies.clear(), body_add(scene, folder, "pyramid", pyramid(1.0));
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> angles(0.4, 1.25), shift(-0.005, 0.005);
+  double nearest = INFINITY;
+  for (int run = 0; run < 16; ++run)
+    for (const bool tip : {true, false}) {
+      const double mu = run % 2 ? 0.5 : 0, angle = run < 2 ? 1 : angles(random);
+      Scene scene = over_roof(0.05, 0.01, 0.02, angle, folder);
+      if (tip) scene.bodies.clear(), body_add(scene, folder, "pyramid", pyramid(angle));
       scene.fabrics[0].friction = {mu, mu};
+      scene.pieces[0].place.origin[0] += shift(random);
+      scene.pieces[0].place.origin[1] += shift(random);
       scene.pieces[0].velocity = {0, 0, -50};
       Assembled a = assemble(scene);
       double least = INFINITY;
@@ -372,10 +380,11 @@ TEST(Ridge, NoTipOrEdgeGetsThroughAtFiftyMetresPerSecond) {
             least = std::min(least, (1 - t) * a.state.z[n] + t * a.state.z[n + 1]);
           }
       }
-      EXPECT_GT(least, 0) << (tip ? "tip" : "ridge") << ", mu " << mu;
+      EXPECT_GT(least, 0) << (tip ? "tip" : "ridge") << ", mu " << mu << ", angle " << angle;
       EXPECT_LT(least, 0.01);
-      std::printf("%s, mu %.1f: nearest %.3g m\n", tip ? "tip" : "ridge", mu, least);
+      nearest = std::min(nearest, least);
     }
+  std::printf("nearest %.3g m\n", nearest);
 }
 
 // At rest over a roof and over a pyramid by its weight: the residual of the fit, and the weight on the body.
@@ -438,7 +447,7 @@ TEST(Ridge, EnergyIsBalanced) {
     scene.pieces[0].velocity = {0, 0, -0.1};
     Assembled a = assemble(scene);
     energy_begin(a.system, a.state);
-    advance(a, 0.05);
+    advance(a, 0.02);
     Outputs outputs;
     outputs_make(outputs, a.scene, a.system);
     outputs_fill(outputs, a.system, a.motion, a.state, DRAPE_ENERGY);
@@ -448,7 +457,8 @@ TEST(Ridge, EnergyIsBalanced) {
     errors.push_back(std::abs(e.balance_error) / (e.kinetic + e.dissipated));
     std::printf("energy: balance off by %.3g of %.3g J\n", e.balance_error, e.kinetic + e.dissipated);
   }
-  EXPECT_LT(errors[1], 1e-2);
+  EXPECT_LT(errors[0], 1e-4);
+  EXPECT_NEAR(std::log2(errors[0] / errors[1]), 2, 0.7);
 }
 
 // A body without sharp edges has no ridges, and the cloth nothing for them.
