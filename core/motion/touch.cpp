@@ -4,15 +4,10 @@
 #include <cmath>
 
 #include "constraint/vector3.h"
-#include "contact/nearest.h"
-#include "contact/penalty.h"
 #include "contact/pose.h"
 #include "contact/renew.h"
-#include "contact/response.h"
-#include "forces/lane_scalar.h"
 #include "motion/kernel.h"
 #include "motion/self_touch.h"
-#include "scene/faults.h"
 
 namespace drape {
 namespace {
@@ -148,55 +143,6 @@ void touch_begin(const System& system, const Kernel& kernel, TouchRoom& room, St
       }
   }
   ridge_stick(system, s);
-}
-
-namespace {
-
-double depth_at(const System& system, TouchRoom& room, const State& s, std::size_t b, const Lattice& l,
-                std::size_t n) {
-  const Body& body = system.bodies[b];
-  const Vec3 x = pose_inward(body, s.body[b], {s.x[n], s.y[n], s.z[n]});
-  Voxels& voxels = room.voxels[b];
-  if (const Neighbourhood near = voxels_at(voxels, x); near.triangle) {
-    Nearest found;
-    nearest_find(body.mesh.surface, *near.triangle, x, l.touch.layer, voxels.reach, voxels.reach, nullptr,
-                 found);
-    if (!found.touch.empty()) return l.touch.layer - found.touch[0].distance;
-  }
-  const double inside = voxels_depth(voxels, body.mesh.surface, x);
-  return inside > 0 ? l.touch.layer + inside : 0;
-}
-
-}  // namespace
-
-void touch_start_check(const System& system, const Scene& scene, TouchRoom& room, const State& s,
-                       std::vector<Problem>& problems) {
-  for (std::size_t b = 0; b < system.bodies.size(); ++b)
-    for (const Lattice& l : system.lattices) {
-      std::size_t count = 0;
-      Vec3 worst{0, 0, 0};
-      double deepest = 0;
-      for (std::size_t n : system.particle) {
-        if (!l.owns(n)) continue;
-        const double depth = depth_at(system, room, s, b, l, n);
-        if (!(depth > kContactDeepest * l.touch.layer)) continue;
-        ++count;
-        if (depth > deepest) deepest = depth, worst = {s.x[n], s.y[n], s.z[n]};
-      }
-      const char* what = " particles inside the body ";
-      if (count == 0) {
-        const RidgeDeep deep = ridge_deepest(system, s, b, l, room.voxels[b]);
-        count = deep.count, deepest = deep.depth, worst = deep.at;
-        what = " links or cells through sharp edges or tips of the body ";
-      }
-      if (count == 0) continue;
-      problems.push_back({"piece." + scene.pieces[std::size_t(l.piece)].name + ".place",
-                          "puts " + std::to_string(count) + what + in_quotes(system.bodies[b].name) +
-                              " or nearer to it than half the thickness, " + number_text(l.touch.layer) +
-                              " m; the deepest by " + number_text(deepest) + " m at (" +
-                              number_text(worst[0]) + ", " + number_text(worst[1]) + ", " +
-                              number_text(worst[2]) + "); wanted: all outside"});
-    }
 }
 
 namespace {
@@ -389,79 +335,6 @@ bool touch_any(const State& s) {
 double touch_omega2(const System& system, const State& s, int lattice) {
   const double omega2 = system.lattices[std::size_t(lattice)].touch.omega2;
   return (touch_any(s) ? omega2 : 0) + (ridge_any(s) ? omega2 : 0) + (self_any(s) ? omega2 : 0);
-}
-
-namespace {
-
-using Lane = ScalarLane<false>;
-
-// Visits the depth (m) of each particle within its layer.
-template <class Visit>
-void each_depth(const System& system, const State& s, Visit visit) {
-  for (std::size_t k = 0; k < s.body.size(); ++k)
-    for (const ContactPlace& place : s.body[k].blocks.order) {
-      const ContactBlock& b = s.body[k].blocks.pool[place.block];
-      const ContactLaw& law = system.lattices[std::size_t(b.lattice)].touch;
-      for (int i = 0; i < kRowUnit; ++i) {
-        if (b.offset[i] == -kFar) continue;
-        const std::size_t n = b.node + std::size_t(i);
-        const Vec3 x = pose_inward(system.bodies[k], s.body[k], {s.x[n], s.y[n], s.z[n]});
-        const double height = dot(Vec3{b.side[0][i], b.side[1][i], b.side[2][i]}, x) - b.offset[i];
-        const Gap<Lane> gap = contact_gap<Lane>(b, i, {x[0], x[1], x[2]}, height);
-        const double depth = law.layer - gap.distance.v;
-        if (depth > 0) visit(n, law, depth);
-      }
-    }
-}
-
-// Of a particle, by one surface: (m/a) W^2 phi(e), Pa.
-double pressure_of(const System& system, std::size_t n, const ContactLaw& law, double depth) {
-  return system.mass[n] / system.area[n] * law.omega2 * contact_penalty(kContactBlend * law.layer, depth);
-}
-
-}  // namespace
-
-ContactSummary touch_summary(const System& system, const State& s) {
-  ContactSummary sum;
-  std::size_t last = system.nodes;  // a particle in a groove counts once
-  each_depth(system, s, [&](std::size_t n, const ContactLaw& law, double depth) {
-    sum.count += n != last;
-    last = n;
-    sum.penetration = std::max(sum.penetration, depth);
-    sum.pressure = std::max(sum.pressure, pressure_of(system, n, law, depth));
-  });
-  ridge_each(system, s, [&](const RidgeTouch& t, double depth, double force) {
-    double area = INFINITY;
-    for (int k = 0; k < t.part->weights(); ++k) area = std::min(area, system.area[t.part->node[k]]);
-    ++sum.count;
-    sum.penetration = std::max(sum.penetration, depth);
-    sum.pressure = std::max(sum.pressure, force / area);
-  });
-  return sum;
-}
-
-std::vector<double> touch_pressure(const System& system, const State& s) {
-  std::vector<double> pressure(system.nodes, 0.0);
-  each_depth(system, s, [&](std::size_t n, const ContactLaw& law, double depth) {
-    pressure[n] += pressure_of(system, n, law, depth);
-  });
-  ridge_each(system, s, [&](const RidgeTouch& t, double, double force) {
-    for (int k = 0; k < t.part->weights(); ++k)
-      pressure[t.part->node[k]] += t.gap.weight[k] * force / system.area[t.part->node[k]];
-  });
-  return pressure;
-}
-
-double touch_energy(const System& system, const State& s) {
-  double sum = 0;
-  each_depth(system, s, [&](std::size_t n, const ContactLaw& law, double depth) {
-    sum += system.mass[n] * law.omega2 * contact_penalty_energy(kContactBlend * law.layer, depth);
-  });
-  ridge_each(system, s, [&](const RidgeTouch& t, double depth, double) {
-    const double blend = kContactBlend * system.lattices[std::size_t(t.part->lattice)].touch.layer;
-    sum += t.stiffness * contact_penalty_energy(blend, depth);
-  });
-  return sum;
 }
 
 }  // namespace drape
