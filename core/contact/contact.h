@@ -88,11 +88,12 @@ struct RidgeContact {
   std::vector<char> near;            // [nodes] 1: a ridge may be near its links; empty where a body has none
   std::vector<std::uint32_t> fresh;  // nodes near since the pairs were listed
   std::vector<std::uint32_t> node;   // those of all links and cells of near nodes, sorted
-  std::vector<Vec3> last;            // [of node] m, where they are, in the body's frame
-  std::vector<RidgePair> pair;       // sorted
-  std::vector<double> wake;          // [pairs] m, way until which they do not touch
-  double way = 0, listed = 0;        // m; pairs were listed at this way
-  double reach = 0;                  // m, of the next step
+  std::vector<Vec3> last,
+      from;  // [of node] m, in the body's frame: where they are; as their parts were listed
+  std::vector<RidgePair> pair;  // sorted
+  std::vector<double> wake;     // [pairs] m, way until which they do not touch
+  double way = 0;               // m
+  double reach = 0;             // m, of the next step
 };
 
 // What the motion changes of a body.

@@ -83,6 +83,16 @@ void each_bucket(const Vec3& low, const Vec3& high, double size, Visit visit) {
       for (std::int64_t k = a[2]; k <= b[2]; ++k) visit(bucket_name(i, j, k));
 }
 
+constexpr std::uint64_t kNoBucket = ~std::uint64_t(0);
+
+// Where a bucket is in the table, or would be.
+std::size_t table_place(const Ridges& ridges, std::uint64_t name) {
+  const std::size_t mask = ridges.table.size() - 1;
+  std::size_t at = std::size_t((name * 0x9e3779b97f4a7c15u) >> 32) & mask;
+  while (ridges.table[at].first != name && ridges.table[at].first != kNoBucket) at = (at + 1) & mask;
+  return at;
+}
+
 // A ridge piece by piece, none longer than a bucket.
 void buckets_fill(Ridges& to) {
   for (std::size_t r = 0; r < to.ridge.size(); ++r) {
@@ -99,6 +109,14 @@ void buckets_fill(Ridges& to) {
   }
   std::sort(to.entry.begin(), to.entry.end());
   to.entry.erase(std::unique(to.entry.begin(), to.entry.end()), to.entry.end());
+  std::size_t size = 16;
+  while (size < 2 * to.entry.size()) size *= 2;
+  to.table.assign(size, {kNoBucket, 0});
+  for (std::size_t k = 0; k < to.entry.size(); ++k) {
+    const std::uint64_t name = to.entry[k].first;
+    if (k > 0 && to.entry[k - 1].first == name) continue;
+    to.table[table_place(to, name)] = {name, std::uint32_t(k)};
+  }
 }
 
 }  // namespace
@@ -122,8 +140,10 @@ Ridges ridges_make(const BodySurface& surface, double sine, double bucket) {
 void ridges_in(const Ridges& ridges, const Vec3& low, const Vec3& high, std::vector<std::uint32_t>& found) {
   found.clear();
   each_bucket(low, high, ridges.bucket, [&](std::uint64_t name) {
-    auto at = std::lower_bound(ridges.entry.begin(), ridges.entry.end(), std::pair{name, std::uint32_t(0)});
-    for (; at != ridges.entry.end() && at->first == name; ++at) found.push_back(at->second);
+    const auto [known, first] = ridges.table[table_place(ridges, name)];
+    if (known != name) return;
+    for (std::size_t k = first; k < ridges.entry.size() && ridges.entry[k].first == name; ++k)
+      found.push_back(ridges.entry[k].second);
   });
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());

@@ -29,6 +29,7 @@ struct Ridges {
   Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};  // their box
   double bucket = 0;                                                              // m
   std::vector<std::pair<std::uint64_t, std::uint32_t>> entry;                     // bucket and ridge, sorted
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> table;  // bucket and its first entry, hashed
 };
 
 // Those at least as sharp as `sine`; buckets of `bucket` m or more.
