@@ -76,8 +76,8 @@ double touch_energy(const System& system, const State& s) {
     sum += system.mass[n] * law.omega2 * contact_penalty_energy(kContactBlend * law.layer, depth);
   });
   ridge_each(system, s, [&](const RidgeTouch& t, double depth, double) {
-    const double blend = kContactBlend * system.lattices[std::size_t(t.part->lattice)].touch.layer;
-    sum += t.stiffness * contact_penalty_energy(blend, depth);
+    const double layer = system.lattices[std::size_t(t.part->lattice)].touch.layer;
+    sum += t.stiffness * contact_penalty_energy(kContactBlend * layer, std::min(depth, layer));
   });
   return sum;
 }
