@@ -23,13 +23,13 @@ using vector3::operator+;
 using vector3::operator-;
 using vector3::operator+=;
 
-// In a fit nothing rubs while seams are to be closed.
+// In a fit nothing rubs while seams are to be closed, and until what has been sewn has settled.
 void laws_set(const System& system, const State& s, const Body& body, std::vector<ContactLaw>& laws) {
   laws.clear();
   for (const Lattice& l : system.lattices) {
     laws.push_back(l.touch);
     if (body.has_friction) laws.back().friction = body.friction;
-    if (system.fit && s.fit.sewing) laws.back().friction = {0, 0};
+    if (system.fit && (s.fit.sewing || s.fit.settling > 0)) laws.back().friction = {0, 0};
   }
 }
 
@@ -304,6 +304,7 @@ void touch_synchronous(const System& system, const Kernel& kernel, TouchRoom& ro
     job.v[0] = vx, job.v[1] = vy, job.v[2] = vz;
     job.c = half > 0 ? touch_last_kick(half, centred) : touch_force(s.h_old);
     if (half == 0) {
+      if (!s.lightness.empty()) job.stiff = s.lightness.data();
       job.old = nullptr;
       job.energy = false;
     }
@@ -366,9 +367,15 @@ void each_depth(const System& system, const State& s, Visit visit) {
     }
 }
 
+// The inertia of a particle, kg.
+double inertia_of(const System& system, const State& s, std::size_t n) {
+  return system.mass[n] / (s.lightness.empty() ? 1 : s.lightness[n]);
+}
+
 // Of a particle, by one surface: (m/a) W^2 phi(e), Pa.
-double pressure_of(const System& system, std::size_t n, const ContactLaw& law, double depth) {
-  return system.mass[n] / system.area[n] * law.omega2 * contact_penalty(kContactBlend * law.layer, depth);
+double pressure_of(const System& system, const State& s, std::size_t n, const ContactLaw& law, double depth) {
+  return inertia_of(system, s, n) / system.area[n] * law.omega2 *
+         contact_penalty(kContactBlend * law.layer, depth);
 }
 
 }  // namespace
@@ -380,7 +387,7 @@ ContactSummary touch_summary(const System& system, const State& s) {
     sum.count += n != last;
     last = n;
     sum.penetration = std::max(sum.penetration, depth);
-    sum.pressure = std::max(sum.pressure, pressure_of(system, n, law, depth));
+    sum.pressure = std::max(sum.pressure, pressure_of(system, s, n, law, depth));
   });
   return sum;
 }
@@ -388,7 +395,7 @@ ContactSummary touch_summary(const System& system, const State& s) {
 std::vector<double> touch_pressure(const System& system, const State& s) {
   std::vector<double> pressure(system.nodes, 0.0);
   each_depth(system, s, [&](std::size_t n, const ContactLaw& law, double depth) {
-    pressure[n] += pressure_of(system, n, law, depth);
+    pressure[n] += pressure_of(system, s, n, law, depth);
   });
   return pressure;
 }
@@ -396,7 +403,7 @@ std::vector<double> touch_pressure(const System& system, const State& s) {
 double touch_energy(const System& system, const State& s) {
   double sum = 0;
   each_depth(system, s, [&](std::size_t n, const ContactLaw& law, double depth) {
-    sum += system.mass[n] * law.omega2 * contact_penalty_energy(kContactBlend * law.layer, depth);
+    sum += inertia_of(system, s, n) * law.omega2 * contact_penalty_energy(kContactBlend * law.layer, depth);
   });
   return sum;
 }
