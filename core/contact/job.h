@@ -7,7 +7,6 @@ namespace drape {
 inline constexpr double kContactBlend = 0.125;   // of the layer: where the penalty reaches its slope
 inline constexpr double kContactDeepest = 0.9;   // of the layer: no particle is pressed deeper
 inline constexpr double kContactPush = 0.2;      // of what is deeper all the same, a step
-inline constexpr double kContactCarry = 1;       // layers in a step, the most that is carried on
 inline constexpr double kContactUnbound = 1e30;  // 1/s, as a stop_rate: nothing stops
 
 // What a kick does with the free velocity. Times are over mass and what is taken out of v after the kick.
@@ -29,6 +28,7 @@ struct ContactJob {
   double *r[3], *v[3];             // [nodes]
   const double* old;               // [blocks in order x 3 x kRowUnit] v_{n-1/2}; null: v stands for it
   const double *mass, *lightness;  // [nodes]; lightness: or null
+  const double* stiff;             // [nodes] accelerations of a fit: the lightness, as its penalties go; or null
   const double* tied;              // [nodes] 1 where pins or welds tie a particle to others, else 0; or null
   const ContactLaw* law;           // [lattices]
   double damping;                  // of the body

@@ -13,7 +13,8 @@
 // Pins and welds share what one particle is given among all that they tie together, and several surfaces act
 // on a particle one after the other, so that a single pass leaves a part undone. Such particles are given in
 // advance what they got in the step before (carry); pins, welds and other surfaces leave what it lacks, and
-// the pass takes it back and does it anew. At rest the two are the same.
+// the pass takes it back and does it anew. At rest the two are the same. Stops are not carried on: what
+// answers to a place one step late, without bound, swings.
 #pragma once
 #include "contact/job.h"
 #include "forces/rows.h"
@@ -44,32 +45,34 @@ struct ContactLanes {
 
   struct Normal {
     L impulse;  // P, what the normal velocity gains, at least 0
-    L stored;   // of it, what the penalty's potential gives
+    L stop;     // of it, what the stop gives
+    L stored;   // what the penalty's potential gives
   };
-  // w_n of the free velocity, before that of v_{n-1/2}; l: mass over inertia.
-  DRAPE_INLINE Normal normal(L distance, L w, L before, L l) const {
+  // w_n of the free velocity, before that of v_{n-1/2}; stiff: of the penalty, over omega^2.
+  DRAPE_INLINE Normal normal(L distance, L w, L before, L stiff) const {
     const L depth = layer - distance, t = min(max(depth * inverse_blend, L(0.0)), L(1.0));
     const L t2 = t * t, slope = t2 * fma(L(-2.0), t, L(3.0));
     const L phi = fma(blend, t2 * t * fma(L(-0.5), t, L(1.0)), max(depth - blend, L(0.0)));
-    const L stored = kick * l * omega2 * phi, drag = nu * l * slope;
+    const L stored = kick * stiff * omega2 * phi, drag = nu * slope;
     const L after = (w + stored - drag * old_time * before) / fma(drag, new_time, L(1.0));
     const L room = distance - least;
     const L wanted = L(0.0) - room * select(ge(room, L(0.0)), stop_rate, push_rate);
-    return {max(max(after - w, L(0.0)), wanted - w), stored};
+    const L soft = max(after - w, L(0.0)), all = max(soft, wanted - w);
+    return {all, all - soft, stored};
   }
 };
 
 template <class L>
 struct ContactHit {
   Vec<L> dv;
-  L grip, stored;  // stored: along n
+  L grip, stored, stop;  // stored, stop: along n
 };
 
 template <class L>
 DRAPE_INLINE ContactHit<L> contact_hit(const ContactLanes<L>& k, const Vec<L>& n, L distance, const Vec<L>& w,
-                                       const Vec<L>& before, L grip, L lightness) {
+                                       const Vec<L>& before, L grip, L stiff) {
   const L wn = dot(w, n);
-  const typename ContactLanes<L>::Normal normal = k.normal(distance, wn, dot(before, n), lightness);
+  const typename ContactLanes<L>::Normal normal = k.normal(distance, wn, dot(before, n), stiff);
   const L p = normal.impulse;
   const Vec<L> wt = w - n * wn;
   const L speed = sqrt(dot(wt, wt));
@@ -82,7 +85,8 @@ DRAPE_INLINE ContactHit<L> contact_hit(const ContactLanes<L>& k, const Vec<L>& n
            select(touches, fma(p, n.y, zero - share * wt.y), zero),
            select(touches, fma(p, n.z, zero - share * wt.z), zero)},
           select(touches, select(sticks, L(1.0), zero), zero),
-          select(touches, normal.stored, zero)};
+          select(touches, normal.stored, zero),
+          select(touches, normal.stop, zero)};
 }
 
 // The pose of a body in lanes.
@@ -140,13 +144,12 @@ DRAPE_INLINE Gap<L> contact_gap(const ContactBlock& b, int i, const Vec<L>& x, L
            select(clear, u.z * inverse, at(b.side[2]))}};
 }
 
-// What a tied particle is given in advance in the next step.
+// What a particle that is not alone is given in advance in the next step: all but stops, which would swing.
 template <class L>
-DRAPE_INLINE Vec<L> carry_of(const ContactLanes<L>& law, const ContactCoefficients& c, const Vec<L>& dv,
-                             L tied, L light) {
-  const L most = L(kContactCarry) * law.layer * law.stop_rate, size = sqrt(dot(dv, dv));
-  const L share = tied * min(most / max(size, L(1e-300)), L(1.0));
-  return dv * select(gt(light, L(0.0)), share / (L(c.kick) * light), L(0.0));
+DRAPE_INLINE Vec<L> carry_of(const ContactCoefficients& c, const Vec<L>& n, const ContactHit<L>& hit, L alone,
+                             L light) {
+  const L share = select(gt(light, L(0.0)), (L(1.0) - alone) / (L(c.kick) * light), L(0.0));
+  return (hit.dv - n * hit.stop) * share;
 }
 template <class L>
 DRAPE_INLINE void carry_store(ContactBlock& b, int i, const Vec<L>& carry) {
@@ -224,10 +227,11 @@ void contact_run(const ContactJob& job) {
       const Gap<L> gap = contact_gap(b, i, x, s);
       const Vec<L> normal = pose.outward(gap.n);
       const L grip = L::load(b.grip + i);
+      const L stiff = job.stiff ? L(1.0) / max(L::load(job.stiff + n), L(1e-300)) : L(1.0);
       const double* kept = job.old ? job.old + 3 * kRowUnit * k + std::size_t(i) : nullptr;
       const Vec<L> old =
           kept ? Vec<L>{L::load(kept), L::load(kept + kRowUnit), L::load(kept + 2 * kRowUnit)} : free;
-      const ContactHit<L> hit = contact_hit(law, normal, gap.distance, w, old - carried, grip, light);
+      const ContactHit<L> hit = contact_hit(law, normal, gap.distance, w, old - carried, grip, stiff);
       const L inertia = select(gt(light, L(0.0)), L::load(job.mass + n) / light, L(0.0)) * L(c.impulse);
       Vec<L> impulse = hit.dv * (L(0.0) - inertia);
       if (job.moves) L::store(b.grip + i, hit.grip);
@@ -236,7 +240,7 @@ void contact_run(const ContactJob& job) {
       if (job.moves) vec_store(r, 0, moved + hit.dv * L(c.drift));
       if (carries && job.moves) {
         const L tied = job.tied ? L::load(job.tied + n) : L(0.0);
-        carry_store(b, i, carry_of(law, c, hit.dv, max(tied, L::load(b.shared + i)), light));
+        carry_store(b, i, carry_of(c, normal, hit, L(1.0) - max(tied, L::load(b.shared + i)), light));
       }
       if (job.energy) {
         // J of the rest moves against v_mid - v_b, all of J with v_b
@@ -249,7 +253,7 @@ void contact_run(const ContactJob& job) {
         // the advance before has been told what turned its last half kick into v_n
         const Vec<L> kicked = free - old * L(c.keep);
         const Vec<L> half = (old + kicked * L(c.told_share)) * L(1 / c.told_centred) - carried;
-        const ContactHit<L> was = contact_hit(told, normal, gap.distance, half, half, grip, light);
+        const ContactHit<L> was = contact_hit(told, normal, gap.distance, half, half, grip, stiff);
         impulse = impulse + was.dv * (inertia * L(c.told_centred / c.impulse));
       }
       sums.add(part, impulse, arm);

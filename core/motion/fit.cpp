@@ -16,6 +16,10 @@ constexpr double kScaleWithin = 0.02;   // of a cell, by which no particle moves
 constexpr int kJudgeEvery = 8;          // intervals
 constexpr double kResidualRest = 1e-5;  // of the load
 constexpr double kKineticRest = 1e-9;   // of that times the size of the largest piece
+constexpr int kMeasureEvery = 64;       // steps, at least
+constexpr double kShrink = 0.01;        // of itself, by which an inertia shrinks from look to look at most
+constexpr double kSettleMost = 1;       // s, for which what has been sewn settles without friction
+constexpr double kSettled = 0.1;        // of the load: then it has settled
 constexpr double kFaded = 1e-4;         // of the most there was, where nothing weighs or pulls
 
 // True where that changes one.
@@ -72,6 +76,7 @@ double norm(const Vec3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] *
 
 void fit_scale(const System& system, const Constraints& constraints, State& s, double h) {
   const int steps = steps_ahead(system, s, h);
+  const Array before = std::move(s.lightness);
   s.lightness.assign(system.nodes, 0.0);  // holds m'/rho at first
   const double drag = step_limit_drag(system, s);
   const SeamsBound seams = step_limit_seams(system, s);
@@ -88,7 +93,10 @@ void fit_scale(const System& system, const Constraints& constraints, State& s, d
       most = std::max(most, std::min(omega2, omega2 / (ratio * ratio)));
     });
   }
-  for (std::size_t n : system.particle) s.lightness[n] = std::min(1.0, system.area[n] / s.lightness[n]);
+  for (std::size_t n : system.particle) {
+    s.lightness[n] = std::min(1.0, system.area[n] / s.lightness[n]);
+    if (!before.empty()) s.lightness[n] = std::min(s.lightness[n], before[n] / (1 - kShrink));
+  }
   rows_even(constraints, s);
   s.omega2 = most;
   s.watch_wait = steps;
@@ -96,37 +104,26 @@ void fit_scale(const System& system, const Constraints& constraints, State& s, d
 
 namespace {
 
-void velocities_lead(const System& system, State& s, double time) {
-  for (std::size_t n : system.particle) {
-    s.x[n] += time * s.vx[n];
-    s.y[n] += time * s.vy[n];
-    s.z[n] += time * s.vz[n];
+// omega of the motion since the last time, 1/s: u.[f(r) - f(r + u)]/(u.M' u); 0 where nothing moved or the
+// motion met no stiffness.
+double omega_moved(const System& system, Motion& motion, State& s) {
+  kernel_forces(*motion.kernel, system, s, motion.workspace, motion.now_x.data(), motion.now_y.data(),
+                motion.now_z.data());
+  const Array* r[] = {&s.x, &s.y, &s.z};
+  const Array* f[] = {&motion.now_x, &motion.now_y, &motion.now_z};
+  double stiff = 0, moved = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    Array &place = s.fit.place[k], &force = s.fit.force[k];
+    if (!place.empty())
+      for (std::size_t n : system.particle) {
+        const double u = (*r[k])[n] - place[n];
+        stiff += u * (force[n] - (*f[k])[n]);
+        moved += system.mass[n] / s.lightness[n] * u * u;
+      }
+    place = *r[k];
+    force = *f[k];
   }
-}
-
-// f.v
-double power(const System& system, const Motion& motion, const State& s) {
-  double sum = 0;
-  for (std::size_t n : system.particle)
-    sum += motion.now_x[n] * s.vx[n] + motion.now_y[n] * s.vy[n] + motion.now_z[n] * s.vz[n];
-  return sum;
-}
-
-// omega of the mode in motion, 1/s; 0 where nothing moves or the motion meets no stiffness.
-double omega_moving(const System& system, Motion& motion, State& s, double h) {
-  const double moving = 2 * kinetic(system, s);
-  if (!(moving > 0)) return 0;
-  const Array keep[] = {s.x, s.y, s.z};
-  const auto forces = [&] {
-    kernel_forces(*motion.kernel, system, s, motion.workspace, motion.now_x.data(), motion.now_y.data(),
-                  motion.now_z.data());
-    return power(system, motion, s);
-  };
-  const double before = forces();
-  velocities_lead(system, s, h);
-  const double after = forces();
-  s.x = keep[0], s.y = keep[1], s.z = keep[2];
-  return std::sqrt(std::max(0.0, (before - after) / h / moving));
+  return moved > 0 ? std::sqrt(std::max(0.0, stiff / moved)) : 0;
 }
 
 }  // namespace
@@ -134,7 +131,11 @@ double omega_moving(const System& system, Motion& motion, State& s, double h) {
 void fit_look(const System& system, Motion& motion, State& s, double h) {
   s.fit.sewing = seams_to_close(system, s);
   fit_scale(system, motion.constraints, s, h);
-  s.fit.damping = std::min(2 * omega_moving(system, motion, s, h), 1 / h);
+  if (s.fit.sewing) s.fit.settling = kSettleMost;
+  else s.fit.settling -= s.watch_wait * h;
+  if (s.steps < s.fit.measured + kMeasureEvery && !s.fit.place[0].empty()) return;
+  s.fit.measured = s.steps;
+  s.fit.damping = std::min(2 * omega_moved(system, motion, s), 1 / h);
 }
 
 // The forces left on particles and those of the pins (N), summed by size.
@@ -183,7 +184,8 @@ void fit_judge(const System& system, Motion& motion, State& s) {
   if (weight == 0)
     s.fit.load = std::max({s.fit.load, kFaded * s.fit.most, rounding(system, s) / kResidualRest});
   s.fit.residual = left.sum / s.fit.load;
-  s.fit.at_rest = !seams_to_close(system, s) && s.fit.residual <= kResidualRest &&
+  if (s.fit.residual <= kSettled) s.fit.settling = 0;
+  s.fit.at_rest = !seams_to_close(system, s) && s.fit.settling <= 0 && s.fit.residual <= kResidualRest &&
                   kinetic(system, s) <= kKineticRest * s.fit.load * size;
   if (s.fit.at_rest) stop(system, s);
 }

@@ -6,20 +6,22 @@
 //
 //     m' = sum over its cells of (m_z/4) max(1, (h omega_z/(2 S))^2)
 //
-// so that h is S of the limit at most everywhere. Weight and forces stay; so do equilibria. The damping is
-// critical for the mode in motion, by Rayleigh's quotient of the velocity (adaptive dynamic relaxation,
-// Underwood 1983):
+// so that h is S of the limit at most everywhere. Weight and forces stay; so do equilibria. An inertia grows
+// at once and shrinks slowly: one that followed the strain of a vibration would pump it up. The damping is
+// critical for the mode in motion, by Rayleigh's quotient of the way u of the last 64 steps (adaptive dynamic
+// relaxation, Underwood 1983):
 //
-//     c = 2 omega,     omega^2 = v.K v/(v.M' v),     K v = [f(r) - f(r + h v)]/h
+//     c = 2 omega,     omega^2 = u.K u/(u.M' u),     K u = f(r) - f(r + u)
 //
 // Fast modes first: while they move, c is large; what is left in the end is the slowest mode, and all others
-// die as it does.
+// die as it does. What chatters on a body goes nowhere, and does not count.
 #pragma once
 #include "motion/leapfrog.h"
 
 namespace drape {
 
-// Looks at inertia and damping for steps of h (s), for as many steps as State is then told to wait.
+// Looks at inertia, for as many steps of h (s) as State is then told to wait; at damping; and whether bodies
+// rub.
 void fit_look(const System& system, Motion& motion, State& state, double h);
 
 // The first of it alone.

@@ -53,7 +53,7 @@ RidgeTouch touch_of(const System& system, const State& s, std::size_t b, std::si
     const double w = gap.weight[k];
     t.at += w * Vec3{s.x[n], s.y[n], s.z[n]};
     t.old += w * Vec3{s.vx[n], s.vy[n], s.vz[n]};
-    least = std::min(least, system.mass[n]);
+    least = std::min(least, system.mass[n] / (s.lightness.empty() ? 1 : s.lightness[n]));
     lightness += w * w * system.inverse_mass[n];
   }
   t.gap.n = pose_outward(body, s.body[b], gap.n);
@@ -110,12 +110,13 @@ double find(const System& system, const State& s, State* moves, std::vector<Ridg
   return lost;
 }
 
-ContactLaw law_of(const System& system, const State& s, const RidgeTouch& t) {
+// `k`: sum W_k^2 over inertia.
+ContactLaw law_of(const System& system, const State& s, const RidgeTouch& t, double k) {
   const Body& body = system.bodies[t.body];
   ContactLaw law = system.lattices[std::size_t(t.part->lattice)].touch;
   if (body.has_friction) law.friction = body.friction;
-  if (system.fit && s.fit.sewing) law.friction = {0, 0};
-  law.omega2 = t.stiffness / t.mass;
+  if (system.fit && (s.fit.sewing || s.fit.settling > 0)) law.friction = {0, 0};
+  law.omega2 = t.stiffness * k;
   return law;
 }
 
@@ -170,6 +171,7 @@ namespace {
 struct Given {
   Vec3 impulse{0, 0, 0};  // J, N s over what is taken out of v after the kick
   double stored = 0;      // of it along n, what the penalty's potential gives
+  double stop = 0;        // likewise the stop
   double grip = 0;
 };
 
@@ -178,15 +180,15 @@ struct Given {
 double pair_respond(const System& system, const State& s, const RidgeTouch& t, const ContactCoefficients& c,
                     const RidgeField& f, Given& given) {
   const double k = gap_lightness(system, t, f);
-  const ContactLanes<Lane> law(law_of(system, s, t), c, system.bodies[t.body].damping);
+  const ContactLanes<Lane> law(law_of(system, s, t, k), c, system.bodies[t.body].damping);
   push(system, t, c, f, -1.0 * given.impulse);
   const Vec3 free = gap_velocity(t, f), old = c.old_time > 0 || c.new_time > 0 ? t.old : free;
   const ContactHit<Lane> hit =
       contact_hit(law, lanes(t.gap.n), Lane(std::max(t.gap.distance, 0.0)), lanes(free - t.carried),
-                  lanes(old - t.carried), Lane(s.body[t.body].ridge.pair[t.pair].grip), Lane(k * t.mass));
+                  lanes(old - t.carried), Lane(s.body[t.body].ridge.pair[t.pair].grip), Lane(1.0));
   const Vec3 impulse = (1 / k) * vector(hit.dv);
   const double change = k * norm(impulse - given.impulse);
-  given = {impulse, hit.stored.v / k, hit.grip.v};
+  given = {impulse, hit.stored.v / k, hit.stop.v / k, hit.grip.v};
   push(system, t, c, f, impulse);
   return change;
 }
@@ -199,14 +201,6 @@ void sums_add(const State& s, const RidgeTouch& t, const ContactCoefficients& c,
   sums.load[t.body].torque += cross(t.at - s.body[t.body].frame.position, impulse);
   sums.dissipated += dot(impulse, middle) + c.impulse * given.stored * dot(t.gap.n, middle);
   sums.input -= dot(impulse, t.carried);
-}
-
-// What is given in advance in the next step: no more than a layer's way.
-Vec3 carry_of(const System& system, const RidgeTouch& t, const ContactCoefficients& c, const RidgeField& f,
-              const Vec3& impulse) {
-  const double layer = system.lattices[std::size_t(t.part->lattice)].touch.layer;
-  const double most = kContactCarry * layer * c.stop_rate, size = gap_lightness(system, t, f) * norm(impulse);
-  return (size > most ? most / size : 1) / c.kick * impulse;
 }
 
 }  // namespace
@@ -234,7 +228,7 @@ void ridge_respond(const System& system, const State& s, const std::vector<Ridge
     if (!moves) continue;
     RidgePair& to = moves->body[t.body].ridge.pair[t.pair];
     to.grip = given[k].grip;
-    to.carry = carry_of(system, t, c, f, given[k].impulse);
+    to.carry = 1 / c.kick * (given[k].impulse - given[k].stop * t.gap.n);  // stops would swing
   }
 }
 

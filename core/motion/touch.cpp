@@ -19,13 +19,13 @@ using vector3::operator+;
 using vector3::operator-;
 using vector3::operator+=;
 
-// In a fit nothing rubs while seams are to be closed.
+// In a fit nothing rubs while seams are to be closed, and until what has been sewn has settled.
 void laws_set(const System& system, const State& s, const Body& body, std::vector<ContactLaw>& laws) {
   laws.clear();
   for (const Lattice& l : system.lattices) {
     laws.push_back(l.touch);
     if (body.has_friction) laws.back().friction = body.friction;
-    if (system.fit && s.fit.sewing) laws.back().friction = {0, 0};
+    if (system.fit && (s.fit.sewing || s.fit.settling > 0)) laws.back().friction = {0, 0};
   }
 }
 
@@ -287,6 +287,7 @@ void touch_synchronous(const System& system, const Kernel& kernel, TouchRoom& ro
     job.v[0] = vx, job.v[1] = vy, job.v[2] = vz;
     job.c = half > 0 ? touch_last_kick(half, centred) : touch_force(step_of(system, s));
     if (half == 0) {
+      if (!s.lightness.empty()) job.stiff = s.lightness.data();
       job.old = nullptr;
       job.energy = false;
     }

@@ -32,9 +32,15 @@ void each_depth(const System& system, const State& s, Visit visit) {
     }
 }
 
+// The inertia of a particle, kg.
+double inertia_of(const System& system, const State& s, std::size_t n) {
+  return system.mass[n] / (s.lightness.empty() ? 1 : s.lightness[n]);
+}
+
 // Of a particle, by one surface: (m/a) W^2 phi(e), Pa.
-double pressure_of(const System& system, std::size_t n, const ContactLaw& law, double depth) {
-  return system.mass[n] / system.area[n] * law.omega2 * contact_penalty(kContactBlend * law.layer, depth);
+double pressure_of(const System& system, const State& s, std::size_t n, const ContactLaw& law, double depth) {
+  return inertia_of(system, s, n) / system.area[n] * law.omega2 *
+         contact_penalty(kContactBlend * law.layer, depth);
 }
 
 }  // namespace
@@ -46,7 +52,7 @@ ContactSummary touch_summary(const System& system, const State& s) {
     sum.count += n != last;
     last = n;
     sum.penetration = std::max(sum.penetration, depth);
-    sum.pressure = std::max(sum.pressure, pressure_of(system, n, law, depth));
+    sum.pressure = std::max(sum.pressure, pressure_of(system, s, n, law, depth));
   });
   ridge_each(system, s, [&](const RidgeTouch& t, double depth, double force) {
     double area = INFINITY;
@@ -61,7 +67,7 @@ ContactSummary touch_summary(const System& system, const State& s) {
 std::vector<double> touch_pressure(const System& system, const State& s) {
   std::vector<double> pressure(system.nodes, 0.0);
   each_depth(system, s, [&](std::size_t n, const ContactLaw& law, double depth) {
-    pressure[n] += pressure_of(system, n, law, depth);
+    pressure[n] += pressure_of(system, s, n, law, depth);
   });
   ridge_each(system, s, [&](const RidgeTouch& t, double, double force) {
     for (int k = 0; k < t.part->weights(); ++k)
@@ -73,7 +79,7 @@ std::vector<double> touch_pressure(const System& system, const State& s) {
 double touch_energy(const System& system, const State& s) {
   double sum = 0;
   each_depth(system, s, [&](std::size_t n, const ContactLaw& law, double depth) {
-    sum += system.mass[n] * law.omega2 * contact_penalty_energy(kContactBlend * law.layer, depth);
+    sum += inertia_of(system, s, n) * law.omega2 * contact_penalty_energy(kContactBlend * law.layer, depth);
   });
   ridge_each(system, s, [&](const RidgeTouch& t, double depth, double) {
     const double layer = system.lattices[std::size_t(t.part->lattice)].touch.layer;

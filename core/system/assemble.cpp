@@ -122,15 +122,16 @@ Probe probe_make(const Lattice& l, const GridPoint& at) {
   return probe;
 }
 
-// The penalty's stiffness over mass is a small share of omega^2 of the flat lattice at rest.
-ContactLaw touch_law(const Lattice& l, const FabricSpec& fabric, double communication) {
-  constexpr double kShare = 0.05;
+// The penalty's stiffness over mass is a small share of omega^2 of the flat lattice at rest; a larger one in
+// a fit, whose inertia pays for it.
+ContactLaw touch_law(const Lattice& l, const FabricSpec& fabric, double communication, bool fit) {
+  constexpr double kShare = 0.05, kShareFit = 0.25;
   const Law& law = l.law;
   const double b2 = l.cell * l.cell, slope = std::max(curve_slope(law.warp, 0), curve_slope(law.weft, 0));
   const double rest = 4 * (slope + curve_slope(law.bias, 0)) / (law.areal_density * b2) +
                       32 * std::max(law.bending_warp, law.bending_weft) / (law.areal_density * b2 * b2);
   const double nothing = 1 / (communication * communication);  // no law acts
-  return {fabric.thickness / 2, kShare * (rest > 0 ? rest : nothing), fabric.friction};
+  return {fabric.thickness / 2, (fit ? kShareFit : kShare) * (rest > 0 ? rest : nothing), fabric.friction};
 }
 
 std::vector<Law> laws_make(const System& system, const std::vector<FabricSpec>& fabrics,
@@ -219,7 +220,7 @@ void system_retune(System& system, const std::vector<FabricSpec>& fabrics, std::
   for (std::size_t k = 0; k < laws.size(); ++k) {
     Lattice& l = system.lattices[k];
     l.law = std::move(laws[k]);
-    l.touch = touch_law(l, fabrics[std::size_t(l.fabric)], system.communication);
+    l.touch = touch_law(l, fabrics[std::size_t(l.fabric)], system.communication, system.fit);
   }
   masses_set(system);
   seams_retune(system);

@@ -133,7 +133,10 @@ struct Fit {
   double load = 0;      // N, weight or pins' forces
   double most = 0;      // N, forces left and pins' forces, the most since something last changed
   bool at_rest = false;
-  bool sewing = false;  // seams are to be closed: weight and friction wait
+  bool sewing = false;        // seams are to be closed: weight and friction wait
+  double settling = 0;        // s, for which friction waits yet at most
+  std::int64_t measured = 0;  // step at which the damping was found
+  Array place[3], force[3];   // [nodes] m, N, where particles were then, and the forces there
 };
 
 struct State {
