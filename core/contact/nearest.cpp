@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "constraint/vector3.h"
 
@@ -133,6 +134,24 @@ bool falls_away(const BodySurface& s, int first, int other, const Vec3& side) {
   return false;
 }
 
+// How often the surface goes round x: 1 inside, 0 outside, between them near its holes. Sum of solid angles
+// over 4 pi; of a triangle with corners a, b, c from x (Van Oosterom, Strackee 1983):
+//
+//   tan(A/2) = a.(b x c)/(|a||b||c| + a.b |c| + b.c |a| + c.a |b|)
+double winding_number(const BodySurface& s, const Vec3& x) {
+  double sum = 0;
+  for (std::size_t t = 0; t < s.corner.size(); ++t) {
+    const std::array<int, 3>& k = s.corner[t];
+    const Vec3 a = s.point[std::size_t(k[0])] - x, b = s.point[std::size_t(k[1])] - x,
+               c = s.point[std::size_t(k[2])] - x;
+    const double la = norm(a), lb = norm(b), lc = norm(c), volume = dot(a, cross(b, c)),
+                 out = dot(cross(b - a, c - a), s.normal[t]);
+    sum += std::atan2(out < 0 ? -volume : volume,
+                      la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+  }
+  return sum / (2 * std::numbers::pi);
+}
+
 }  // namespace
 
 void nearest_find(const BodySurface& s, const std::vector<int>& triangle, const Vec3& x, double contact,
@@ -183,7 +202,8 @@ void nearest_find(const BodySurface& s, const std::vector<int>& triangle, const 
 double nearest_signed(const BodySurface& s, int triangle, const Vec3& x) {
   const Foot foot = foot_of(s, triangle, x);
   const double distance = norm(x - foot.point);
-  return s.solid && dot(x - foot.point, normal_of(s, foot)) < 0 ? -distance : distance;
+  const bool inside = s.solid && dot(x - foot.point, normal_of(s, foot)) < 0 && winding_number(s, x) > 0.5;
+  return inside ? -distance : distance;
 }
 
 }  // namespace drape

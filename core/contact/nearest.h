@@ -33,7 +33,8 @@ void nearest_find(const BodySurface& surface, const std::vector<int>& triangle, 
                   double within, double reach, const Vec3* side, Nearest& found);
 
 // The signed distance to the surface at the triangle that is known to be nearest; above 0 outside, and where
-// the surface has no inside.
+// the surface has no inside. Where the triangle faces away from x the whole surface is asked: a few bad edges
+// make no inside.
 double nearest_signed(const BodySurface& surface, int triangle, const Vec3& x);
 
 }  // namespace drape

@@ -19,7 +19,7 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     drape("form", "-o", folder / "form.obj")
     drape("import", HERE / "tunic.json", "--body", folder / "form.obj", "-o", scene, "--cell", 0.025 if options.quick else 0.01)
-    end = fit(scene, folder, 1 if options.quick else 2)
+    end = fit(scene, folder)
     picture(folder / "run", folder / "imported.png", field="tension_warp", views=["front", "back", "oblique"])
     check(end)
 

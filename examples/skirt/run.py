@@ -9,4 +9,4 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "drafting"))
 from fitting import fitted
 
 if __name__ == "__main__":
-    fitted("skirt", __doc__, quick=(0.8, ["--cell=0.02", "--length=0.4"]), full=(2, ["--cell=0.01"]))
+    fitted("skirt", __doc__, quick=["--cell=0.02", "--length=0.4"], full=["--cell=0.01"])

@@ -13,6 +13,7 @@ using namespace vector3;
 
 constexpr double kNear = 0.012;    // m, between a panel and the body
 constexpr double kAround = 0.03;   // m, beyond a panel: between the vertices of the body
+constexpr double kThrough = 0.2;   // m, the most of the body that may be on the wrong side of a panel
 constexpr double kOver = 0.05;     // m, above a shoulder: a strap bends as it is drawn over it
 constexpr double kShoulder = 0.2;  // m, the most that a top may be above a seam to be in its way
 constexpr double kBeside = 0.01;   // m, on either side of a seam
@@ -35,17 +36,23 @@ void panel_approach(PieceSpec& piece, const std::vector<Vec3>& body) {
   for (const Vec2& p : piece.outline)
     for (std::size_t k = 0; k < 2; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
   const Vec3 normal = cross(place.axis_x, place.axis_y);
-  double nearest = INFINITY, below = 0, above = 0;
+  double nearest = INFINITY, farthest[2] = {0, 0};  // below, above
+  int count[2] = {0, 0};
   for (const Vec3& v : body) {
     const Vec3 d = v - place.origin;
     const double x = dot(d, place.axis_x), y = dot(d, place.axis_y), t = dot(d, normal);
     if (x < low[0] - kAround || x > high[0] + kAround || y < low[1] - kAround || y > high[1] + kAround)
       continue;
-    (t < 0 ? below : above) = 1;
+    const int side = t < 0 ? 0 : 1;
+    ++count[side];
+    farthest[side] = std::max(farthest[side], std::abs(t));
     nearest = std::min(nearest, std::abs(t));
   }
-  if (below == above || nearest < kNear) return;  // it is beside the body, on both sides of it, or near
-  place.origin += ((above > 0 ? 1 : -1) * (nearest - kNear)) * normal;
+  const int body_side = count[1] > count[0];
+  const double outward = body_side ? -1 : 1, through = farthest[1 - body_side];
+  if (count[0] + count[1] == 0 || through > kThrough) return;  // beside the body, or in the middle of it
+  if (through > 0) place.origin += (outward * (through + kNear)) * normal;
+  else if (nearest > kNear) place.origin -= (outward * (nearest - kNear)) * normal;
 }
 
 // How far a level seam has to rise for its sides to meet above what is between them.

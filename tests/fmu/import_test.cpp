@@ -1,5 +1,6 @@
 // `drape import`: patterns as scenes.
 #include "import/garment.h"
+#include "import/place_near.h"
 
 #include <cmath>
 #include <numbers>
@@ -279,6 +280,23 @@ TEST_F(Import, measures_the_body) {
   write("m.obj", "v 0 0 0\nv 0.1 1.7 0\nv 0 1.7 0.1\nf 1 2 3\n");
   ASSERT_EQ(import(kTunic, "--body m.obj").code, 0);
   EXPECT_NE(text_of("tunic.toml").find("mesh = \"m.obj\"\n\n"), std::string::npos);
+}
+
+// 12 mm off the body: from afar, and where the body comes a little through.
+TEST(ImportPlace, PutsPanelsNearTheBodyAndOutside) {
+  for (const double belly : {0.1, 0.23}) {
+    Scene scene;
+    PieceSpec front;
+    front.outline = {{-0.2, 0}, {0.2, 0}, {0.2, 0.5}, {-0.2, 0.5}};
+    front.place.origin = {0, 1, 0.2};
+    scene.pieces = {front};
+    std::vector<Vec3> body{{0.1, 1.2, belly}};
+    for (const double y : {1.0, 1.25, 1.5})
+      for (const double x : {-0.15, 0.15})
+        for (const double z : {-0.1, 0.1}) body.push_back({x, y, z});
+    garment_place_near(scene, body);
+    EXPECT_NEAR(scene.pieces[0].place.origin[2], belly + 0.012, 1e-12);
+  }
 }
 
 TEST_F(Import, refuses_bad_bodies) {

@@ -93,6 +93,24 @@ TEST(Nearest, IsTheNearestOfAllTrianglesAndItsBudgetIsKept) {
   }
 }
 
+// A fin on a ball, of one triangle that no other backs, makes no inside behind it.
+TEST(Nearest, AFewBadEdgesMakeNoInside) {
+  const SceneFolder folder;
+  Mesh mesh = ball(0.1, 16);
+  const int tip = int(mesh.point.size()), a = mesh.corner[200][0], b = mesh.corner[200][1];
+  mesh.point.push_back(1.6 * mesh.point[std::size_t(a)]);
+  mesh.corner.push_back({a, b, tip});
+  const Body body = body_of(folder, mesh);
+  const BodySurface& surface = body.mesh.surface;
+  ASSERT_TRUE(surface.solid);
+  Voxels voxels = voxels_make(*body.mesh.library, *body.mesh.query, surface, 0.002);
+  for (const double side : {-1.0, 1.0}) {
+    const Vec3 beside = surface.middle.back() + 0.02 * side * surface.normal.back();
+    EXPECT_EQ(voxels_depth(voxels, surface, beside), 0) << side;
+  }
+  EXPECT_NEAR(voxels_depth(voxels, surface, {0, 0, 0}), 0.1 * std::cos(std::numbers::pi / 16), 0.002);
+}
+
 // One minimum over a convex edge, two in a groove, one sign for each side.
 TEST(Nearest, CountsLocalMinima) {
   const SceneFolder folder;
