@@ -156,6 +156,7 @@ DRAPE_INLINE void carry_store(ContactBlock& b, int i, const Vec<L>& carry) {
   L::store(b.carry[0] + i, carry.x);
   L::store(b.carry[1] + i, carry.y);
   L::store(b.carry[2] + i, carry.z);
+  b.carries = b.carries || any(gt(abs(carry.x) + abs(carry.y) + abs(carry.z), L(0.0)));
 }
 
 // Sums over the blocks, one for each place of a block: the same bits for every width of a lane.
@@ -195,13 +196,14 @@ void contact_run(const ContactJob& job) {
       law = ContactLanes<L>(job.law[lattice], c, job.damping);
       told = ContactLanes<L>(job.law[lattice], job.told, job.damping);
     }
+    const bool given = b.carries;  // in advance
+    if (job.moves) b.carries = false;
     for (int i = 0, part = 0; i < kRowUnit; i += L::kWidth, ++part) {
       const std::size_t n = b.node + std::size_t(i);
       const Row r{job.r[0] + n, job.r[1] + n, job.r[2] + n}, v{job.v[0] + n, job.v[1] + n, job.v[2] + n};
       const L light = job.lightness ? L::load(job.lightness + n) : L(1.0);
       Vec<L> free = vec_load<L>(v, 0), moved = vec_load<L>(r, 0);
-      const bool carries = job.tied || b.shares;
-      if (carries) {
+      if (given) {
         const Vec<L> carried_on =
             Vec<L>{L::load(b.carry[0] + i), L::load(b.carry[1] + i), L::load(b.carry[2] + i)} *
             (L(c.kick) * light);
@@ -217,7 +219,7 @@ void contact_run(const ContactJob& job) {
       const L nearer = L(c.reach_time) * (abs(w.x) + abs(w.y) + abs(w.z));
       if (!any(gt(law.layer, s - nearer))) {
         if (job.moves) L::store(b.grip + i, L(0.0));
-        if (carries) {
+        if (given) {
           vec_store(v, 0, free);
           if (job.moves) vec_store(r, 0, moved);
           if (job.moves) carry_store(b, i, Vec<L>{L(0.0), L(0.0), L(0.0)});
@@ -238,7 +240,7 @@ void contact_run(const ContactJob& job) {
       const Vec<L> now = free + hit.dv;
       vec_store(v, 0, now);
       if (job.moves) vec_store(r, 0, moved + hit.dv * L(c.drift));
-      if (carries && job.moves) {
+      if (job.moves && (given || job.tied || b.shares)) {
         const L tied = job.tied ? L::load(job.tied + n) : L(0.0);
         carry_store(b, i, carry_of(c, normal, hit, L(1.0) - max(tied, L::load(b.shared + i)), light));
       }

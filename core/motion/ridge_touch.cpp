@@ -2,7 +2,7 @@
 // K = sum W_k^2/m_k, an impulse J on the gap's velocity sum W_k v_k gives the nodes W_k J/m_k and the gap K
 // J.
 //
-// The stiffness k = min(m_k) W^2/2 does not change as the foot slides, so that the penalty has an energy, and
+// The stiffness k = min(m_k) W^2/2 (in a fit, which has no balance of energy, W^2/(2 K)) does not change as the foot slides, so that the penalty has an energy, and
 // k K <= W^2/2, for W_k >= 0, sum W_k = 1.
 #include "motion/ridge_touch.h"
 
@@ -46,20 +46,20 @@ bool belongs_out(const Body& body, const RidgePair& pair, const RidgeGap& gap) {
 RidgeTouch touch_of(const System& system, const State& s, std::size_t b, std::size_t pair,
                     const RidgePart& part, const RidgeGap& gap) {
   const Body& body = system.bodies[b];
-  RidgeTouch t{b, pair, &part, gap, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0, 0};
-  double least = INFINITY, lightness = 0;
+  RidgeTouch t{b, pair, &part, gap, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0};
+  double least = INFINITY, lightness = 0;  // kg, 1/kg, of inertia
   for (int k = 0; k < part.weights(); ++k) {
     const std::size_t n = part.node[k];
     const double w = gap.weight[k];
     t.at += w * Vec3{s.x[n], s.y[n], s.z[n]};
     t.old += w * Vec3{s.vx[n], s.vy[n], s.vz[n]};
-    least = std::min(least, system.mass[n] / (s.lightness.empty() ? 1 : s.lightness[n]));
-    lightness += w * w * system.inverse_mass[n];
+    const double inertia = system.mass[n] / (s.lightness.empty() ? 1 : s.lightness[n]);
+    least = std::min(least, inertia);
+    lightness += w * w / inertia;
   }
   t.gap.n = pose_outward(body, s.body[b], gap.n);
   t.carried = pose_velocity(body, s.body[b], t.at);
-  t.stiffness = gap.share * kSoft * system.lattices[std::size_t(part.lattice)].touch.omega2 * least;
-  t.mass = 1 / lightness;
+  t.stiffness = gap.share * kSoft * system.lattices[std::size_t(part.lattice)].touch.omega2 * (system.fit ? 1 / lightness : least);
   return t;
 }
 

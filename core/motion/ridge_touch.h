@@ -16,7 +16,6 @@ struct RidgeTouch {
   Vec3 carried;       // m/s, of the body there
   Vec3 old{0, 0, 0};  // m/s, of the cloth there at t_{n-1/2}
   double stiffness;   // N/m
-  double mass;        // kg, 1/sum W_k^2/m_k
 };
 
 inline bool ridge_any(const State& s) {  // a pair is near

@@ -179,12 +179,12 @@ void touch_tie(const System& system, const Constraints& constraints, TouchRoom& 
 namespace {
 
 // Gives particles that are not alone in advance what they got in the step before.
-void carry_give(const TouchRoom& room, const State& s, double kick, const double* lightness, double* v[3],
-                double* r[3], double drift) {
+void carry_give(const State& s, double kick, const double* lightness, double* v[3], double* r[3],
+                double drift) {
   for (const BodyContact& body : s.body)
     for (const ContactPlace& place : body.blocks.order) {
       const ContactBlock& b = body.blocks.pool[place.block];
-      if (room.tied.empty() && !b.shares) continue;
+      if (!b.carries) continue;
       for (std::size_t i = 0; i < std::size_t(kRowUnit); ++i) {
         const std::size_t n = b.node + i;
         const double given = kick * (lightness ? lightness[n] : 1);
@@ -203,7 +203,7 @@ void touch_carry(const System& system, const TouchRoom& room, const TouchStep& s
   double* v[] = {s.vx.data(), s.vy.data(), s.vz.data()};
   double* r[] = {s.x.data(), s.y.data(), s.z.data()};
   const double* lightness = s.lightness.empty() ? nullptr : s.lightness.data();
-  carry_give(room, s, step.kick, lightness, v, r, step.drift);
+  carry_give(s, step.kick, lightness, v, r, step.drift);
   ridge_carry(system, s, room.ridge, touch_kick(step), {{v[0], v[1], v[2]}, {r[0], r[1], r[2]}, lightness});
 }
 
@@ -212,7 +212,7 @@ void touch_carry_synchronous(const System& system, TouchRoom& room, const State&
   double* v[] = {vx, vy, vz};
   ContactCoefficients c;
   c.kick = half > 0 ? half / centred : 1;
-  carry_give(room, s, c.kick, nullptr, v, nullptr, 0);
+  carry_give(s, c.kick, nullptr, v, nullptr, 0);
   room.ridge_lost = ridge_look(system, s, room.ridge);
   ridge_carry(system, s, room.ridge, c, {{vx, vy, vz}, {}, nullptr});
 }
