@@ -23,6 +23,7 @@ struct Ridge {
 
 // No surface whose triangles turn by less than 2 asin of this is sharp: it stands for a smooth one.
 inline constexpr double kRidgeSine = 0.0872;  // 10 degrees
+inline constexpr double kRidgeSineFit = 0.5;  // 60 degrees: fewer, for a fit to come to rest
 
 struct Ridges {
   std::vector<Ridge> ridge;                                                       // edges, then vertices

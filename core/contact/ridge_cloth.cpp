@@ -67,7 +67,8 @@ void ridges_find(System& system) {
   }
   bool any = false;
   for (Body& body : system.bodies) {
-    body.ridges = ridges_make(body.mesh.surface, std::max(sine, kRidgeSine), kBucket * near);
+    body.ridges = ridges_make(body.mesh.surface, std::max(sine, system.fit ? kRidgeSineFit : kRidgeSine),
+                              kBucket * near);
     any = any || !body.ridges.ridge.empty();
   }
   if (!any) return;

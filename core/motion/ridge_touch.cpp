@@ -2,8 +2,8 @@
 // K = sum W_k^2/m_k, an impulse J on the gap's velocity sum W_k v_k gives the nodes W_k J/m_k and the gap K
 // J.
 //
-// The stiffness k = min(m_k) W^2/2 (in a fit, which has no balance of energy, W^2/(2 K)) does not change as the foot slides, so that the penalty has an energy, and
-// k K <= W^2/2, for W_k >= 0, sum W_k = 1.
+// The stiffness k = min(m_k) W^2/2 (in a fit, which has no balance of energy, W^2/(2 K)) does not change as
+// the foot slides, so that the penalty has an energy, and k K <= W^2/2, for W_k >= 0, sum W_k = 1.
 #include "motion/ridge_touch.h"
 
 #include <algorithm>
@@ -59,7 +59,8 @@ RidgeTouch touch_of(const System& system, const State& s, std::size_t b, std::si
   }
   t.gap.n = pose_outward(body, s.body[b], gap.n);
   t.carried = pose_velocity(body, s.body[b], t.at);
-  t.stiffness = gap.share * kSoft * system.lattices[std::size_t(part.lattice)].touch.omega2 * (system.fit ? 1 / lightness : least);
+  t.stiffness = gap.share * kSoft * system.lattices[std::size_t(part.lattice)].touch.omega2 *
+                (system.fit ? 1 / lightness : least);
   return t;
 }
 

@@ -391,8 +391,8 @@ TEST(Ridge, NoTipOrEdgeGetsThroughAtFiftyMetresPerSecond) {
 TEST(Ridge, AClothRestsOnRoofAndTip) {
   const SceneFolder folder;
   for (const bool tip : {false, true}) {
-    Scene scene = over_roof(0.1, 0.01, 0.0009, 0.5, folder);
-    if (tip) scene.bodies.clear(), body_add(scene, folder, "pyramid", pyramid(0.5));
+    Scene scene = over_roof(0.1, 0.01, 0.0009, 0.55, folder);
+    if (tip) scene.bodies.clear(), body_add(scene, folder, "pyramid", pyramid(0.72));
     scene.fabrics[0].friction = {0.8, 0.8};
     scene.mode = Mode::kFit;
     Assembled a = assemble(scene);
