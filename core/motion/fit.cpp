@@ -184,7 +184,7 @@ void fit_judge(const System& system, Motion& motion, State& s) {
   if (weight == 0)
     s.fit.load = std::max({s.fit.load, kFaded * s.fit.most, rounding(system, s) / kResidualRest});
   s.fit.residual = left.sum / s.fit.load;
-  if (s.fit.residual <= kSettled) s.fit.settling = 0;
+  if (!seams_to_close(system, s) && s.fit.residual <= kSettled) s.fit.settling = 0;
   s.fit.at_rest = !seams_to_close(system, s) && s.fit.settling <= 0 && s.fit.residual <= kResidualRest &&
                   kinetic(system, s) <= kKineticRest * s.fit.load * size;
   if (s.fit.at_rest) stop(system, s);

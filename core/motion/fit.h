@@ -6,7 +6,8 @@
 //
 //     m' = sum over its cells of (m_z/4) max(1, (h omega_z/(2 S))^2)
 //
-// so that h is S of the limit at most everywhere. Weight and forces stay; so do equilibria. An inertia grows
+// so that h is S of the limit at most everywhere. Weight and forces stay; so do equilibria, but for how deep
+// particles lie in the layer of a body, whose penalty goes with the inertia. An inertia grows
 // at once and shrinks slowly: one that followed the strain of a vibration would pump it up. The damping is
 // critical for the mode in motion, by Rayleigh's quotient of the way u of the last 64 steps (adaptive dynamic
 // relaxation, Underwood 1983):

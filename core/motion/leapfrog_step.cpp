@@ -147,10 +147,13 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
     s.input = now.input + motion.held.work + motion.touch.input;
   }
   const double half = last_half(system, s);
-  for (std::size_t b = 0; !s.advance_begins && b < s.body.size(); ++b) {
+  // what has been taken out for the first step (ridges_told) does not come in any more
+  const bool adds = !s.advance_begins || motion.touch.told;
+  for (std::size_t b = 0; adds && b < s.body.size(); ++b) {
     s.body[b].impulse.force += motion.touch.load[b].force;
     s.body[b].impulse.torque += motion.touch.load[b].torque;
   }
+  if (s.advance_begins) motion.touch.told = false;
   for (std::size_t p = 0; !s.advance_begins && p < told.size(); ++p) {
     s.pin_impulse[p].force += half * told[p].force;
     s.pin_impulse[p].torque += half * told[p].torque;

@@ -27,7 +27,6 @@ using vector3::operator+=;
 using Lane = ScalarLane<false>;
 
 constexpr double kSoft = 0.5;      // of W^2 of a particle
-constexpr double kSunk = 0.5;      // layers past a solid's ridge, for which a link at first sight belongs out
 constexpr double kSettled = 1e-3;  // of the first change of a velocity: sweeps end
 constexpr int kSweeps = 10;
 constexpr double kAsleep = 1e-9;  // m
@@ -121,7 +120,7 @@ ContactLaw law_of(const System& system, const State& s, const RidgeTouch& t, dou
   return law;
 }
 
-// Adds what an impulse J on the gap does, times `over`.
+// Adds what an impulse J on the gap does.
 void push(const System& system, const RidgeTouch& t, const ContactCoefficients& c, const RidgeField& f,
           const Vec3& j) {
   for (int k = 0; k < t.part->weights(); ++k) {

@@ -1,5 +1,7 @@
 // Links and cells of cloth on ridges and tips of bodies within a step. core/README.md, section 7.
 #pragma once
+#include <algorithm>
+
 #include "contact/job.h"
 #include "contact/penalty.h"
 #include "contact/ridge_gap.h"
@@ -32,7 +34,7 @@ void ridge_stick(const System& system, State& state);
 // next step, of `ahead` s.
 void ridge_watch(const System& system, State& state, std::size_t body, double ahead);
 
-// The longest step (s) in which nodes near a ridge move by no more than an eighth of a cell.
+// The longest step (s) in which nodes near a ridge move by no more than a quarter of the layer.
 double ridge_step_most(const System& system, const State& state);
 
 // Before a step: finds what touches at t_n, and keeps its velocities. Gives J that penalties have lost since
@@ -82,7 +84,8 @@ void ridge_each(const System& system, const State& s, Visit visit) {
   for (const RidgeTouch& t : touches) {
     const double layer = system.lattices[std::size_t(t.part->lattice)].touch.layer;
     const double depth = layer - t.gap.distance;
-    if (depth > 0) visit(t, depth, t.stiffness * contact_penalty(kContactBlend * layer, depth));
+    const double pressed = std::min(depth, layer);  // past the ridge it is pushed as from the ridge itself
+    if (depth > 0) visit(t, depth, t.stiffness * contact_penalty(kContactBlend * layer, pressed));
   }
 }
 

@@ -21,7 +21,7 @@ def main():
     drape("import", HERE / "tunic.json", "--body", folder / "form.obj", "-o", scene, "--cell", 0.025 if options.quick else 0.01)
     end = fit(scene, folder)
     picture(folder / "run", folder / "imported.png", field="tension_warp", views=["front", "back", "oblique"])
-    check(end)
+    check(end, rest=1e-3)  # it hangs loose and swings for long
 
 
 if __name__ == "__main__":

@@ -300,7 +300,12 @@ TEST(Ridge, MomentumIsBalancedOverEveryAdvance) {
     to.velocity = {0, 0, 0.02 * 50 * std::cos(0.05 * k)};
     to.spin = {0, 3, 0};
     to.turn = rotation_exp({0, 3 * 1e-3 * k, 0});
-    advance(a, 1e-3);
+    std::string event;  // every other advance begins anew from the synchronous velocities, as with a tuning
+    const auto anew = [&](double) {
+      if (k % 2 == 0) leapfrog_complete(a.system, a.motion, a.state);
+      return k % 2 == 0;
+    };
+    ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 1e-3, event, anew), Advance::kDone);
     on_ridges += a.motion.touch.ridge.size();
     const Vec3 after = now(), gained = after - before;
     const Vec3 told = a.state.body[0].impulse.force + a.motion.touch.load[0].force;
@@ -421,7 +426,7 @@ TEST(Ridge, BitsAreThoseOfEveryKernelAndGrouping) {
     return positions(a);
   };
   const Eigen::VectorXd whole = run("scalar", 1);
-  for (const char* kernel : {"avx2", "avx512"}) {
+  for (const char* kernel : {"scalar", "avx2", "avx512"}) {
     const Eigen::VectorXd other = run(kernel, 6);
     if (other.size() == 0) continue;  // not on this processor
     EXPECT_EQ((other - whole).cwiseAbs().maxCoeff(), 0.0) << kernel;
