@@ -256,6 +256,7 @@ HeldMotion held_make(const Constraints& c) {
   each_target(c, [&](std::size_t k, const Target& t) {
     set(held.now, k, t.start);
     set(held.next, k, t.start);
+    held.moves = held.moves || t.moves;
   });
   return held;
 }
@@ -293,7 +294,7 @@ void held_keep(const Constraints& c, const State& s, HeldMotion& held) {
 
 void constraints_meet(const System& system, const Constraints& c, const HeldStep& step, HeldMotion& held,
                       State& s) {
-  if (!step.again)
+  if (held.moves && !step.again)
     each_target(c, [&](std::size_t k, const Target& t) {
       if (t.moves) set(held.next, k, target_now(c, s, t));
     });
@@ -304,9 +305,7 @@ void constraints_meet(const System& system, const Constraints& c, const HeldStep
 
 void constraints_end(const Constraints& c, const State& s, HeldMotion& held) {
   rigid_aim(c.rigid, s.x.data(), s.y.data(), s.z.data(), held.rigid);
-  bool moving = false;
-  each_target(c, [&](std::size_t, const Target& t) { moving = moving || t.moves; });
-  if (!moving) return;
+  if (!held.moves) return;
   held.now.swap(held.next);
   held.next = held.now;
   arms_set(c, s, held);

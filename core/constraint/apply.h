@@ -19,7 +19,8 @@ struct HeldMotion {
   Array out;        // [held x 3] what the last projection took out, times m
   Array taken;      // [held x 3] the sum of these since it was 0
   RigidNow rigid;   // links
-  double work = 0;  // J, of the pins on the cloth in the half step that the state's sums lack
+  bool moves = false;  // a target does
+  double work = 0;     // J, of the pins on the cloth in the half step that the state's sums lack
 };
 HeldMotion held_make(const Constraints& constraints);
 

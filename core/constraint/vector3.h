@@ -13,6 +13,10 @@ inline void operator+=(Vec3& a, const Vec3& b) { a = a + b; }
 inline void operator-=(Vec3& a, const Vec3& b) { a = a - b; }
 inline double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 inline double norm(const Vec3& a) { return std::sqrt(dot(a, a)); }
+inline Vec3 unit(const Vec3& a) {  // of length 1; 0 stays
+  const double length = norm(a);
+  return length > 0 ? (1 / length) * a : a;
+}
 inline Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }

@@ -15,11 +15,6 @@ using namespace vector3;
 constexpr double kBadEdges = 0.01;  // of all
 constexpr double kNoArea = 1e-12;   // of the longest edge squared
 
-Vec3 unit(const Vec3& v) {
-  const double length = norm(v);
-  return length > 0 ? (1 / length) * v : v;
-}
-
 std::size_t place(int k) { return std::size_t(k); }
 
 std::string corners_trouble(const std::vector<Vec3>& point, const std::vector<std::array<int, 3>>& corner) {

@@ -146,10 +146,9 @@ DRAPE_INLINE Gap<L> contact_gap(const ContactBlock& b, int i, const Vec<L>& x, L
 
 // What a particle that is not alone is given in advance in the next step: all but stops, which would swing.
 template <class L>
-DRAPE_INLINE Vec<L> carry_of(const ContactCoefficients& c, const Vec<L>& n, const ContactHit<L>& hit, L alone,
-                             L light) {
-  const L share = select(gt(light, L(0.0)), (L(1.0) - alone) / (L(c.kick) * light), L(0.0));
-  return (hit.dv - n * hit.stop) * share;
+DRAPE_INLINE Vec<L> carry_of(const ContactCoefficients& c, const Vec<L>& n, const ContactHit<L>& hit,
+                             L shares, L light) {
+  return (hit.dv - n * hit.stop) * select(gt(light, L(0.0)), shares / (L(c.kick) * light), L(0.0));
 }
 template <class L>
 DRAPE_INLINE void carry_store(ContactBlock& b, int i, const Vec<L>& carry) {
@@ -242,7 +241,7 @@ void contact_run(const ContactJob& job) {
       if (job.moves) vec_store(r, 0, moved + hit.dv * L(c.drift));
       if (job.moves && (given || job.tied || b.shares)) {
         const L tied = job.tied ? L::load(job.tied + n) : L(0.0);
-        carry_store(b, i, carry_of(c, normal, hit, L(1.0) - max(tied, L::load(b.shared + i)), light));
+        carry_store(b, i, carry_of(c, normal, hit, max(tied, L::load(b.shared + i)), light));
       }
       if (job.energy) {
         // J of the rest moves against v_mid - v_b, all of J with v_b

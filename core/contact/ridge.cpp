@@ -14,20 +14,15 @@ using namespace vector3;
 constexpr double kBucketsMost = 2e5;    // along all ridges
 constexpr double kBucketFar = 1 << 20;  // buckets from the origin, beyond which places share names
 
-Vec3 unit(const Vec3& v) {
-  const double length = norm(v);
-  return length > 0 ? (1 / length) * v : v;
-}
-
-// Sets `sharp`; where a solid's `normal` points the other way, the ridge is a groove.
+// Sets `out` and `sharp`; where a solid's `normal` points the other way, the ridge is a groove.
 bool is_sharp(Ridge& r, double sine, const Vec3* normal) {
   if (r.fall.empty()) return false;
-  Vec3 out{0, 0, 0};
-  for (const Vec3& f : r.fall) out -= f;
-  out = unit(out);
+  r.out = {0, 0, 0};
+  for (const Vec3& f : r.fall) r.out -= f;
+  r.out = unit(r.out);
   r.sharp = 1;
-  for (const Vec3& f : r.fall) r.sharp = std::min(r.sharp, -dot(out, f));
-  return r.sharp > sine && !(normal && dot(out, *normal) <= 0);
+  for (const Vec3& f : r.fall) r.sharp = std::min(r.sharp, -dot(r.out, f));
+  return r.sharp > sine && !(normal && dot(r.out, *normal) <= 0);
 }
 
 // How far a triangle reaches along `into` from an edge through `from`.
@@ -42,8 +37,14 @@ void edges_add(const BodySurface& s, double sine, Ridges& to) {
   for (std::size_t k = 0; k < s.edges.size(); ++k) {
     const SurfaceEdge& e = s.edges[k];
     if (s.solid && e.triangle.size() != 2) continue;  // a bad edge
-    Ridge r{
-        s.point[std::size_t(e.corner[0])], s.point[std::size_t(e.corner[1])], false, int(k), e.into, {}, 0};
+    Ridge r{s.point[std::size_t(e.corner[0])],
+            s.point[std::size_t(e.corner[1])],
+            false,
+            int(k),
+            e.into,
+            {},
+            {},
+            0};
     for (std::size_t f = 0; f < e.triangle.size(); ++f)
       r.length.push_back(height_over(s, r.from, e.triangle[f], e.into[f]));
     if (is_sharp(r, sine, s.solid ? &e.normal : nullptr)) to.ridge.push_back(r);
@@ -52,7 +53,7 @@ void edges_add(const BodySurface& s, double sine, Ridges& to) {
 
 void tips_add(const BodySurface& s, double sine, Ridges& to) {
   for (std::size_t p = 0; p < s.point.size(); ++p) {
-    Ridge r{s.point[p], s.point[p], true, int(p), {}, {}, 0};
+    Ridge r{s.point[p], s.point[p], true, int(p), {}, {}, {}, 0};
     for (int k : s.edges_at[p]) {
       const SurfaceEdge& e = s.edges[std::size_t(k)];
       const int other = e.corner[0] == int(p) ? e.corner[1] : e.corner[0];

@@ -11,13 +11,14 @@
 namespace drape {
 
 // A ridge runs between two points; those of a tip are one. The surface falls away along `fall`, of length 1:
-// into the triangles of an edge, along the edges of a tip, for `length`. `out` = -sum fall, of length 1.
+// into the triangles of an edge, along the edges of a tip, for `length`.
 struct Ridge {
   Vec3 from, to;  // m
   bool tip;
   int edge;                    // of the surface, or vertex
   std::vector<Vec3> fall;      // at least one
   std::vector<double> length;  // [of fall] m
+  Vec3 out;                    // = -sum fall, of length 1
   double sharp;  // least -out.fall: sine of the angle by which the surface falls away from `out`
 };
 

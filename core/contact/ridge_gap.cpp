@@ -12,7 +12,6 @@ namespace {
 using namespace vector3;
 
 constexpr double kThin = 1e-12;     // of the square of a length: no direction is left
-constexpr double kParallel = 1e-4;  // sin^2 of an angle
 constexpr double kBeyond = 1e-9;    // of a ridge: what meets two of them where they join counts
 constexpr double kPast = 0.5;       // of a side of the cloth: how far beyond it a foot may be
 constexpr double kSteep = 0.01;     // sine between a cell and the way out of a tip
@@ -32,12 +31,6 @@ double side_set(const Ridge& r, Vec3& n) {
   if (high >= 0) return 0;
   n = -1.0 * n;
   return -high;
-}
-
-Vec3 out_of(const Ridge& r) {
-  Vec3 out{0, 0, 0};
-  for (const Vec3& f : r.fall) out -= f;
-  return out;
 }
 
 // Over the ridge where `sines`, the least that counts, is above `sine`.
@@ -62,9 +55,8 @@ void over_set(const Ridge& r, double sines, double sine, const Vec3& n, double d
 RidgeGap gap_link_edge(const Ridge& edge, const Vec3* end, double sine) {
   RidgeGap gap;
   const Vec3 e = end[1] - end[0], f = edge.to - edge.from, r = end[0] - edge.from, across = cross(e, f);
-  const double ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), er = dot(e, r), fr = dot(f, r);
-  const double det = ee * ff - ef * ef, s = (ef * fr - ff * er) / det, t = (ee * fr - ef * er) / det;
-  const bool crosses = det > kParallel * ee * ff && t >= -kBeyond && t <= 1 + kBeyond;
+  const auto [s, t, skew] = lines_foot(e, f, r);
+  const bool crosses = skew && t >= -kBeyond && t <= 1 + kBeyond;
   const bool on_link = crosses && s > 0 && s < 1;
   Vec3 n = crosses ? (1 / norm(across)) * across : across;
   if (on_link) {
@@ -75,7 +67,7 @@ RidgeGap gap_link_edge(const Ridge& edge, const Vec3* end, double sine) {
     gap.clearance = std::sqrt(std::min(
         {to_ends, segment_distance2(edge.from, end[0], end[1]), segment_distance2(edge.to, end[0], end[1])}));
     if (!crosses || !(s > -kPast && s < 1 + kPast)) return gap;
-    const Vec3 side = cross(f, out_of(edge));
+    const Vec3 side = cross(f, edge.out);
     if (!(dot(r, side) * dot(end[1] - edge.from, side) < 0)) return gap;
   }
   const double sines = side_set(edge, n);
@@ -128,10 +120,7 @@ BilinearFoot bilinear_foot(const Vec3& p, const Vec3* c) {
     const double det = uu * vv - uv * uv;
     if (!(det > kThin * uu * vv)) return f;
     const double du = (uv * rv - vv * ru) / det, dv = (uv * ru - uu * rv) / det;
-    if (std::abs(du) < kSettled && std::abs(dv) < kSettled) {
-      f.inside = f.u > 0 && f.u < 1 && f.v > 0 && f.v < 1;
-      return f;
-    }
+    if (std::abs(du) < kSettled && std::abs(dv) < kSettled) break;
     f.u = std::clamp(f.u + du, -1.0, 2.0);
     f.v = std::clamp(f.v + dv, -1.0, 2.0);
   }
@@ -157,10 +146,6 @@ bool axis_meets(const Vec3& p, const Vec3& out, const Vec3* c, double& u, double
   }
   return u >= 0 && u <= 1 && v >= 0 && v <= 1;
 }
-
-}  // namespace
-
-namespace {
 
 void weights_set(double u, double v, RidgeGap& gap) {
   gap.weight[0] = (1 - u) * (1 - v);
@@ -190,8 +175,7 @@ RidgeGap gap_cell_tip(const Ridge& tip, const Vec3* c, double sine) {
     over_set(tip, sines, sine, n, dot(f.arm, n), gap);
   }
   double u = 0, v = 0;
-  Vec3 out = out_of(tip);
-  out = (1 / norm(out)) * out;
+  const Vec3& out = tip.out;
   if (gap.over || !axis_meets(p, out, c, u, v)) return gap;
   weights_set(u, v, gap);
   Vec3 at{0, 0, 0},

@@ -60,7 +60,7 @@ int steps_ahead(const System& system, const State& s, double h) {
 double kinetic(const System& system, const State& s) {
   double sum = 0;
   for (std::size_t n : system.particle)
-    sum += system.mass[n] / s.lightness[n] * (s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n]);
+    sum += inertia_of(system, s, n) * (s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n]);
   return sum / 2;
 }
 
@@ -118,7 +118,7 @@ double omega_moved(const System& system, Motion& motion, State& s) {
       for (std::size_t n : system.particle) {
         const double u = (*r[k])[n] - place[n];
         stiff += u * (force[n] - (*f[k])[n]);
-        moved += system.mass[n] / s.lightness[n] * u * u;
+        moved += inertia_of(system, s, n) * u * u;
       }
     place = *r[k];
     force = *f[k];
@@ -166,7 +166,7 @@ double rounding(const System& system, const State& s) {
   double far = 0, inertia = 0;
   for (std::size_t n : system.particle) {
     far = std::max({far, std::abs(s.x[n]), std::abs(s.y[n]), std::abs(s.z[n])});
-    inertia += system.mass[n] / s.lightness[n];
+    inertia += inertia_of(system, s, n);
   }
   return std::numeric_limits<double>::epsilon() * far * s.omega2 * inertia;
 }
@@ -184,8 +184,9 @@ void fit_judge(const System& system, Motion& motion, State& s) {
   if (weight == 0)
     s.fit.load = std::max({s.fit.load, kFaded * s.fit.most, rounding(system, s) / kResidualRest});
   s.fit.residual = left.sum / s.fit.load;
-  if (!seams_to_close(system, s) && s.fit.residual <= kSettled) s.fit.settling = 0;
-  s.fit.at_rest = !seams_to_close(system, s) && s.fit.settling <= 0 && s.fit.residual <= kResidualRest &&
+  const bool sewn = !seams_to_close(system, s);
+  if (sewn && s.fit.residual <= kSettled) s.fit.settling = 0;
+  s.fit.at_rest = sewn && s.fit.settling <= 0 && s.fit.residual <= kResidualRest &&
                   kinetic(system, s) <= kKineticRest * s.fit.load * size;
   if (s.fit.at_rest) stop(system, s);
 }

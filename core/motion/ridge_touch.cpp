@@ -13,6 +13,7 @@
 #include "contact/response.h"
 #include "forces/lane_scalar.h"
 #include "motion/ridge_pairs.h"
+#include "motion/touch.h"
 
 namespace drape {
 namespace {
@@ -52,7 +53,7 @@ RidgeTouch touch_of(const System& system, const State& s, std::size_t b, std::si
     const double w = gap.weight[k];
     t.at += w * Vec3{s.x[n], s.y[n], s.z[n]};
     t.old += w * Vec3{s.vx[n], s.vy[n], s.vz[n]};
-    const double inertia = system.mass[n] / (s.lightness.empty() ? 1 : s.lightness[n]);
+    const double inertia = inertia_of(system, s, n);
     least = std::min(least, inertia);
     lightness += w * w / inertia;
   }
@@ -112,10 +113,8 @@ double find(const System& system, const State& s, State* moves, std::vector<Ridg
 
 // `k`: sum W_k^2 over inertia.
 ContactLaw law_of(const System& system, const State& s, const RidgeTouch& t, double k) {
-  const Body& body = system.bodies[t.body];
-  ContactLaw law = system.lattices[std::size_t(t.part->lattice)].touch;
-  if (body.has_friction) law.friction = body.friction;
-  if (system.fit && (s.fit.sewing || s.fit.settling > 0)) law.friction = {0, 0};
+  ContactLaw law =
+      touch_law_now(system, s, system.bodies[t.body], system.lattices[std::size_t(t.part->lattice)]);
   law.omega2 = t.stiffness * k;
   return law;
 }

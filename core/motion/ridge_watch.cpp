@@ -220,11 +220,9 @@ void ridge_stick(const System& system, State& s) {
 double ridge_step_most(const System& system, const State& s) {
   double longest = INFINITY;
   for (std::size_t b = 0; b < s.body.size(); ++b)
-    for (std::uint32_t n : s.body[b].ridge.node) {
-      const Vec3 v =
-          Vec3{s.vx[n], s.vy[n], s.vz[n]} - pose_velocity(system.bodies[b], s.body[b], place(s, n));
-      longest = std::min(longest, kWay * system_lattice_of(system, n).touch.layer / norm(v));
-    }
+    for (std::uint32_t n : s.body[b].ridge.node)
+      longest =
+          std::min(longest, kWay * system_lattice_of(system, n).touch.layer / speed_of(system, s, b, n));
   return longest;
 }
 

@@ -68,7 +68,7 @@ void self_begin(const System& system, State& s) {
   if (!self_touches(system)) return;
   s.self = SelfState{};
   s.self.speed = speed_of(system, s);
-  search(system, s, system.communication / double(std::max<std::int64_t>(s.subs, 1)));
+  search(system, s, step_next(system, s));
 }
 
 void self_start_check(const System& system, const Scene& scene, const State& s,

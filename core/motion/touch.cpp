@@ -19,16 +19,6 @@ using vector3::operator+;
 using vector3::operator-;
 using vector3::operator+=;
 
-// In a fit nothing rubs while seams are to be closed, and until what has been sewn has settled.
-void laws_set(const System& system, const State& s, const Body& body, std::vector<ContactLaw>& laws) {
-  laws.clear();
-  for (const Lattice& l : system.lattices) {
-    laws.push_back(l.touch);
-    if (body.has_friction) laws.back().friction = body.friction;
-    if (system.fit && (s.fit.sewing || s.fit.settling > 0)) laws.back().friction = {0, 0};
-  }
-}
-
 double layer_most(const System& system) {
   double most = 0;
   for (const Lattice& l : system.lattices) most = std::max(most, l.touch.layer);
@@ -55,7 +45,8 @@ void block_renew(const System& system, TouchRoom& room, State& s, std::size_t b,
 
 ContactJob job_of(const System& system, TouchRoom& room, const State& s, std::size_t b, double* sum) {
   ContactJob job{};
-  laws_set(system, s, system.bodies[b], room.law);
+  room.law.clear();
+  for (const Lattice& l : system.lattices) room.law.push_back(touch_law_now(system, s, system.bodies[b], l));
   job.body = const_cast<BodyContact*>(&s.body[b]);  // its grips are written by passes that move
   job.old = room.old[b].data();
   job.mass = system.mass.data();
@@ -71,13 +62,18 @@ PinLoad load_of(const double* sum) { return {{sum[0], sum[1], sum[2]}, {sum[3], 
 
 // The step that an acceleration is stopped for: the last one, before the first and at the rest of a fit the
 // next.
-double step_of(const System& system, const State& s) {
-  return s.h_old > 0 ? s.h_old : system.communication / double(std::max<std::int64_t>(s.subs, 1));
-}
+double step_of(const System& system, const State& s) { return s.h_old > 0 ? s.h_old : step_next(system, s); }
 
 double rate_of(double time) { return time > 0 ? 1 / time : kContactUnbound; }
 
 }  // namespace
+
+ContactLaw touch_law_now(const System& system, const State& s, const Body& body, const Lattice& l) {
+  ContactLaw law = l.touch;
+  if (body.has_friction) law.friction = body.friction;
+  if (system.fit && (s.fit.sewing || s.fit.settling > 0)) law.friction = {0, 0};
+  return law;
+}
 
 ContactCoefficients touch_kick(const TouchStep& step) {
   ContactCoefficients c;
@@ -133,7 +129,7 @@ void touch_begin(const System& system, const Kernel& kernel, TouchRoom& room, St
     c.budget2.assign(system.nodes, INFINITY);
     for (std::size_t n : system.particle) c.budget2[n] = 0;
   }
-  touch_watch(system, kernel, room, s, system.communication / double(std::max<std::int64_t>(s.subs, 1)));
+  touch_watch(system, kernel, room, s, step_next(system, s));
   for (std::size_t b = 0; b < s.body.size(); ++b) {  // what is at rest on a body sticks to it
     if (system.bodies[b].moves) continue;
     for (ContactBlock& block : s.body[b].blocks.pool)

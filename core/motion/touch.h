@@ -51,6 +51,10 @@ ContactCoefficients touch_last_kick(double half, double centred);
 // The same of accelerations, with stops as in a step of h.
 ContactCoefficients touch_force(double h);
 
+// How a lattice touches a body now: in a fit nothing rubs while seams are to be closed, and until what has
+// been sewn has settled.
+ContactLaw touch_law_now(const System& system, const State& state, const Body& body, const Lattice& lattice);
+
 // Notes which particles are tied to others; for new constraints.
 void touch_tie(const System& system, const Constraints& constraints, TouchRoom& room);
 

@@ -32,11 +32,6 @@ void each_depth(const System& system, const State& s, Visit visit) {
     }
 }
 
-// The inertia of a particle, kg.
-double inertia_of(const System& system, const State& s, std::size_t n) {
-  return system.mass[n] / (s.lightness.empty() ? 1 : s.lightness[n]);
-}
-
 // Of a particle, by one surface: (m/a) W^2 phi(e), Pa.
 double pressure_of(const System& system, const State& s, std::size_t n, const ContactLaw& law, double depth) {
   return inertia_of(system, s, n) / system.area[n] * law.omega2 *

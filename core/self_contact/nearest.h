@@ -54,6 +54,21 @@ inline TriangleFoot triangle_foot(const Vec3& p, const Vec3& a, const Vec3& b, c
   return best;
 }
 
+// Where two lines along e and f are nearest, r from the second one's beginning to the first one's: the shares
+// of e and f. `skew`: they are not parallel; else nothing else counts.
+struct LinesFoot {
+  double s, t;
+  bool skew;
+};
+inline LinesFoot lines_foot(const Vec3& e, const Vec3& f, const Vec3& r) {
+  using namespace vector3;
+  constexpr double kParallel = 1e-4;  // sin^2 of the angle
+  const double ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), er = dot(e, r), fr = dot(f, r);
+  const double det = ee * ff - ef * ef;
+  if (!(det > kParallel * ee * ff)) return {0, 0, false};
+  return {(ef * fr - ff * er) / det, (ee * fr - ef * er) / det, true};
+}
+
 // Two edges: the shares along them where they are nearest, the arm from the second to the first. `crosses`:
 // both within their edges, and the edges not parallel; else only the distance counts.
 struct EdgesFoot {
@@ -64,16 +79,11 @@ struct EdgesFoot {
 };
 inline EdgesFoot edges_foot(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
   using namespace vector3;
-  constexpr double kParallel = 1e-4;  // sin^2 of the angle
   const Vec3 e = a1 - a0, f = b1 - b0, r = a0 - b0;
-  const double ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), er = dot(e, r), fr = dot(f, r);
-  const double det = ee * ff - ef * ef;
-  if (det > kParallel * ee * ff) {
-    const double s = (ef * fr - ff * er) / det, t = (ee * fr - ef * er) / det;
-    if (s > 0 && s < 1 && t > 0 && t < 1) {
-      const Vec3 arm = r + s * e - t * f;
-      return {{s, t}, arm, dot(arm, arm), true};
-    }
+  const auto [s, t, skew] = lines_foot(e, f, r);
+  if (skew && s > 0 && s < 1 && t > 0 && t < 1) {
+    const Vec3 arm = r + s * e - t * f;
+    return {{s, t}, arm, dot(arm, arm), true};
   }
   const double least = std::min(std::min(segment_distance2(a0, b0, b1), segment_distance2(a1, b0, b1)),
                                 std::min(segment_distance2(b0, a0, a1), segment_distance2(b1, a0, a1)));

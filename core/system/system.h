@@ -189,6 +189,16 @@ inline double state_time(const State& s, double communication) {
   return s.origin + double(s.tick) * communication;
 }
 
+// The step of the next interval, s.
+inline double step_next(const System& system, const State& s) {
+  return system.communication / double(s.subs > 1 ? s.subs : 1);
+}
+
+// Of a particle, kg; in a fit the enlarged one.
+inline double inertia_of(const System& system, const State& s, std::size_t n) {
+  return system.mass[n] / (s.lightness.empty() ? 1 : s.lightness[n]);
+}
+
 inline void state_resize(State& s, std::size_t nodes, std::size_t pins) {
   for (Array* a : {&s.x, &s.y, &s.z, &s.vx, &s.vy, &s.vz}) a->assign(nodes, 0.0);
   s.pin_impulse.assign(pins, PinLoad{});

@@ -6,6 +6,8 @@
 
 #include "motion/leapfrog.h"
 #include "motion/step_limit.h"
+#include "outputs/energy.h"
+#include "outputs/outputs.h"
 #include "reference/test_cloth.h"
 #include "system/assemble.h"
 
@@ -17,6 +19,18 @@ struct Assembled {
   State state;
   Motion motion;
 };
+
+inline FabricSpec linen(double thickness = 1e-3) {
+  FabricSpec fabric;
+  fabric.name = "linen";
+  fabric.areal_density = 0.2;
+  fabric.thickness = thickness;
+  fabric.warp = reference::straight(2000);
+  fabric.weft = reference::straight(2000);
+  fabric.bias = reference::diagram({0, 0.05, 0.1, 0.15}, {0, 1, 2, 3});
+  fabric.bending_warp = fabric.bending_weft = 1e-5;
+  return fabric;
+}
 
 inline Assembled assemble(const Scene& scene) {
   Assembled a;
@@ -66,6 +80,16 @@ inline void expect_goes_on(Assembled& a, double length) {
   a.state = kept;
   advance(a, length);
   EXPECT_EQ((positions(a) - first).cwiseAbs().maxCoeff(), 0.0);
+}
+
+// The energies after as long as `length` from the start.
+inline drape_energy energies_after(Assembled& a, double length) {
+  energy_begin(a.system, a.state);
+  advance(a, length);
+  Outputs outputs;
+  outputs_make(outputs, a.scene, a.system);
+  outputs_fill(outputs, a.system, a.motion, a.state, DRAPE_ENERGY);
+  return outputs.shown.energy;
 }
 
 inline Eigen::VectorXd forces_by(const Kernel& kernel, Assembled& a) {

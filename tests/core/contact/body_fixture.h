@@ -89,16 +89,22 @@ inline Mesh cylinder(double radius, double length, int n) {
   return m;
 }
 
-inline FabricSpec linen(double thickness = 1e-3) {
-  FabricSpec fabric;
-  fabric.name = "linen";
-  fabric.areal_density = 0.2;
-  fabric.thickness = thickness;
-  fabric.warp = reference::straight(2000);
-  fabric.weft = reference::straight(2000);
-  fabric.bias = reference::diagram({0, 0.05, 0.1, 0.15}, {0, 1, 2, 3});
-  fabric.bending_warp = fabric.bending_weft = 1e-5;
-  return fabric;
+// A prism along y whose ridge at x = z = 0 falls by the angle on both sides, 0.2 m to either.
+inline Mesh roof(double angle) {
+  const double x = 0.2 * std::cos(angle), z = -0.2 * std::sin(angle);
+  Mesh m;
+  m.point = {{0, -0.3, 0}, {0, 0.3, 0}, {x, 0.3, z}, {x, -0.3, z}, {-x, 0.3, z}, {-x, -0.3, z}};
+  m.corner = {{0, 3, 2}, {0, 2, 1}, {1, 4, 5}, {1, 5, 0}, {5, 4, 2}, {5, 2, 3}, {0, 5, 3}, {1, 2, 4}};
+  return m;
+}
+
+// With its tip at the origin, whose sides fall by the angle.
+inline Mesh pyramid(double angle) {
+  const double a = 0.2 * std::cos(angle), z = -0.2 * std::sin(angle);
+  Mesh m;
+  m.point = {{0, 0, 0}, {a, a, z}, {-a, a, z}, {-a, -a, z}, {a, -a, z}};
+  m.corner = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}, {1, 3, 2}, {1, 4, 3}};
+  return m;
 }
 
 // Adds a body to a scene.
@@ -109,6 +115,32 @@ inline BodySpec& body_add(Scene& scene, const SceneFolder& folder, const std::st
   body.mesh = folder.write(name + ".obj", obj_text(mesh)).string();
   scene.bodies.push_back(body);
   return scene.bodies.back();
+}
+
+inline Vec3 momentum(const Assembled& a, const Array (&v)[3]) {
+  Vec3 sum{0, 0, 0};
+  for (std::size_t n : a.system.particle)
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += a.system.mass[n] * v[k][n];
+  return sum;
+}
+
+// Of the cloth on the first body, now: N, in a step the impulse of its last half kick.
+inline Vec3 body_force(Assembled& a) {
+  std::vector<PinLoad> pins;
+  Array v[3];
+  for (Array& of : v) of.assign(a.system.nodes, 0.0);
+  leapfrog_synchronous(a.system, a.motion, a.state, v[0].data(), v[1].data(), v[2].data(), pins);
+  return a.motion.touch.load[0].force;
+}
+
+// A cloth at rest on the first body: it bears the weight, up to what a fit leaves.
+inline void expect_weight(Assembled& a) {
+  double weight = 0;
+  for (std::size_t n : a.system.particle) weight += 9.81 * a.system.mass[n];
+  const Vec3 load = body_force(a);
+  EXPECT_NEAR(load[0], 0, 2e-5 * weight);
+  EXPECT_NEAR(load[1], 0, 2e-5 * weight);
+  EXPECT_NEAR(load[2], -weight, 2e-5 * weight);
 }
 
 }  // namespace drape

@@ -69,23 +69,6 @@ bool rests(Assembled& a, double most) {
   return a.state.fit.at_rest;
 }
 
-Vec3 load_of(Assembled& a) {
-  std::vector<PinLoad> pins;
-  Array v[3];
-  for (Array& of : v) of.assign(a.system.nodes, 0.0);
-  leapfrog_synchronous(a.system, a.motion, a.state, v[0].data(), v[1].data(), v[2].data(), pins);
-  return a.motion.touch.load[0].force;
-}
-
-void expect_weight(Assembled& a) {
-  double weight = 0;
-  for (std::size_t n : a.system.particle) weight += 9.81 * a.system.mass[n];
-  const Vec3 load = load_of(a);
-  EXPECT_NEAR(load[0], 0, 2e-5 * weight);
-  EXPECT_NEAR(load[1], 0, 2e-5 * weight);
-  EXPECT_NEAR(load[2], -weight, 2e-5 * weight);
-}
-
 // One half lies on a table, the other hangs over its edge, and friction holds it by the seam, which lies on
 // the edge: of its nodes some touch and some do not.
 TEST(Tied, AHangingHalfRestsByItsSeam) {

@@ -145,13 +145,6 @@ TEST(Touch, TensionGrowsRoundACapstan) {
   }
 }
 
-Vec3 momentum(const Assembled& a, const Array (&v)[3]) {
-  Vec3 sum{0, 0, 0};
-  for (std::size_t n : a.system.particle)
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += a.system.mass[n] * v[k][n];
-  return sum;
-}
-
 struct Synchronous {
   Array v[3];
   std::vector<PinLoad> pins;
@@ -315,16 +308,10 @@ TEST(Touch, EnergyIsBalanced) {
   BodySpec& spec = body_add(scene, folder, "table", box(2, 2, 0.1));
   spec.position = {0, 0, -0.05};
   Assembled a = assemble(scene);
-  energy_begin(a.system, a.state);
-  const double start = a.state.energy_start;
-  advance(a, 0.2);
-  Outputs outputs;
-  outputs_make(outputs, a.scene, a.system);
-  outputs_fill(outputs, a.system, a.motion, a.state, DRAPE_ENERGY);
-  const drape_energy& e = outputs.shown.energy;
+  const drape_energy e = energies_after(a, 0.2);
   const double kinetic = 0.5 * 0.2 * 0.01;  // of 1 m/s
   EXPECT_GT(e.dissipated, 0.5 * kinetic);
-  EXPECT_LT(std::abs(e.balance_error), 1e-3 * kinetic) << start;
+  EXPECT_LT(std::abs(e.balance_error), 1e-3 * kinetic) << a.state.energy_start;
 }
 
 }  // namespace

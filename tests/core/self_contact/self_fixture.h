@@ -7,18 +7,6 @@
 
 namespace drape {
 
-inline FabricSpec felt(double thickness = 1e-3) {
-  FabricSpec fabric;
-  fabric.name = "felt";
-  fabric.areal_density = 0.2;
-  fabric.thickness = thickness;
-  fabric.warp = reference::straight(2000);
-  fabric.weft = reference::straight(2000);
-  fabric.bias = reference::diagram({0, 0.05, 0.1, 0.15}, {0, 1, 2, 3});
-  fabric.bending_warp = fabric.bending_weft = 1e-5;
-  return fabric;
-}
-
 // A second rectangle of the same fabric.
 inline PieceSpec& sheet_add(Scene& scene, const std::string& name, double width, double height, double cell,
                             const Vec3& origin) {
