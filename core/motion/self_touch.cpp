@@ -132,7 +132,7 @@ void self_synchronous(const System& system, SelfRoom& room, const State& s, doub
   room.dissipated = 0;
   self_look(system, s, 0, all, nullptr);
   self_prepare(system, s, false, all);
-  const ContactCoefficients c = half > 0 ? touch_last_kick(half, centred) : touch_force(s.h_old);
+  const ContactCoefficients c = half > 0 ? touch_last_kick(half, centred) : touch_force(system, s);
   for (SelfNode& n : all.node) {
     n.v = {vx[n.node], vy[n.node], vz[n.node]};
     if (n.fixed) n.v = half > 0 ? n.old : Vec3{0, 0, 0};

@@ -60,10 +60,6 @@ ContactJob job_of(const System& system, TouchRoom& room, const State& s, std::si
 
 PinLoad load_of(const double* sum) { return {{sum[0], sum[1], sum[2]}, {sum[3], sum[4], sum[5]}}; }
 
-// The step that an acceleration is stopped for: the last one, before the first and at the rest of a fit the
-// next.
-double step_of(const System& system, const State& s) { return s.h_old > 0 ? s.h_old : step_next(system, s); }
-
 double rate_of(double time) { return time > 0 ? 1 / time : kContactUnbound; }
 
 }  // namespace
@@ -102,7 +98,8 @@ ContactCoefficients touch_last_kick(double half, double centred) {
   return c;
 }
 
-ContactCoefficients touch_force(double h) {
+ContactCoefficients touch_force(const System& system, const State& s) {
+  const double h = s.h_old > 0 ? s.h_old : step_next(system, s);
   ContactCoefficients c;
   c.kick = 1;
   c.stop_rate = rate_of(h * h);
@@ -281,7 +278,7 @@ void touch_synchronous(const System& system, const Kernel& kernel, TouchRoom& ro
     for (std::size_t k = 0; k < 3; ++k)
       job.r[k] = const_cast<double*>(r[k]->data());  // read only: nothing moves
     job.v[0] = vx, job.v[1] = vy, job.v[2] = vz;
-    job.c = half > 0 ? touch_last_kick(half, centred) : touch_force(step_of(system, s));
+    job.c = half > 0 ? touch_last_kick(half, centred) : touch_force(system, s);
     if (half == 0) {
       if (!s.lightness.empty()) job.stiff = s.lightness.data();
       job.old = nullptr;
@@ -293,8 +290,7 @@ void touch_synchronous(const System& system, const Kernel& kernel, TouchRoom& ro
     room.input += sum[7];
   }
   if (room.ridge.empty()) return;
-  ridge_respond(system, s, room.ridge,
-                half > 0 ? touch_last_kick(half, centred) : touch_force(step_of(system, s)),
+  ridge_respond(system, s, room.ridge, half > 0 ? touch_last_kick(half, centred) : touch_force(system, s),
                 {{vx, vy, vz}, {}, nullptr}, nullptr, room.ridge_sums);
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     room.load[b].force += room.ridge_sums.load[b].force;

@@ -48,8 +48,9 @@ struct TouchStep {
 ContactCoefficients touch_kick(const TouchStep& step);
 ContactCoefficients touch_last_kick(double half, double centred);
 
-// The same of accelerations, with stops as in a step of h.
-ContactCoefficients touch_force(double h);
+// The same of accelerations, with stops as in the last step; before the first and at the rest of a fit, in
+// the next.
+ContactCoefficients touch_force(const System& system, const State& state);
 
 // How a lattice touches a body now: in a fit nothing rubs while seams are to be closed, and until what has
 // been sewn has settled.
