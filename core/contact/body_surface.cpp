@@ -39,10 +39,8 @@ void triangles_take(BodySurface& s, const std::vector<std::array<int, 3>>& corne
       continue;
     }
     s.corner.push_back(c);
-    s.normal.push_back(unit(area));
-    s.middle.push_back((1.0 / 3) * (p + q + r));
-    s.reach.push_back(
-        std::max({norm(p - s.middle.back()), norm(q - s.middle.back()), norm(r - s.middle.back())}));
+    const Vec3 middle = (1.0 / 3) * (p + q + r);
+    s.facet.push_back({middle, std::max({norm(p - middle), norm(q - middle), norm(r - middle)}), unit(area)});
   }
 }
 
@@ -63,7 +61,8 @@ void edges_find(BodySurface& s) {
       SurfaceEdge& e = s.edges[place(at->second)];
       const Vec3 along = unit(s.point[place(b)] - s.point[place(a)]);
       e.triangle.push_back(int(t));
-      e.into.push_back(cross(s.normal[t], along));  // counter-clockwise corners: to the left of the edge
+      e.into.push_back(
+          cross(s.facet[t].normal, along));  // counter-clockwise corners: to the left of the edge
       s.edge[t][k] = at->second;
     }
 }
@@ -99,11 +98,11 @@ void normals_spread(BodySurface& s) {
       const Vec3& p = s.point[place(s.corner[t][k])];
       const Vec3 a = unit(s.point[place(s.corner[t][(k + 1) % 3])] - p),
                  b = unit(s.point[place(s.corner[t][(k + 2) % 3])] - p);
-      s.normal_at[place(s.corner[t][k])] += std::acos(std::clamp(dot(a, b), -1.0, 1.0)) * s.normal[t];
+      s.normal_at[place(s.corner[t][k])] += std::acos(std::clamp(dot(a, b), -1.0, 1.0)) * s.facet[t].normal;
     }
   for (Vec3& n : s.normal_at) n = unit(n);
   for (SurfaceEdge& e : s.edges) {
-    for (int t : e.triangle) e.normal += s.normal[place(t)];
+    for (int t : e.triangle) e.normal += s.facet[place(t)].normal;
     e.normal = unit(e.normal);
   }
 }
@@ -113,8 +112,8 @@ void turns_set(BodySurface& s) {
   s.convex_at.assign(s.point.size(), 1);
   for (SurfaceEdge& e : s.edges) {
     const bool two = e.triangle.size() == 2;
-    if (two) e.turn = norm(cross(s.normal[place(e.triangle[0])], s.normal[place(e.triangle[1])]));
-    if (two && s.solid && dot(e.into[0], s.normal[place(e.triangle[1])]) <= 1e-9) continue;
+    if (two) e.turn = norm(cross(s.facet[place(e.triangle[0])].normal, s.facet[place(e.triangle[1])].normal));
+    if (two && s.solid && dot(e.into[0], s.facet[place(e.triangle[1])].normal) <= 1e-9) continue;
     for (int c : e.corner) s.convex_at[place(c)] = 0;
   }
 }
@@ -122,7 +121,7 @@ void turns_set(BodySurface& s) {
 void sizes_set(BodySurface& s) {
   for (const SurfaceEdge& e : s.edges)
     s.edge_mean += norm(s.point[place(e.corner[1])] - s.point[place(e.corner[0])]) / double(s.edges.size());
-  Vec3 low = s.middle[0], high = low;
+  Vec3 low = s.facet[0].middle, high = low;
   for (const std::array<int, 3>& c : s.corner)
     for (int k : c)
       for (std::size_t i = 0; i < 3; ++i) {
@@ -145,7 +144,7 @@ BodySurface surface_make(const std::vector<Vec3>& point, const std::vector<std::
   edges_find(s);
   edges_judge(s, findings);
   if (s.solid && volume(s) < 0) {  // its faces look inwards
-    for (Vec3& n : s.normal) n = -1.0 * n;
+    for (Facet& f : s.facet) f.normal = -1.0 * f.normal;
   }
   normals_spread(s);
   turns_set(s);

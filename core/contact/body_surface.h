@@ -19,12 +19,17 @@ struct SurfaceEdge {
   double turn = 0;  // sine of the angle between two triangles' normals; 0 where there are not two
 };
 
+// What a search asks first of a triangle, in one line of the cache.
+struct alignas(64) Facet {
+  Vec3 middle;   // m
+  double reach;  // m, from the middle to the farthest corner
+  Vec3 normal;   // length 1; out of a solid
+};
+
 struct BodySurface {
   std::vector<Vec3> point;                 // m
   std::vector<std::array<int, 3>> corner;  // [triangles]
-  std::vector<Vec3> normal;                // [triangles] length 1; out of a solid
-  std::vector<Vec3> middle;                // [triangles] m
-  std::vector<double> reach;               // [triangles] m, from the middle to its farthest corner
+  std::vector<Facet> facet;                // [triangles]
   std::vector<std::array<int, 3>> edge;    // [triangles] edge k runs from corner k to corner k + 1
   std::vector<SurfaceEdge> edges;
   std::vector<std::vector<int>> edges_at;  // [points]

@@ -41,17 +41,16 @@ Foot foot_of(const BodySurface& s, int t, const Vec3& x) {
   const double area_p = d3 * d6 - d5 * d4;
   if (area_p <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
     return {On::kEdge, e[1], q + ((d4 - d3) / ((d4 - d3) + (d5 - d6))) * (r - q)};
-  return {On::kFace, t, x - dot(s.normal[std::size_t(t)], px) * s.normal[std::size_t(t)]};
+  return {On::kFace, t, x - dot(s.facet[std::size_t(t)].normal, px) * s.facet[std::size_t(t)].normal};
 }
 
 constexpr double kSlack = 0.02;   // of the layer
 constexpr double kBeyond = 1e-9;  // rounding in "stands beyond"
 
-// True where no neighbour is nearer than the foot.
+// True where no neighbour is nearer than a foot on an edge or vertex.
 bool is_minimum(const BodySurface& s, const Foot& foot, const Vec3& x) {
   const Vec3 away = x - foot.point;
   const double rounding = kBeyond * norm(away);
-  if (foot.on == On::kFace) return true;
   if (foot.on == On::kEdge) {
     for (const Vec3& into : s.edges[std::size_t(foot.which)].into)
       if (dot(away, into) > rounding) return false;
@@ -66,8 +65,14 @@ bool is_minimum(const BodySurface& s, const Foot& foot, const Vec3& x) {
   return true;
 }
 
+// Feet on the rim of a triangle that x stands over are no minima: the triangle is nearer.
+bool on_rim(const BodySurface& s, const Foot& foot, int triangle) {
+  const auto& rim = foot.on == On::kEdge ? s.edge[std::size_t(triangle)] : s.corner[std::size_t(triangle)];
+  return rim[0] == foot.which || rim[1] == foot.which || rim[2] == foot.which;
+}
+
 Vec3 normal_of(const BodySurface& s, const Foot& foot) {
-  if (foot.on == On::kFace) return s.normal[std::size_t(foot.which)];
+  if (foot.on == On::kFace) return s.facet[std::size_t(foot.which)].normal;
   if (foot.on == On::kEdge) return s.edges[std::size_t(foot.which)].normal;
   return s.normal_at[std::size_t(foot.which)];
 }
@@ -75,7 +80,7 @@ Vec3 normal_of(const BodySurface& s, const Foot& foot) {
 std::array<double, 6> shape_of(const BodySurface& s, const Foot& foot) {
   if (foot.on == On::kVertex) return {1, 0, 0, 1, 0, 1};
   if (foot.on == On::kFace) {
-    const Vec3& n = s.normal[std::size_t(foot.which)];
+    const Vec3& n = s.facet[std::size_t(foot.which)].normal;
     return {n[0] * n[0], n[0] * n[1], n[0] * n[2], n[1] * n[1], n[1] * n[2], n[2] * n[2]};
   }
   const SurfaceEdge& edge = s.edges[std::size_t(foot.which)];
@@ -145,7 +150,7 @@ double winding_number(const BodySurface& s, const Vec3& x) {
     const Vec3 a = s.point[std::size_t(k[0])] - x, b = s.point[std::size_t(k[1])] - x,
                c = s.point[std::size_t(k[2])] - x;
     const double la = norm(a), lb = norm(b), lc = norm(c), volume = dot(a, cross(b, c)),
-                 out = dot(cross(b - a, c - a), s.normal[t]);
+                 out = dot(cross(b - a, c - a), s.facet[t].normal);
     sum += std::atan2(out < 0 ? -volume : volume,
                       la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
   }
@@ -155,9 +160,9 @@ double winding_number(const BodySurface& s, const Vec3& x) {
 }  // namespace
 
 void nearest_find(const BodySurface& s, const std::vector<int>& triangle, const Vec3& x, double contact,
-                  double within, double reach, const Vec3* side, Nearest& found) {
+                  double within, double reach, double listed, const Vec3* side, Nearest& found) {
   found.touch.clear();
-  found.budget = reach - contact;
+  double clear = listed;  // of all triangles that are not near
   struct Candidate {
     int triangle;
     double distance;
@@ -167,14 +172,31 @@ void nearest_find(const BodySurface& s, const std::vector<int>& triangle, const 
   near.clear();
   kept.clear();
   for (int t : triangle) {
-    const Vec3 d = x - s.middle[std::size_t(t)];
-    const double most = s.reach[std::size_t(t)] + reach;
-    if (dot(d, d) >= most * most) continue;
+    const Facet& f = s.facet[std::size_t(t)];
+    const Vec3 d = x - f.middle;
+    const double square = dot(d, d), ball = f.reach;
+    if (square >= (ball + clear) * (ball + clear)) continue;
+    const double over = std::abs(dot(d, f.normal));
+    if (over >= reach || square >= (ball + reach) * (ball + reach)) {
+      clear = std::min(clear, std::max(over, std::sqrt(square) - ball));
+      continue;
+    }
     const Foot foot = foot_of(s, t, x);
     const double distance = norm(x - foot.point);
-    if (distance >= reach) continue;
+    if (distance >= reach) {
+      clear = std::min(clear, distance);
+      continue;
+    }
     near.push_back({t, distance, foot});
-    if (distance <= within && is_minimum(s, foot, x)) kept.push_back(near.back());
+  }
+  for (const Candidate& c : near)
+    if (c.distance <= within && c.foot.on == On::kFace) kept.push_back(c);
+  const std::size_t faces = kept.size();
+  for (const Candidate& c : near) {
+    if (c.distance > within || c.foot.on == On::kFace) continue;
+    const bool beside = std::any_of(kept.begin(), kept.begin() + std::ptrdiff_t(faces),
+                                    [&](const Candidate& f) { return on_rim(s, c.foot, f.triangle); });
+    if (!beside && is_minimum(s, c.foot, x)) kept.push_back(c);
   }
   std::sort(kept.begin(), kept.end(), [](const Candidate& a, const Candidate& b) {
     return a.distance != b.distance ? a.distance < b.distance : a.triangle < b.triangle;
@@ -189,14 +211,20 @@ void nearest_find(const BodySurface& s, const std::vector<int>& triangle, const 
     if (!found.touch.empty() && (touch.distance < 0 || found.touch[0].distance < 0)) continue;
     found.touch.push_back(touch);
   }
+  found.budget = clear - contact;
   const bool one_face = found.touch.size() == 1 && seen.size() == 1 && seen[0][0] == int(On::kFace);
   const int face = one_face ? seen[0][1] : -1;
   if (one_face) found.budget = std::min(found.budget, inside_by(s, face, x, kSlack * contact));
   else if (!found.touch.empty()) found.budget = 0;
   for (const Candidate& c : near) {
-    if (c.triangle == face || (one_face && falls_away(s, face, c.triangle, found.touch[0].side))) continue;
-    found.budget = std::min(found.budget, c.distance - contact);
+    if (c.distance - contact >= found.budget || c.triangle == face) continue;
+    if (one_face && falls_away(s, face, c.triangle, found.touch[0].side)) continue;
+    found.budget = c.distance - contact;
   }
+}
+
+double nearest_distance(const BodySurface& s, int triangle, const Vec3& x) {
+  return norm(x - foot_of(s, triangle, x).point);
 }
 
 double nearest_signed(const BodySurface& s, int triangle, const Vec3& x) {

@@ -27,10 +27,14 @@ struct Nearest {
   double budget = 0;         // m that the particle may move before any of this must be looked at again
 };
 
-// For a particle at x; `triangle` lists all triangles within `within` + what the budget may be of x. Beyond
-// `contact` nothing touches. `side`: the side of the nearest touch so far, or null.
+// For a particle at x; `triangle` lists all triangles within `listed` of x. Beyond `contact` nothing touches;
+// what is farther than `reach`, at least `within`, is measured by the balls around triangles. `side`: the
+// side of the nearest touch so far, or null.
 void nearest_find(const BodySurface& surface, const std::vector<int>& triangle, const Vec3& x, double contact,
-                  double within, double reach, const Vec3* side, Nearest& found);
+                  double within, double reach, double listed, const Vec3* side, Nearest& found);
+
+// The distance to a triangle.
+double nearest_distance(const BodySurface& surface, int triangle, const Vec3& x);
 
 // The signed distance to the surface at the triangle that is known to be nearest; above 0 outside, and where
 // the surface has no inside. Where the triangle faces away from x the whole surface is asked: a few bad edges

@@ -12,7 +12,7 @@ namespace {
 using namespace vector3;
 
 constexpr double kLeast = 0.02;      // of the layer: a particle may always move so far
-constexpr double kUsed = 0.6;        // of the budget: what has used more is looked at with its neighbours
+constexpr double kUsed = 0.8;        // of the budget: what has used more is looked at with its neighbours
 constexpr double kAhead = 1.5;       // steps that a particle is looked ahead
 constexpr double kSeenEdges = 0.15;  // of the mean edge, likewise of kSeen
 
@@ -143,7 +143,7 @@ void contact_renew(const BodySurface& surface, Voxels& voxels, BodyContact& c, s
     if (near.triangle)
       nearest_find(surface, *near.triangle, x[i], layer,
                    std::min(std::max(kKept * layer, layer + kAhead * norm(step[i])), voxels.reach),
-                   voxels.reach, side_known(c.blocks, name, i, side) ? &side : nullptr, found);
+                   voxels.reach, near.listed, side_known(c.blocks, name, i, side) ? &side : nullptr, found);
     const double way = ridge_way(ridges, c.ridge, n, x[i], near.clearance, norm(step[i]));
     const double budget = std::max(std::min(found.budget, way), kLeast * layer);
     c.x[n] = x[i][0], c.y[n] = x[i][1], c.z[n] = x[i][2];

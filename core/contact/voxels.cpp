@@ -1,6 +1,7 @@
 #include "contact/voxels.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "constraint/vector3.h"
@@ -11,9 +12,11 @@ namespace {
 
 using namespace vector3;
 
-constexpr double kFiner = 4;         // a voxel's size over that of the next level
-constexpr double kEdges = 2;         // a smallest voxel over the mean edge
-constexpr double kRounding = 1e-12;  // of the distance
+constexpr double kFiner = 4;                           // a voxel's size over that of the next level
+constexpr double kEdges = 2;                           // a smallest voxel over the mean edge
+constexpr double kRounding = 1e-12;                    // of the distance
+constexpr std::uint64_t kSpread = 0x9E3779B97F4A7C15;  // 2^64 over the golden ratio: spreads names
+constexpr int kSpreadShift = 64 - std::countr_zero(kVoxelsRecent);
 const double kHalfDiagonal = std::sqrt(3.0) / 2;
 
 // Voxels from -2^20 to 2^20 along each axis, which at 1 mm is a kilometre; beyond, places share voxels' names
@@ -31,25 +34,42 @@ bool voxel_name(const Vec3& x, double size, std::uint64_t& name, Vec3& centre) {
   return true;
 }
 
-Voxel voxel_ask(const Voxels& v, int level, const Vec3& centre) {
-  Voxel voxel;
-  const double half = kHalfDiagonal * v.size[level];
-  if (level + 1 < kVoxelLevels) {
-    voxel.distance = v.library->distance(v.query, centre.data(), nullptr) * (1 - kRounding);
-    voxel.far = voxel.distance > half + v.size[level] / kFiner;
-    return voxel;
-  }
+double half_of(const Voxels& v, int level) { return kHalfDiagonal * v.size[level]; }
+
+std::vector<int> triangles_within(const Voxels& v, const Vec3& centre, double radius) {
   std::vector<int> room(64);
   for (;;) {
-    const std::size_t count =
-        v.library->within(v.query, centre.data(), half + v.reach, room.data(), room.size());
+    const std::size_t count = v.library->within(v.query, centre.data(), radius, room.data(), room.size());
     const bool all = count <= room.size();
     room.resize(count);
-    if (all) break;
+    if (all) return room;
   }
-  voxel.triangle = std::move(room);
+}
+
+Voxel voxel_ask(const Voxels& v, int level, const Vec3& centre) {
+  Voxel voxel;
+  voxel.distance = v.library->distance(v.query, centre.data(), nullptr) * (1 - kRounding);
+  voxel.far = voxel.distance > half_of(v, level) + v.size[level] / kFiner;
+  if (voxel.far || level + 2 < kVoxelLevels) return voxel;
+  voxel.distance = half_of(v, level) + v.reach;
+  voxel.triangle = triangles_within(v, centre, voxel.distance);
+  return voxel;
+}
+
+// A smallest voxel: of the triangles of the middle one that it is in.
+Voxel voxel_part(const Voxels& v, const Voxel& whole, const Vec3& middle, const Vec3& centre) {
+  Voxel voxel;
+  const double radius = half_of(v, kVoxelLevels - 1) + v.reach;
+  double clear = whole.distance * (1 - kRounding) - norm(centre - middle);
+  for (int t : whole.triangle) {
+    const Facet& f = v.surface->facet[std::size_t(t)];
+    if (norm(centre - f.middle) - f.reach > std::max(radius, clear)) continue;
+    const double distance = nearest_distance(*v.surface, t, centre);
+    clear = std::min(clear, distance);
+    if (distance <= radius) voxel.triangle.push_back(t);
+  }
   voxel.far = voxel.triangle.empty();
-  voxel.distance = half + v.reach;
+  voxel.distance = voxel.far ? clear * (1 - kRounding) : radius;
   return voxel;
 }
 
@@ -60,6 +80,8 @@ Voxels voxels_make(const drape_contact_library& library, const drape_query& quer
   Voxels v;
   v.library = &library;
   v.query = &query;
+  v.surface = &surface;
+  v.recent = std::make_unique<Voxels::Recent[]>(kVoxelsRecent);
   v.reach = reach;
   double size = std::max(kEdges * surface.edge_mean, 2 * reach);
   for (int level = kVoxelLevels - 1; level >= 0; --level, size *= kFiner) v.size[level] = size;
@@ -71,46 +93,54 @@ namespace {
 // The voxel that decides about x; null where none is kept.
 struct Found {
   Voxel* voxel;
-  int level;
   Vec3 centre;
 };
 Found voxel_at(Voxels& v, const Vec3& x) {
-  for (int level = 0; level < kVoxelLevels; ++level) {
+  constexpr int kLast = kVoxelLevels - 1;
+  std::uint64_t last = 0;
+  Vec3 centre{}, above{};
+  if (!voxel_name(x, v.size[kLast], last, centre)) return {nullptr, {}};
+  Voxels::Recent& recent = v.recent[last * kSpread >> kSpreadShift];
+  if (recent.voxel && recent.name == last) return {recent.voxel, centre};
+  Voxel* whole = nullptr;
+  for (int level = 0; level < kLast; ++level) {
     std::uint64_t name = 0;
-    Vec3 centre{};
-    if (!voxel_name(x, v.size[level], name, centre)) break;
-    auto known = v.known[level].find(name);
-    if (known == v.known[level].end())
-      known = v.known[level].emplace(name, voxel_ask(v, level, centre)).first;
-    if (known->second.far || level + 1 == kVoxelLevels) return {&known->second, level, centre};
+    voxel_name(x, v.size[level], name, above);
+    const auto [at, fresh] = v.known[level].try_emplace(name);
+    if (fresh) at->second = voxel_ask(v, level, above);
+    whole = &at->second;
+    if (whole->far) return {whole, above};
   }
-  return {nullptr, 0, {}};
+  const auto [at, fresh] = v.known[kLast].try_emplace(last);
+  if (fresh) at->second = voxel_part(v, *whole, above, centre);
+  recent = {last, &at->second};
+  return {&at->second, centre};
 }
 
-double signed_distance(const Voxels& v, const BodySurface& surface, const Vec3& x) {
+double signed_distance(const Voxels& v, const Vec3& x) {
   int triangle = 0;
   v.library->distance(v.query, x.data(), &triangle);
-  return nearest_signed(surface, triangle, x);
+  return nearest_signed(*v.surface, triangle, x);
 }
 
 }  // namespace
 
 Neighbourhood voxels_at(Voxels& v, const Vec3& x) {
   const Found found = voxel_at(v, x);
-  if (!found.voxel) return {v.library->distance(v.query, x.data(), nullptr) * (1 - kRounding), nullptr};
-  if (found.voxel->far) return {found.voxel->distance - norm(x - found.centre), nullptr};
-  return {0, &found.voxel->triangle};
+  if (!found.voxel) return {v.library->distance(v.query, x.data(), nullptr) * (1 - kRounding), nullptr, 0};
+  if (found.voxel->far) return {found.voxel->distance - norm(x - found.centre), nullptr, 0};
+  return {0, &found.voxel->triangle, found.voxel->distance * (1 - kRounding) - norm(x - found.centre)};
 }
 
-double voxels_depth(Voxels& v, const BodySurface& surface, const Vec3& x) {
-  if (!surface.solid) return 0;
+double voxels_depth(Voxels& v, const Vec3& x) {
+  if (!v.surface->solid) return 0;
   const Found found = voxel_at(v, x);
   if (found.voxel && found.voxel->far) {
     int& side = found.voxel->side;
-    if (side == 0) side = signed_distance(v, surface, found.centre) < 0 ? -1 : 1;
+    if (side == 0) side = signed_distance(v, found.centre) < 0 ? -1 : 1;
     if (side > 0) return 0;
   }
-  return std::max(-signed_distance(v, surface, x), 0.0);
+  return std::max(-signed_distance(v, x), 0.0);
 }
 
 }  // namespace drape

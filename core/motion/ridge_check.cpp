@@ -47,8 +47,7 @@ RidgeDeep ridge_deepest(const System& system, const State& s, std::size_t b, con
       foot += gap.weight[k] * x[k];
       at += gap.weight[k] * Vec3{s.x[n], s.y[n], s.z[n]};
     }
-    if (gap.distance < 0 && !is_cut(body.mesh.surface, ridge, part, x) &&
-        !(voxels_depth(voxels, body.mesh.surface, foot) > 0))
+    if (gap.distance < 0 && !is_cut(body.mesh.surface, ridge, part, x) && !(voxels_depth(voxels, foot) > 0))
       continue;  // beyond the body
     const double depth = l.touch.layer - gap.distance;
     deep.count += pair.part != last;

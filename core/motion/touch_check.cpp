@@ -14,11 +14,11 @@ double depth_at(const System& system, TouchRoom& room, const State& s, std::size
   Voxels& voxels = room.voxels[b];
   if (const Neighbourhood near = voxels_at(voxels, x); near.triangle) {
     Nearest found;
-    nearest_find(body.mesh.surface, *near.triangle, x, l.touch.layer, voxels.reach, voxels.reach, nullptr,
-                 found);
+    nearest_find(body.mesh.surface, *near.triangle, x, l.touch.layer, voxels.reach, voxels.reach, near.listed,
+                 nullptr, found);
     if (!found.touch.empty()) return l.touch.layer - found.touch[0].distance;
   }
-  const double inside = voxels_depth(voxels, body.mesh.surface, x);
+  const double inside = voxels_depth(voxels, x);
   return inside > 0 ? l.touch.layer + inside : 0;
 }
 

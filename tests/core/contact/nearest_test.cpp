@@ -55,7 +55,7 @@ TEST(Nearest, IsTheNearestOfAllTrianglesAndItsBudgetIsKept) {
     for (int k = 0; k < 4000; ++k) {
       const std::size_t t = std::size_t(random()) % body.mesh.surface.corner.size();
       const double far = k % 4 == 0 ? 0.05 : 0.002;
-      Vec3 x = body.mesh.surface.middle[t];
+      Vec3 x = body.mesh.surface.facet[t].middle;
       for (double& v : x) v += far * shift(random);
       const double exact = mesh_distance(body.mesh.surface, x);
       const Neighbourhood near = voxels_at(voxels, x);
@@ -65,9 +65,13 @@ TEST(Nearest, IsTheNearestOfAllTrianglesAndItsBudgetIsKept) {
         EXPECT_GT(near.clearance, contact);
         continue;
       }
-      nearest_find(body.mesh.surface, *near.triangle, x, contact, 3 * contact, reach, nullptr, found);
-      if (exact > 3 * contact) EXPECT_TRUE(found.touch.empty());
-      else {
+      nearest_find(body.mesh.surface, *near.triangle, x, contact, 3 * contact, reach, near.listed, nullptr,
+                   found);
+      if (exact > 3 * contact) {
+        EXPECT_TRUE(found.touch.empty());
+        EXPECT_LE(found.budget, exact - contact + 1e-12);
+        EXPECT_GT(found.budget, 0);
+      } else {
         ASSERT_FALSE(found.touch.empty());
         ++touched;
         EXPECT_NEAR(std::abs(found.touch[0].distance), exact, 1e-12);
@@ -105,10 +109,10 @@ TEST(Nearest, AFewBadEdgesMakeNoInside) {
   ASSERT_TRUE(surface.solid);
   Voxels voxels = voxels_make(*body.mesh.library, *body.mesh.query, surface, 0.002);
   for (const double side : {-1.0, 1.0}) {
-    const Vec3 beside = surface.middle.back() + 0.02 * side * surface.normal.back();
-    EXPECT_EQ(voxels_depth(voxels, surface, beside), 0) << side;
+    const Vec3 beside = surface.facet.back().middle + 0.02 * side * surface.facet.back().normal;
+    EXPECT_EQ(voxels_depth(voxels, beside), 0) << side;
   }
-  EXPECT_NEAR(voxels_depth(voxels, surface, {0, 0, 0}), 0.1 * std::cos(std::numbers::pi / 16), 0.002);
+  EXPECT_NEAR(voxels_depth(voxels, {0, 0, 0}), 0.1 * std::cos(std::numbers::pi / 16), 0.002);
 }
 
 // One minimum over a convex edge, two in a groove, one sign for each side.
@@ -121,13 +125,13 @@ TEST(Nearest, CountsLocalMinima) {
   EXPECT_FALSE(body.mesh.surface.solid);
   const std::vector<int> all{0, 1, 2, 3};
   Nearest found;
-  nearest_find(body.mesh.surface, all, {0, 0, 0.01}, 0.01, 0.02, 1, nullptr, found);
+  nearest_find(body.mesh.surface, all, {0, 0, 0.01}, 0.01, 0.02, 1, 1, nullptr, found);
   ASSERT_EQ(found.touch.size(), 2u);
   for (const Touch& t : found.touch) {
     EXPECT_NEAR(t.distance, 0.01 / std::sqrt(2.0), 1e-15);
     EXPECT_GT(t.side[2], 0);
   }
-  nearest_find(body.mesh.surface, all, {0, 0, -0.01}, 0.01, 0.02, 1, nullptr, found);
+  nearest_find(body.mesh.surface, all, {0, 0, -0.01}, 0.01, 0.02, 1, 1, nullptr, found);
   ASSERT_EQ(found.touch.size(), 1u);
   EXPECT_NEAR(found.touch[0].distance, 0.01, 1e-15);
   EXPECT_LT(found.touch[0].side[2], 0);
