@@ -71,16 +71,30 @@ Vec3 row_sum(const SparseRow& row, const Field& f) {
   return sum;
 }
 
-// f <- f - s M^-1 A^T y
-void rows_correct(const System& system, const Constraints& c, const Array& y, double s, const Field& f) {
-  std::size_t r = 0;
-  for (const HeldRow& row : c.rows) {
-    const Vec3 pull = at(y, r++);
-    for (std::size_t k = 0; k < row.on.node.size(); ++k) {
-      const std::size_t n = row.on.node[k];
-      set(f, n, at(f, n) - (s * row.on.weight[k] * system.inverse_mass[n]) * pull);
+// y <- A f - target
+void rows_left(const Constraints& c, const Field& f, const double* target, Array& y) {
+  const RowTerm* t = c.terms.term.data();
+  for (std::size_t k = 0; k < c.rows.size(); ++k) {
+    double sum[3] = {-target[3 * k], -target[3 * k + 1], -target[3 * k + 2]};
+    for (const RowTerm* end = c.terms.term.data() + c.terms.end[k]; t != end; ++t) {
+      sum[0] += t->weight * f.x[t->node];
+      sum[1] += t->weight * f.y[t->node];
+      sum[2] += t->weight * f.z[t->node];
     }
+    std::copy_n(sum, 3, &y[3 * k]);
   }
+}
+
+// f <- f - s M^-1 A^T y;  kRate: of v as well, by `rate` of it.
+template <bool kRate>
+void rows_correct(const Constraints& c, const Array& y, const Field& f, const Field& v, double rate) {
+  const RowTerm* t = c.terms.term.data();
+  for (std::size_t k = 0; k < c.rows.size(); ++k)
+    for (const RowTerm* end = c.terms.term.data() + c.terms.end[k]; t != end; ++t) {
+      const double dx = t->pull * y[3 * k], dy = t->pull * y[3 * k + 1], dz = t->pull * y[3 * k + 2];
+      f.x[t->node] -= dx, f.y[t->node] -= dy, f.z[t->node] -= dz;
+      if constexpr (kRate) v.x[t->node] -= rate * dx, v.y[t->node] -= rate * dy, v.z[t->node] -= rate * dz;
+    }
 }
 
 // m [v_{n-1/2} + h_o a/2 - (1 + c h_o/2) v_n] over m, from what the free step left.
@@ -122,19 +136,24 @@ void rows_apply(const System& system, const Constraints& c, const HeldStep& step
     for (double w : row.weight) sum += w * at(held.old, entry++);
     return sum;
   };
-  for (std::size_t k = 0; k < c.rows.size(); ++k) {
-    const SparseRow& row = c.rows[k].on;
-    set(held.y, k, row_sum(row, r) - at(held.next, fixed + k));
-    if (tells) set(held.z, k, told(step, old_of(row), row_sum(row, v), at(held.rate, fixed + k)));
-  }
+  rows_left(c, r, held.next.data() + 3 * fixed, held.y);
   factor_solve(c.factor, held.y.data());
-  if (tells) factor_solve(c.factor, held.z.data());
-  rows_correct(system, c, held.y, 1, r);
-  rows_correct(system, c, held.y, 1 / step.h, v);
+  if (tells) {
+    for (std::size_t k = 0; k < c.rows.size(); ++k) {
+      const SparseRow& row = c.rows[k].on;
+      set(held.z, k, told(step, old_of(row), row_sum(row, v), at(held.rate, fixed + k)));
+    }
+    factor_solve(c.factor, held.z.data());
+  }
+  rows_correct<true>(c, held.y, r, v, 1 / step.h);
+  const auto impulse_of = [&](std::size_t k) { return (step.impulse / step.h) * at(held.y, k); };
   entry = fixed;
-  for (std::size_t k = 0; k < c.rows.size(); ++k) {
-    Vec3 impulse = (step.impulse / step.h) * at(held.y, k);
-    if (system.energy) s.input += work(impulse, step.before * old_of(c.rows[k].on), row_sum(c.rows[k].on, v));
+  for (std::size_t k = 0; system.energy && k < c.rows.size(); ++k) {
+    const SparseRow& row = c.rows[k].on;
+    s.input += work(impulse_of(k), step.before * old_of(row), row_sum(row, v));
+  }
+  for (std::size_t k : c.led) {
+    Vec3 impulse = impulse_of(k);
     if (step.begins) impulse -= tells ? at(held.z, k) : told_again(step, (1 / step.h) * at(held.y, k));
     load_add(c, held.arm, c.rows[k].target, impulse, s.pin_impulse);
   }
@@ -318,10 +337,9 @@ void constraints_place(const System& system, const Constraints& c, HeldMotion& h
     rigid_aim(c.rigid, r.x, r.y, r.z, held.rigid);
     return;
   }
-  for (std::size_t k = 0; k < c.rows.size(); ++k)
-    set(held.y, k, row_sum(c.rows[k].on, r) - at(held.now, c.fixed.size() + k));
+  rows_left(c, r, held.now.data() + 3 * c.fixed.size(), held.y);
   factor_solve(c.factor, held.y.data());
-  rows_correct(system, c, held.y, 1, r);
+  rows_correct<false>(c, held.y, r, r, 0);
 }
 
 void constraints_project(const System& system, const Constraints& c, HeldMotion& held, Field field,
@@ -335,10 +353,9 @@ void constraints_project(const System& system, const Constraints& c, HeldMotion&
   if (!c.rigid.link.empty()) {
     rigid_project(system, c, field, held);
   } else {
-    for (std::size_t k = 0; k < c.rows.size(); ++k)
-      set(held.y, k, row_sum(c.rows[k].on, field) - at(held.rate, fixed + k));
+    rows_left(c, field, held.rate.data() + 3 * fixed, held.y);
     factor_solve(c.factor, held.y.data());
-    rows_correct(system, c, held.y, 1, field);
+    rows_correct<false>(c, held.y, field, field, 0);
   }
   for (std::size_t k = 0; k < c.rows.size(); ++k) set(held.out, fixed + k, at(held.y, k));
   for (std::size_t k = 0; k < held.out.size(); ++k) held.taken[k] += held.out[k];

@@ -179,6 +179,7 @@ Constraints constraints_make(const std::vector<ConstraintRow>& rows, const Array
   open = rows_independent(nodes_fix(c, std::move(open), problems), inverse_mass, c.pins, problems);
   for (OpenRow& row : open) {
     const Target target = target_make(c, row.parts);
+    if (target.count > 0) c.led.push_back(c.rows.size());
     c.rows.push_back({std::move(row.on), target});
   }
   constraints_refactor(c, inverse_mass);
@@ -190,6 +191,13 @@ void constraints_refactor(Constraints& c, const Array& inverse_mass) {
   std::vector<const SparseRow*> rows;
   for (const HeldRow& row : c.rows) rows.push_back(&row.on);
   c.factor = factor_make(rows, inverse_mass, 0);
+  c.terms = RowTerms{};
+  for (const SparseRow* row : rows) {
+    for (std::size_t k = 0; k < row->node.size(); ++k)
+      c.terms.term.push_back(
+          {std::uint32_t(row->node[k]), row->weight[k], row->weight[k] * inverse_mass[row->node[k]]});
+    c.terms.end.push_back(c.terms.term.size());
+  }
 }
 
 }  // namespace drape

@@ -13,6 +13,7 @@
 // one part of share 1 but where nodes fixed by pins were taken out of a row; an impulse J on the row is then
 // share J on each pin, with the moment R (start - share p_0) x J about it.
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -60,13 +61,25 @@ struct HeldRow {
   Target target;
 };
 
+// The rows' entries one after the other, as a step reads them.
+struct RowTerm {
+  std::uint32_t node;
+  double weight, pull;  // pull: over the node's mass, 1/kg
+};
+struct RowTerms {
+  std::vector<RowTerm> term;
+  std::vector<std::size_t> end;  // [rows]
+};
+
 struct Constraints {
   std::vector<PinBase> pins;  // as Scene::pins
   std::vector<TargetPart> parts;
   std::vector<FixedNode> fixed;
-  std::vector<HeldRow> rows;  // independent
-  Factor factor;              // of A M^-1 A^T
-  Rigid rigid;                // links beside them
+  std::vector<HeldRow> rows;     // independent
+  RowTerms terms;                // of the rows
+  std::vector<std::size_t> led;  // the rows that have a target
+  Factor factor;                 // of A M^-1 A^T
+  Rigid rigid;                   // links beside them
 };
 
 // Sorts rows into fixed nodes and independent rows. Rows of pins that contradict each other, now or once
