@@ -28,20 +28,21 @@ struct ContactJob {
   double *r[3], *v[3];             // [nodes]
   const double* old;               // [blocks in order x 3 x kRowUnit] v_{n-1/2}; null: v stands for it
   const double *mass, *lightness;  // [nodes]; lightness: or null
-  const double* stiff;             // [nodes] accelerations of a fit: the lightness, as its penalties go; or null
-  const double* tied;              // [nodes] 1 where pins or welds tie a particle to others, else 0; or null
-  const ContactLaw* law;           // [lattices]
-  double damping;                  // of the body
+  const double* stiff;    // [nodes] accelerations of a fit: the lightness, as its penalties go; or null
+  const double* tied;     // [nodes] 1 where pins or welds tie a particle to others, else 0; or null
+  const ContactLaw* law;  // [lattices]
+  double damping;         // of the body
   ContactCoefficients c, told;
   bool begins, energy, moves;  // moves: grips and carries become those of now
   double* sum;                 // [8] force, torque on the body (impulses), dissipated, input
 };
 
+inline constexpr std::size_t kWatchGroup = 64;  // nodes that are watched together
 struct ContactWatch {
-  const BodyContact* body;
+  BodyContact* body;          // its ease is written
   const double *r[3], *v[3];  // [nodes]
-  double ahead;               // s, the next step
-  std::size_t begin, end;     // nodes, multiples of kRowUnit
+  double drift, ahead;     // s, how long they have moved with v since they were watched last; the next step
+  std::size_t begin, end;  // nodes, multiples of kRowUnit
 };
 
 // Each of bodies that stay and of bodies that move.

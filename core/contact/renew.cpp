@@ -12,7 +12,7 @@ namespace {
 using namespace vector3;
 
 constexpr double kLeast = 0.02;      // of the layer: a particle may always move so far
-constexpr double kUsed = 0.8;        // of the budget: what has used more is looked at with its neighbours
+constexpr double kUsed = 0.7;        // of the budget: what has used more is looked at with its neighbours
 constexpr double kAhead = 1.5;       // steps that a particle is looked ahead
 constexpr double kSeenEdges = 0.15;  // of the mean edge, likewise of kSeen
 

@@ -16,6 +16,8 @@
 // the pass takes it back and does it anew. At rest the two are the same. Stops are not carried on: what
 // answers to a place one step late, without bound, swings.
 #pragma once
+#include <algorithm>
+
 #include "contact/job.h"
 #include "forces/rows.h"
 
@@ -263,23 +265,63 @@ void contact_run(const ContactJob& job) {
   sums.give(job.sum);
 }
 
-// Blocks of nodes of which one has moved as far as it may, or will in the next step.
+// The largest of lanes that are at least 0, or the smallest.
+template <class L>
+double largest(L a) {
+  alignas(kLine) double lane[L::kWidth];
+  L::store(lane, a);
+  return *std::max_element(lane, lane + L::kWidth);
+}
+template <class L>
+double smallest(L a) {
+  alignas(kLine) double lane[L::kWidth];
+  L::store(lane, a);
+  return *std::min_element(lane, lane + L::kWidth);
+}
+
+// The largest speed of nodes.
+template <class L>
+DRAPE_INLINE double contact_speed(const ContactWatch& job, std::size_t begin, std::size_t end) {
+  L most(0.0);
+  for (std::size_t i = begin; i < end; i += L::kWidth) {
+    const L x = L::load(job.v[0] + i), y = L::load(job.v[1] + i), z = L::load(job.v[2] + i);
+    most = max(most, fma(x, x, fma(y, y, z * z)));
+  }
+  return __builtin_sqrt(largest(most));
+}
+
+// Blocks of nodes of which one has moved as far as it may, or will in the next step. Against a body that
+// stays a group is not looked at as long as its fastest node could not have.
 template <class L, bool kMoves>
 std::size_t contact_watch(const ContactWatch& job, std::size_t* due) {
+  constexpr double kRounding = 1 - 1e-9;
   const PoseLanes<L, kMoves> pose(*job.body);
-  const BodyContact& b = *job.body;
+  BodyContact& b = *job.body;
   std::size_t count = 0;
-  for (std::size_t n = job.begin; n < job.end; n += kRowUnit) {
-    bool moved = false;
-    for (std::size_t i = n; i < n + kRowUnit; i += L::kWidth) {
-      const Vec<L> at{L::load(job.r[0] + i), L::load(job.r[1] + i), L::load(job.r[2] + i)};
-      const Vec<L> v{L::load(job.v[0] + i), L::load(job.v[1] + i), L::load(job.v[2] + i)};
-      const Vec<L> along = v - pose.velocity_at(at - pose.origin);
-      const Vec<L> x = pose.inward(at + along * L(job.ahead));
-      const Vec<L> d = x - Vec<L>{L::load(b.x.data() + i), L::load(b.y.data() + i), L::load(b.z.data() + i)};
-      moved = moved || any(ge(dot(d, d), L::load(b.budget2.data() + i)));
+  for (std::size_t begin = job.begin; begin < job.end; begin += kWatchGroup) {
+    const std::size_t end = begin + kWatchGroup < job.end ? begin + kWatchGroup : job.end;
+    if constexpr (!kMoves) {
+      const double speed = contact_speed<L>(job, begin, end);
+      double& ease = b.ease[begin / kRowUnit];
+      ease -= job.drift * speed;
+      if (ease > job.ahead * speed) continue;
     }
-    if (moved) due[count++] = n;
+    L left(kFar);
+    for (std::size_t n = begin; n < end; n += kRowUnit) {
+      bool moved = false;
+      for (std::size_t i = n; i < n + kRowUnit; i += L::kWidth) {
+        const Vec<L> from{L::load(b.x.data() + i), L::load(b.y.data() + i), L::load(b.z.data() + i)};
+        const Vec<L> at{L::load(job.r[0] + i), L::load(job.r[1] + i), L::load(job.r[2] + i)};
+        const Vec<L> v{L::load(job.v[0] + i), L::load(job.v[1] + i), L::load(job.v[2] + i)};
+        const Vec<L> along = v - pose.velocity_at(at - pose.origin);
+        const Vec<L> d = pose.inward(at + along * L(job.ahead)) - from;
+        const L budget2 = L::load(b.budget2.data() + i);
+        moved = moved || any(ge(dot(d, d), budget2));
+        if constexpr (!kMoves) left = min(left, sqrt(budget2) - sqrt(dot(at - from, at - from)));
+      }
+      if (moved) due[count++] = n, left = L(0.0);
+    }
+    if constexpr (!kMoves) b.ease[begin / kRowUnit] = kRounding * smallest(left);
   }
   return count;
 }

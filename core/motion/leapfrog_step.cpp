@@ -90,7 +90,7 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
   }
   constraints_end(motion.constraints, s, motion.held);
   bodies_follow(motion.path, u, s);
-  if (!s.body.empty()) touch_watch(system, *motion.kernel, motion.touch, s, h);
+  if (!s.body.empty()) touch_watch(system, *motion.kernel, motion.touch, s, stage.drift, h);
   if (rubs) self_watch(system, s, stage.drift);
   if (!s.sewn.empty()) seams_hold(system, s, h);
   if (system.energy && system.composition) balance_drifted(system, motion.balance, s, stage.decay);

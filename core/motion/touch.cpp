@@ -125,8 +125,9 @@ void touch_begin(const System& system, const Kernel& kernel, TouchRoom& room, St
     c.x = s.x, c.y = s.y, c.z = s.z;
     c.budget2.assign(system.nodes, INFINITY);
     for (std::size_t n : system.particle) c.budget2[n] = 0;
+    c.ease.assign(system.nodes / kRowUnit, 0.0);
   }
-  touch_watch(system, kernel, room, s, step_next(system, s));
+  touch_watch(system, kernel, room, s, 0, step_next(system, s));
   for (std::size_t b = 0; b < s.body.size(); ++b) {  // what is at rest on a body sticks to it
     if (system.bodies[b].moves) continue;
     for (ContactBlock& block : s.body[b].blocks.pool)
@@ -245,13 +246,19 @@ void touch_apply(const System& system, const Kernel& kernel, TouchRoom& room, co
   s.input += room.ridge_sums.input;
 }
 
-void touch_watch(const System& system, const Kernel& kernel, TouchRoom& room, State& s, double ahead) {
+void touch_hurry(State& s) {
+  for (BodyContact& c : s.body) std::fill(c.ease.begin(), c.ease.end(), 0.0);
+}
+
+void touch_watch(const System& system, const Kernel& kernel, TouchRoom& room, State& s, double drift,
+                 double ahead) {
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     std::size_t count = 0;
     for (const Lattice& l : system.lattices) {
       ContactWatch watch{&s.body[b],
                          {s.x.data(), s.y.data(), s.z.data()},
                          {s.vx.data(), s.vy.data(), s.vz.data()},
+                         drift,
                          ahead,
                          l.first,
                          l.first + std::size_t(l.rows) * std::size_t(l.stride)};

@@ -69,8 +69,12 @@ void touch_apply(const System& system, const Kernel& kernel, TouchRoom& room, co
                  State& state);
 
 // After the particles and bodies have moved: looks at the surroundings of those that may have come near
-// something else. `ahead`: the next step, s.
-void touch_watch(const System& system, const Kernel& kernel, TouchRoom& room, State& state, double ahead);
+// something else. `drift`: how long they moved, s; `ahead`: the next step.
+void touch_watch(const System& system, const Kernel& kernel, TouchRoom& room, State& state, double drift,
+                 double ahead);
+
+// After particles have been put elsewhere: all are compared with their budgets at the next watch.
+void touch_hurry(State& state);
 
 // What contact does to synchronous velocities [nodes] in the last half kick of `half` s, which is what
 // room.load then holds, as impulses; or to accelerations (half = 0), as forces.

@@ -69,6 +69,7 @@ void seams_weld(const System& system, Motion& motion, State& s, const std::vecto
   double moved = 0;
   for (const Seam& seam : system.seams.seam) moved = std::max(moved, seam.gap_tolerance);
   self_hurry(system, s, moved);
+  touch_hurry(s);
 }
 
 void seams_restore(const System& system, Motion& motion, const State& s) {
