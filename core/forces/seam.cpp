@@ -2,9 +2,7 @@
 
 #include <cmath>
 
-#include "forces/bending.h"
 #include "forces/hinge_energy.h"
-#include "forces/node_lane.h"
 #include "seam/row.h"
 
 namespace drape {
@@ -20,16 +18,10 @@ const Curve& link_curve(const System& system, const Seam& seam) {
   return seam.along_warp ? law.warp : law.weft;
 }
 
-// Visits hinges of welded pairs with their arms and stiffness.
 template <class Visit>
 void each_hinge_sewn(const System& system, const State& s, Visit visit) {
-  for (const Seam& seam : system.seams.seam)
-    for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
-      if (!is_welded(s, p)) continue;
-      const SeamHinge& hinge = system.seams.hinge[p];
-      const double kappa = seam_hinge_stiffness(system, seam, hinge);
-      if (kappa > 0) visit(hinge, kappa, row_value(hinge.arm[0], s), row_value(hinge.arm[1], s));
-    }
+  for (std::size_t p = 0; p < system.seams.hinge.size(); ++p)
+    if (is_welded(s, p) && system.seams.hinge[p].stiffness > 0) visit(system.seams.hinge[p]);
 }
 
 template <class Visit>
@@ -42,8 +34,21 @@ void each_link_sewn(const System& system, const State& s, Visit visit) {
     }
 }
 
-NodeVec lanes(const Vec3& v) { return {v[0], v[1], v[2]}; }
-Vec3 plain(const NodeVec& v) { return {v.x.v, v.y.v, v.z.v}; }
+void batch_set(HingeBatch& b, std::size_t i, const Vec3& a, const Vec3& c, double stiffness) {
+  for (std::size_t k = 0; k < 3; ++k) b.a[k][i] = a[k], b.c[k][i] = c[k];
+  b.stiffness[i] = stiffness;
+}
+
+// Bends what is in the batch, and gives the forces: on x they are the others' opposite, and a = x - p_a.
+void batch_bend(HingeBatch& b, const SeamHinge* const* of, std::size_t count, HingeKernel hinges,
+                SideForces to) {
+  for (std::size_t i = count; i < std::size_t(kRowUnit); ++i) batch_set(b, i, {1, 0, 0}, {1, 0, 0}, 0);
+  hinges(b);
+  for (std::size_t i = 0; i < count; ++i) {
+    arm_force(of[i]->arm[0], {-b.a[0][i], -b.a[1][i], -b.a[2][i]}, to);
+    arm_force(of[i]->arm[1], {b.c[0][i], b.c[1][i], b.c[2][i]}, to);
+  }
+}
 
 }  // namespace
 
@@ -66,14 +71,18 @@ double seam_link_slope(const System& system, const Seam& seam) {
   return seam.link_width * curve_slope(link_curve(system, seam), 0) + seam.tape;
 }
 
-void seams_bond(const System& system, const State& s, SideForces to) {
-  each_hinge_sewn(system, s, [&](const SeamHinge& hinge, double kappa, const Vec3& a, const Vec3& c) {
-    const double inverse_a = 1 / norm(a), inverse_c = 1 / norm(c);
-    const auto f = bending_hinge(lanes(inverse_a * a), NodeLane(inverse_a), lanes(inverse_c * c),
-                                 NodeLane(inverse_c), NodeLane(kappa));
-    row_force(hinge.arm[0], -1.0 * plain(f.first), to);  // on x0 it is +f.first, and a = x1 - x0
-    row_force(hinge.arm[1], plain(f.last), to);
+void seams_bond(const System& system, const State& s, HingeKernel hinges, SideForces to) {
+  HingeBatch batch;
+  const SeamHinge* of[kRowUnit];
+  std::size_t count = 0;
+  each_hinge_sewn(system, s, [&](const SeamHinge& hinge) {
+    batch_set(batch, count, arm_value(hinge.arm[0], s), arm_value(hinge.arm[1], s), hinge.stiffness);
+    of[count++] = &hinge;
+    if (count < std::size_t(kRowUnit)) return;
+    batch_bend(batch, of, count, hinges, to);
+    count = 0;
   });
+  if (count > 0) batch_bend(batch, of, count, hinges, to);
   each_link_sewn(system, s, [&](const Seam& seam, const SeamLink& link, const Vec3& edge) {
     const double length = norm(edge);
     if (length == 0) return;
@@ -84,8 +93,8 @@ void seams_bond(const System& system, const State& s, SideForces to) {
 
 SeamEnergy seams_energy(const System& system, const State& s) {
   SeamEnergy e;
-  each_hinge_sewn(system, s, [&](const SeamHinge&, double kappa, const Vec3& a, const Vec3& c) {
-    e.bending += kappa * hinge_energy_between(a, c);
+  each_hinge_sewn(system, s, [&](const SeamHinge& h) {
+    e.bending += h.stiffness * hinge_energy_between(arm_value(h.arm[0], s), arm_value(h.arm[1], s));
   });
   each_link_sewn(system, s, [&](const Seam& seam, const SeamLink&, const Vec3& edge) {
     const double strain = norm(edge) / seam.rest - 1;

@@ -17,7 +17,6 @@
 
 namespace drape {
 
-// N m: of a hinge; 0 where a side does not bend.
 double seam_hinge_stiffness(const System& system, const Seam& seam, const SeamHinge& hinge);
 
 // Tension of a link, N, and its slope per strain at zero.
@@ -25,7 +24,7 @@ double seam_link_tension(const System& system, const Seam& seam, double strain);
 double seam_link_slope(const System& system, const Seam& seam);
 
 // Adds the forces of all welded pairs to the slots.
-void seams_bond(const System& system, const State& state, SideForces to);
+void seams_bond(const System& system, const State& state, HingeKernel hinges, SideForces to);
 
 struct SeamEnergy {
   double bending = 0, stretch = 0;  // J

@@ -81,7 +81,8 @@ Vec3 clamp_direction(const SideClamp& c, const State& s) {
   return d;
 }
 
-void side_forces(const System& system, const State& s, bool rates, double lead, SideForces out) {
+void side_forces(const System& system, const State& s, bool rates, double lead, HingeKernel hinges,
+                 SideForces out) {
   const NodeForces f{out.x, out.y, out.z};
   for (double* to : {f.x, f.y, f.z})
     for (std::size_t k = 0; k < system.side.node.size(); ++k) to[k] = 0;
@@ -90,7 +91,7 @@ void side_forces(const System& system, const State& s, bool rates, double lead, 
   clamps_add(system, s, f);
   if (rates && system_has_air(system)) air_add(system, s, lead, f);
   seams_pull(system, s, lead, out);
-  seams_bond(system, s, out);
+  seams_bond(system, s, hinges, out);
 }
 
 void side_clamp_torques(const System& system, const State& s, std::vector<Vec3>& torque) {

@@ -1,6 +1,7 @@
 // Forces of the links, hinges and cells that lie beside the rows, one by one. core/README.md, sections 1, 3
 // and 4.
 #pragma once
+#include "forces/hinge_batch.h"
 #include "system/system.h"
 
 namespace drape {
@@ -11,7 +12,8 @@ struct SideForces {
 };
 
 // Sets all slots. `rates`: with the forces that depend on velocity, at v + lead (v - w).
-void side_forces(const System& system, const State& state, bool rates, double lead, SideForces force);
+void side_forces(const System& system, const State& state, bool rates, double lead, HingeKernel hinges,
+                 SideForces force);
 
 // The torque of every clamp on the outside world beyond that of its points' forces, kappa_c psi (R D x v),
 // added to torque [pins].

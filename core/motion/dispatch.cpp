@@ -22,7 +22,7 @@ void pass_run_all(const Kernel& kernel, const System& system, const StepCoeffici
                   const State& s, const PassTarget& to) {
   const bool rates = system_has_rates(system);
   if (!system.side.node.empty())
-    side_forces(system, s, rates, c.lead, {w.side_x.data(), w.side_y.data(), w.side_z.data()});
+    side_forces(system, s, rates, c.lead, kernel.hinges, {w.side_x.data(), w.side_y.data(), w.side_z.data()});
   blocks_copy(system, s, w);
   struct Task {
     const System& system;

@@ -1,6 +1,7 @@
 // The lattice pass: all forces of a lattice and, fused with it, either the step or their output.
 #pragma once
 #include "contact/job.h"
+#include "forces/hinge_batch.h"
 #include "motion/workers.h"
 #include "system/system.h"
 
@@ -60,6 +61,7 @@ struct Kernel {
   // ahead v (s).
   double (*omega2)(const System&, const Lattice&, const State&, int j, double ahead);
   ContactKernel contact;
+  HingeKernel hinges;
 };
 
 // One step of all lattices.

@@ -34,6 +34,26 @@ inline void row_force(const SeamRow& row, const Vec3& force, SideForces to) {
   }
 }
 
+inline Vec3 arm_value(const SeamArm& arm, const State& s) {
+  Vec3 sum{0, 0, 0};
+  for (int k = 0; k < arm.count; ++k) {
+    const auto [node, slot, weight] = arm.term[k];
+    sum[0] += weight * s.x[node];
+    sum[1] += weight * s.y[node];
+    sum[2] += weight * s.z[node];
+  }
+  return sum;
+}
+
+inline void arm_force(const SeamArm& arm, const Vec3& force, SideForces to) {
+  for (int k = 0; k < arm.count; ++k) {
+    const auto [node, slot, weight] = arm.term[k];
+    to.x[slot] += weight * force[0];
+    to.y[slot] += weight * force[1];
+    to.z[slot] += weight * force[2];
+  }
+}
+
 // A point more.
 inline void row_add(SeamRow& row, const SeamPoint& point, double factor) {
   for (int k = 0; k < 4; ++k) {

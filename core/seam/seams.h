@@ -2,6 +2,7 @@
 // core/README.md, section 6.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace drape {
@@ -25,12 +26,25 @@ struct SeamPair {
   SeamRow gap;  // r_b - r_a
 };
 
-// Across a welded pair: p_a - x - p_b, each p a cell's edge inside its piece, x the middle of the pair.
+// A difference of two points of one piece.
+struct SeamArm {
+  struct Term {
+    std::uint32_t node;
+    int slot;  // in Side
+    double weight;
+  };
+  int count = 0;
+  Term term[8];
+};
+
+// Across a welded pair: p_a - x - p_b, each p a cell's edge inside its piece. Of the two points that are x,
+// each arm ends in its own: what acts on one of them, the weld shares.
 struct SeamHinge {
-  SeamRow arm[2];        // x - p_a, p_b - x
+  SeamArm arm[2];        // x - p_a, p_b - x
   double reach[2];       // m: their lengths at rest
   double threads[2][2];  // of side k: cos^4 between arm and warp, sin^4
   double width;          // m
+  double stiffness = 0;  // N m; 0 where a side does not bend
 };
 
 // Along the seam, between the middles of two welded pairs that follow each other.

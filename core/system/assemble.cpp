@@ -182,8 +182,11 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
     threads_lay(system, int(p), grids[p], clamp_slopes(scene, int(p), grids[p]), start);
   }
   system.bodies = bodies_make(scene, problems);
-  for (const Body& body : system.bodies)
-    start.body.push_back({body.start, rotation_matrix(body.start.turn), {}, {}, {}, {}, {}, {}, {}});
+  for (const Body& body : system.bodies) {
+    BodyContact& contact = start.body.emplace_back();
+    contact.frame = body.start;
+    contact.turn = rotation_matrix(body.start.turn);
+  }
   if (!problems.empty()) return system;
   seams_tie(scene, grids, system);
   side_number(system);

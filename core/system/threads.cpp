@@ -223,7 +223,9 @@ void side_number(System& system) {
       for (int k = 0; k < r.count; ++k) visit(r.node[k], r.slot[k]);
     };
     for (SeamPair& s : system.seams.pair) row(s.gap);
-    for (SeamHinge& s : system.seams.hinge) row(s.arm[0]), row(s.arm[1]);
+    for (SeamHinge& s : system.seams.hinge)
+      for (SeamArm& arm : s.arm)
+        for (int k = 0; k < arm.count; ++k) visit(arm.term[k].node, arm.term[k].slot);
     for (SeamLink& s : system.seams.link) row(s.edge);
   };
   each_node([&](std::size_t node, int&) { touched.push_back(node); });

@@ -1,0 +1,14 @@
+// Hinges of seams, eight at a time.
+#pragma once
+#include "system/array.h"
+
+namespace drape {
+
+// In: the arms a = x - p_a, c = p_b - x of each, m, and its stiffness, N m. Out: the forces on p_a and p_b,
+// N, in their places.
+struct alignas(kLine) HingeBatch {
+  double a[3][kRowUnit], c[3][kRowUnit], stiffness[kRowUnit];
+};
+using HingeKernel = void (*)(HingeBatch&);
+
+}  // namespace drape
