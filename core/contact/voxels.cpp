@@ -36,40 +36,37 @@ bool voxel_name(const Vec3& x, double size, std::uint64_t& name, Vec3& centre) {
 
 double half_of(const Voxels& v, int level) { return kHalfDiagonal * v.size[level]; }
 
-std::vector<int> triangles_within(const Voxels& v, const Vec3& centre, double radius) {
-  std::vector<int> room(64);
-  for (;;) {
-    const std::size_t count = v.library->within(v.query, centre.data(), radius, room.data(), room.size());
-    const bool all = count <= room.size();
-    room.resize(count);
-    if (all) return room;
-  }
-}
-
-Voxel voxel_ask(const Voxels& v, int level, const Vec3& centre) {
+// A largest voxel.
+Voxel voxel_ask(const Voxels& v, const Vec3& centre) {
   Voxel voxel;
   voxel.distance = v.library->distance(v.query, centre.data(), nullptr) * (1 - kRounding);
-  voxel.far = voxel.distance > half_of(v, level) + v.size[level] / kFiner;
-  if (voxel.far || level + 2 < kVoxelLevels) return voxel;
-  voxel.distance = half_of(v, level) + v.reach;
-  voxel.triangle = triangles_within(v, centre, voxel.distance);
+  voxel.far = voxel.distance > half_of(v, 0) + v.size[0] / kFiner;
+  if (voxel.far) return voxel;
+  voxel.distance = half_of(v, 0) + v.reach;
+  voxel.triangle.resize(v.surface->corner.size());
+  voxel.triangle.resize(v.library->within(v.query, centre.data(), voxel.distance, voxel.triangle.data(),
+                                          voxel.triangle.size()));
+  voxel.triangle.shrink_to_fit();
   return voxel;
 }
 
-// A smallest voxel: of the triangles of the middle one that it is in.
-Voxel voxel_part(const Voxels& v, const Voxel& whole, const Vec3& middle, const Vec3& centre) {
+// A voxel at `centre`: of the triangles of the one that it is in, at `middle`.
+Voxel voxel_part(const Voxels& v, int level, const Voxel& whole, const Vec3& middle, const Vec3& centre) {
   Voxel voxel;
-  const double radius = half_of(v, kVoxelLevels - 1) + v.reach;
+  const double listed = half_of(v, level) + v.reach;
   double clear = whole.distance * (1 - kRounding) - norm(centre - middle);
   for (int t : whole.triangle) {
     const Facet& f = v.surface->facet[std::size_t(t)];
-    if (norm(centre - f.middle) - f.reach > std::max(radius, clear)) continue;
+    const Vec3 d = centre - f.middle;
+    const double far = f.reach + std::max(listed, clear);
+    if (dot(d, d) > far * far) continue;
     const double distance = nearest_distance(*v.surface, t, centre);
     clear = std::min(clear, distance);
-    if (distance <= radius) voxel.triangle.push_back(t);
+    if (distance <= listed) voxel.triangle.push_back(t);
   }
-  voxel.far = voxel.triangle.empty();
-  voxel.distance = voxel.far ? clear * (1 - kRounding) : radius;
+  voxel.far =
+      level + 1 < kVoxelLevels ? clear > half_of(v, level) + v.size[level] / kFiner : voxel.triangle.empty();
+  voxel.distance = voxel.far ? clear * (1 - kRounding) : listed;
   return voxel;
 }
 
@@ -103,18 +100,17 @@ Found voxel_at(Voxels& v, const Vec3& x) {
   Voxels::Recent& recent = v.recent[last * kSpread >> kSpreadShift];
   if (recent.voxel && recent.name == last) return {recent.voxel, centre};
   Voxel* whole = nullptr;
-  for (int level = 0; level < kLast; ++level) {
+  for (int level = 0; level < kVoxelLevels; ++level) {
     std::uint64_t name = 0;
-    voxel_name(x, v.size[level], name, above);
+    voxel_name(x, v.size[level], name, centre);
     const auto [at, fresh] = v.known[level].try_emplace(name);
-    if (fresh) at->second = voxel_ask(v, level, above);
+    if (fresh) at->second = level == 0 ? voxel_ask(v, centre) : voxel_part(v, level, *whole, above, centre);
     whole = &at->second;
-    if (whole->far) return {whole, above};
+    above = centre;
+    if (whole->far) break;
+    if (level == kLast) recent = {name, whole};
   }
-  const auto [at, fresh] = v.known[kLast].try_emplace(last);
-  if (fresh) at->second = voxel_part(v, *whole, above, centre);
-  recent = {last, &at->second};
-  return {&at->second, centre};
+  return {whole, centre};
 }
 
 double signed_distance(const Voxels& v, const Vec3& x) {

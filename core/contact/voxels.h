@@ -1,9 +1,10 @@
-// What is near a place of a body, remembered by voxels: the contact library is asked once about each.
+// What is near a place of a body, remembered by voxels: the contact library is asked once about each large
+// one.
 //
 // Space is divided into voxels of three sizes. A voxel far from the surface holds the distance d of its
-// centre: any place x in it is at least d - |x - centre| away. A middle one near the surface holds the
-// triangles that a place in it can have within `reach`, and its smallest ones those of them that they can.
-// Answers depend on the place alone, never on what was asked before.
+// centre: any place x in it is at least d - |x - centre| away. One near the surface holds the triangles that
+// a place in it can have within `reach`, out of those of the larger one that it is in. Answers depend on the
+// place alone, never on what was asked before.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -19,7 +20,7 @@ struct Voxel {
   double distance = 0;  // m, of the centre, at least; where there are triangles, within which all are listed
   bool far = false;     // nothing is within `reach` of any place in it: all of it is on one side
   int side = 0;         // of a far voxel: 1 outside, -1 inside, 0 not asked yet
-  std::vector<int> triangle;  // of a voxel that is near, but a largest one
+  std::vector<int> triangle;  // of a voxel that is near
 };
 
 inline constexpr int kVoxelLevels = 3;

@@ -7,6 +7,7 @@
 #include "motion/ridge_touch.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "contact/penalty.h"
@@ -111,23 +112,42 @@ double find(const System& system, const State& s, State* moves, std::vector<Ridg
   return lost;
 }
 
-// `k`: sum W_k^2 over inertia.
-ContactLaw law_of(const System& system, const State& s, const RidgeTouch& t, double k) {
-  ContactLaw law =
-      touch_law_now(system, s, system.bodies[t.body], system.lattices[std::size_t(t.part->lattice)]);
-  law.omega2 = t.stiffness * k;
-  return law;
+// A pair within a pass over all: what a node's velocity gains over J, K, and the law of the gap.
+struct PairLaw {
+  std::array<double, 4> over;  // W_k/m_k, 1/kg, of inertia
+  double lightness;            // K
+  ContactLanes<Lane> lanes;
+};
+
+std::array<double, 4> pair_over(const System& system, const RidgeTouch& t, const RidgeField& f) {
+  std::array<double, 4> over{};
+  for (int k = 0; k < t.part->weights(); ++k) {
+    const std::size_t n = t.part->node[k];
+    over[std::size_t(k)] = t.gap.weight[k] * system.inverse_mass[n] * (f.lightness ? f.lightness[n] : 1);
+  }
+  return over;
+}
+
+PairLaw pair_law(const System& system, const State& s, const RidgeTouch& t, const ContactCoefficients& c,
+                 const RidgeField& f) {
+  const std::array<double, 4> over = pair_over(system, t, f);
+  double lightness = 0;
+  for (std::size_t k = 0; k < 4; ++k) lightness += t.gap.weight[k] * over[k];
+  const Body& body = system.bodies[t.body];
+  ContactLaw law = touch_law_now(system, s, body, system.lattices[std::size_t(t.part->lattice)]);
+  law.omega2 = t.stiffness * lightness;
+  return {over, lightness, ContactLanes<Lane>(law, c, body.damping)};
 }
 
 // Adds what an impulse J on the gap does.
-void push(const System& system, const RidgeTouch& t, const ContactCoefficients& c, const RidgeField& f,
-          const Vec3& j) {
+void push(const RidgeTouch& t, const std::array<double, 4>& over, const ContactCoefficients& c,
+          const RidgeField& f, const Vec3& j) {
   for (int k = 0; k < t.part->weights(); ++k) {
     const std::size_t n = t.part->node[k];
-    const double over = t.gap.weight[k] * system.inverse_mass[n] * (f.lightness ? f.lightness[n] : 1);
     for (std::size_t i = 0; i < 3; ++i) {
-      f.v[i][n] += over * j[i];
-      if (f.r[i]) f.r[i][n] += c.drift * (over * j[i]);
+      const double dv = over[std::size_t(k)] * j[i];
+      f.v[i][n] += dv;
+      if (f.r[i]) f.r[i][n] += c.drift * dv;
     }
   }
 }
@@ -137,16 +157,6 @@ Vec3 gap_velocity(const RidgeTouch& t, const RidgeField& f) {
   for (int k = 0; k < t.part->weights(); ++k)
     for (std::size_t i = 0; i < 3; ++i) v[i] += t.gap.weight[k] * f.v[i][t.part->node[k]];
   return v;
-}
-
-// K
-double gap_lightness(const System& system, const RidgeTouch& t, const RidgeField& f) {
-  double sum = 0;
-  for (int k = 0; k < t.part->weights(); ++k) {
-    const std::size_t n = t.part->node[k];
-    sum += t.gap.weight[k] * t.gap.weight[k] * system.inverse_mass[n] * (f.lightness ? f.lightness[n] : 1);
-  }
-  return sum;
 }
 
 }  // namespace
@@ -161,7 +171,8 @@ double ridge_look(const System& system, const State& s, std::vector<RidgeTouch>&
 
 void ridge_carry(const System& system, const State& s, const std::vector<RidgeTouch>& touches,
                  const ContactCoefficients& c, const RidgeField& f) {
-  for (const RidgeTouch& t : touches) push(system, t, c, f, c.kick * s.body[t.body].ridge.pair[t.pair].carry);
+  for (const RidgeTouch& t : touches)
+    push(t, pair_over(system, t, f), c, f, c.kick * s.body[t.body].ridge.pair[t.pair].carry);
 }
 
 namespace {
@@ -176,19 +187,18 @@ struct Given {
 
 // J of a pair, given what all others do; how much it changes the gap's velocity. What is past the ridge is
 // pushed as from the ridge itself, by 1/50 of the layer a step: faster, it would be thrown.
-double pair_respond(const System& system, const State& s, const RidgeTouch& t, const ContactCoefficients& c,
+double pair_respond(const State& s, const RidgeTouch& t, const PairLaw& law, const ContactCoefficients& c,
                     const RidgeField& f, Given& given) {
-  const double k = gap_lightness(system, t, f);
-  const ContactLanes<Lane> law(law_of(system, s, t, k), c, system.bodies[t.body].damping);
-  push(system, t, c, f, -1.0 * given.impulse);
+  const double k = law.lightness;
+  push(t, law.over, c, f, -1.0 * given.impulse);
   const Vec3 free = gap_velocity(t, f), old = c.old_time > 0 || c.new_time > 0 ? t.old : free;
   const ContactHit<Lane> hit =
-      contact_hit(law, lanes(t.gap.n), Lane(std::max(t.gap.distance, 0.0)), lanes(free - t.carried),
+      contact_hit(law.lanes, lanes(t.gap.n), Lane(std::max(t.gap.distance, 0.0)), lanes(free - t.carried),
                   lanes(old - t.carried), Lane(s.body[t.body].ridge.pair[t.pair].grip), Lane(1.0));
   const Vec3 impulse = (1 / k) * vector(hit.dv);
   const double change = k * norm(impulse - given.impulse);
   given = {impulse, hit.stored.v / k, hit.stop.v / k, hit.grip.v};
-  push(system, t, c, f, impulse);
+  push(t, law.over, c, f, impulse);
   return change;
 }
 
@@ -207,17 +217,20 @@ void sums_add(const State& s, const RidgeTouch& t, const ContactCoefficients& c,
 void ridge_respond(const System& system, const State& s, const std::vector<RidgeTouch>& touches,
                    const ContactCoefficients& c, const RidgeField& f, State* moves, RidgeSums& sums) {
   static thread_local std::vector<Given> given;
+  static thread_local std::vector<PairLaw> laws;
   sums.load.assign(s.body.size(), PinLoad{});
   sums.dissipated = sums.input = 0;
   given.assign(touches.size(), Given{});
+  laws.clear();
+  for (const RidgeTouch& t : touches) laws.push_back(pair_law(system, s, t, c, f));
   for (std::size_t k = 0; k < touches.size(); ++k)
     given[k].impulse = c.kick * s.body[touches[k].body].ridge.pair[touches[k].pair].carry;
   double first = 0;
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     double most = 0;
     for (std::size_t k = 0; k < touches.size(); ++k) {
-      most = std::max(most, pair_respond(system, s, touches[k], c, f, given[k]));
-      if (sweep == 0) first = std::max(first, gap_lightness(system, touches[k], f) * norm(given[k].impulse));
+      most = std::max(most, pair_respond(s, touches[k], laws[k], c, f, given[k]));
+      if (sweep == 0) first = std::max(first, laws[k].lightness * norm(given[k].impulse));
     }
     if (!(most > kSettled * first)) break;
   }
