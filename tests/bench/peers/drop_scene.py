@@ -34,12 +34,17 @@ def masses():
 
 
 def links():
-    """(row, column) offsets of links and their stiffness; those on the rim are half as wide, where a peer can have that."""
+    """(rows, columns) that links reach, and their stiffness inside."""
     return [(0, 1, STRETCH), (1, 0, STRETCH), (1, 1, SHEAR), (1, -1, SHEAR)]
 
 
+def rim_share(j, i, dj, di):
+    """The width of the link of particle (j, i) over that of one inside: links along the rim are half as wide."""
+    return 0.5 if (dj == 0 and j in (0, SIDE - 1)) or (di == 0 and i in (0, SIDE - 1)) else 1.0
+
+
 def ends(dj, di):
-    """Places of both ends of every link that reaches dj rows and di columns, as two slices of a grid."""
+    """The first and the last ends of the links that reach dj rows and di columns, as slices of a grid."""
     first = np.s_[: SIDE - dj, max(0, -di) : SIDE - max(0, di)]
     last = np.s_[dj:, max(0, di) : SIDE + min(0, di)]
     return first, last

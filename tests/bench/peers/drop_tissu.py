@@ -38,15 +38,19 @@ def compiled():
     folder = pathlib.Path(sys.prefix) / "tissu"
     folder.mkdir(exist_ok=True)
     core, program, source = sources(folder), folder / "tissu_drop", HERE / "drop_tissu.cpp"
-    if program.exists() and program.stat().st_mtime > max(source.stat().st_mtime,
-                                                          (HERE / "drop_scene.py").stat().st_mtime):
+    newest = max(file.stat().st_mtime for file in (source, HERE / "drop_scene.py", HERE / "drop_tissu.py"))
+    if program.exists() and program.stat().st_mtime > newest:
         return program
-    files = [f for part in ("physics", "data-structures", "engine", "utils") for f in sorted((core / "src" / part).glob("*.cpp"))]
+    parts = ("physics", "data-structures", "engine", "utils")
+    files = [file for part in parts for file in sorted((core / "src" / part).glob("*.cpp"))]
     corner = drop_scene.grid()[0, 0]
     values = {name: getattr(drop_scene, name) for name in GIVEN}
     values.update({f"CORNER_{axis}": float(place) for axis, place in zip("XYZ", corner)})
-    subprocess.run(["g++", *FLAGS, *(f"-D{name}=({value!r})" for name, value in values.items()), "-I", core / "include",
-                    source, *files, core / "src" / "io" / "OBJLoader.cpp", "-o", program], check=True)
+    given = [f"-D{name}=({value!r})" for name, value in values.items()]
+    run = subprocess.run(["g++", *FLAGS, *given, "-I", core / "include", source, *files, core / "src" / "io" / "OBJLoader.cpp",
+                          "-o", program], capture_output=True, text=True)
+    if run.returncode != 0:
+        sys.exit("its core does not compile: " + next((line for line in run.stderr.splitlines() if "error" in line), ""))
     return program
 
 
