@@ -14,7 +14,7 @@ from drop_scene import (BENDING, BRAKING, CELL, DENSITY, FRICTION, GRAVITY, LENG
 # A link of width b pulls with b P(e)/w, P the diagram of a strip of width w, e its elongation over its length b: dF/dl = k
 # where P = k w e. Diagonals lie b/sqrt(2) apart and are b sqrt(2) long: dF/dl = d where, taken literally, P = 2 d w e.
 STRIP, TESTED = 0.05, 0.1  # m, elongation
-SPECIMEN = 0.03  # m
+SPECIMEN, HALF = 0.03, LENGTH / 2  # m
 SCENE = f"""[scene]
 name = "drop"
 duration = 1.0
@@ -36,7 +36,7 @@ bending = {{ rigidity_uN_cm2 = [{BENDING * SPECIMEN * 1e10!r}, {BENDING * SPECIM
 name = "sheet"
 fabric = "linear"
 cell = {CELL!r}
-outline = [[{-LENGTH / 2}, {-LENGTH / 2}], [{LENGTH / 2}, {-LENGTH / 2}], [{LENGTH / 2}, {LENGTH / 2}], [{-LENGTH / 2}, {LENGTH / 2}]]
+outline = [[{-HALF}, {-HALF}], [{HALF}, {-HALF}], [{HALF}, {HALF}], [{-HALF}, {HALF}]]
 place = {{ origin = {list(START)}, axis_x = [1, 0, 0], axis_y = [0, 1, 0] }}
 [[body]]
 name = "ball"
@@ -59,7 +59,7 @@ def run(folder, until):
 
 
 def drop(seconds):
-    """The command reads, assembles and builds its search in the body as well: a run of one step of communication, taken off."""
+    """The command also reads, assembles and sorts the body: a run of one step of communication, which is taken off."""
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         points, faces = sphere()
