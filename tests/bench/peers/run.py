@@ -11,32 +11,18 @@ kernels are called alone. One core for all.
 """
 import argparse
 import csv
-import importlib.util
 import os
 import pathlib
 import statistics
-import subprocess
 import sys
 import time
 
-HERE = pathlib.Path(__file__).resolve().parent
-ROOT = HERE.parents[2]
+from environment import run_in
+
 SIDE = 129
 
-
-def reexec_with_packages():
-    """Runs this script again in an environment that has the peers, made where it is missing."""
-    if all(importlib.util.find_spec(name) for name in ("numba", "taichi", "newton")):
-        return
-    python = ROOT / "build" / "peers" / "bin" / "python"
-    if not python.exists():
-        subprocess.run([sys.executable, "-m", "venv", python.parents[1]], check=True)
-        subprocess.run([python, "-m", "pip", "install", "--quiet", "-r", HERE / "requirements.txt"], check=True)
-    os.execv(python, [str(python), *sys.argv])
-
-
 if __name__ == "__main__":
-    reexec_with_packages()
+    run_in("peers", "requirements.txt")
 
 import numpy as np  # noqa: E402
 from cloth import Cloth  # noqa: E402
