@@ -71,30 +71,42 @@ Vec3 row_sum(const SparseRow& row, const Field& f) {
   return sum;
 }
 
-// y <- A f - target
-void rows_left(const Constraints& c, const Field& f, const double* target, Array& y) {
-  const RowTerm* t = c.terms.term.data();
-  for (std::size_t k = 0; k < c.rows.size(); ++k) {
+// y <- (A M^-1 A^T)^-1 (A f - target) of a part
+void part_solve(const RowPart& part, const Field& f, const double* target, double* y) {
+  const RowTerm* t = part.term.data();
+  for (std::size_t k = part.begin; k < part.end; ++k) {
     double sum[3] = {-target[3 * k], -target[3 * k + 1], -target[3 * k + 2]};
-    for (const RowTerm* end = c.terms.term.data() + c.terms.end[k]; t != end; ++t) {
+    for (const RowTerm* end = part.term.data() + part.last[k - part.begin]; t != end; ++t) {
       sum[0] += t->weight * f.x[t->node];
       sum[1] += t->weight * f.y[t->node];
       sum[2] += t->weight * f.z[t->node];
     }
-    std::copy_n(sum, 3, &y[3 * k]);
+    std::copy_n(sum, 3, y + 3 * k);
   }
+  factor_solve(part.factor, y + 3 * part.begin);
 }
 
-// f <- f - s M^-1 A^T y;  kRate: of v as well, by `rate` of it.
+// f <- f - M^-1 A^T y;  kRate: of v as well, by `rate` of it.
 template <bool kRate>
-void rows_correct(const Constraints& c, const Array& y, const Field& f, const Field& v, double rate) {
-  const RowTerm* t = c.terms.term.data();
-  for (std::size_t k = 0; k < c.rows.size(); ++k)
-    for (const RowTerm* end = c.terms.term.data() + c.terms.end[k]; t != end; ++t) {
+void part_correct(const RowPart& part, const double* y, const Field& f, const Field& v, double rate) {
+  const RowTerm* t = part.term.data();
+  for (std::size_t k = part.begin; k < part.end; ++k)
+    for (const RowTerm* end = part.term.data() + part.last[k - part.begin]; t != end; ++t) {
       const double dx = t->pull * y[3 * k], dy = t->pull * y[3 * k + 1], dz = t->pull * y[3 * k + 2];
       f.x[t->node] -= dx, f.y[t->node] -= dy, f.z[t->node] -= dz;
       if constexpr (kRate) v.x[t->node] -= rate * dx, v.y[t->node] -= rate * dy, v.z[t->node] -= rate * dz;
     }
+}
+
+void rows_project(const Constraints& c, const double* target, Array& y, const Field& f) {
+  for (const RowPart& part : c.part) {
+    part_solve(part, f, target, y.data());
+    part_correct<false>(part, y.data(), f, f, 0);
+  }
+}
+
+bool is_hit(const RowPart& part, const char* hit) {
+  return std::any_of(part.line.begin(), part.line.end(), [&](std::uint32_t l) { return hit[l] != 0; });
 }
 
 // m [v_{n-1/2} + h_o a/2 - (1 + c h_o/2) v_n] over m, from what the free step left.
@@ -136,16 +148,21 @@ void rows_apply(const System& system, const Constraints& c, const HeldStep& step
     for (double w : row.weight) sum += w * at(held.old, entry++);
     return sum;
   };
-  rows_left(c, r, held.next.data() + 3 * fixed, held.y);
-  factor_solve(c.factor, held.y.data());
   if (tells) {
     for (std::size_t k = 0; k < c.rows.size(); ++k) {
       const SparseRow& row = c.rows[k].on;
       set(held.z, k, told(step, old_of(row), row_sum(row, v), at(held.rate, fixed + k)));
     }
-    factor_solve(c.factor, held.z.data());
+    for (const RowPart& part : c.part) factor_solve(part.factor, &held.z[3 * part.begin]);
   }
-  rows_correct<true>(c, held.y, r, v, 1 / step.h);
+  for (const RowPart& part : c.part) {
+    if (step.again && step.hit && !is_hit(part, step.hit)) {
+      std::fill_n(&held.y[3 * part.begin], 3 * (part.end - part.begin), 0.0);
+      continue;
+    }
+    part_solve(part, r, held.next.data() + 3 * fixed, held.y.data());
+    part_correct<true>(part, held.y.data(), r, v, 1 / step.h);
+  }
   const auto impulse_of = [&](std::size_t k) { return (step.impulse / step.h) * at(held.y, k); };
   entry = fixed;
   for (std::size_t k = 0; system.energy && k < c.rows.size(); ++k) {
@@ -337,9 +354,7 @@ void constraints_place(const System& system, const Constraints& c, HeldMotion& h
     rigid_aim(c.rigid, r.x, r.y, r.z, held.rigid);
     return;
   }
-  rows_left(c, r, held.now.data() + 3 * c.fixed.size(), held.y);
-  factor_solve(c.factor, held.y.data());
-  rows_correct<false>(c, held.y, r, r, 0);
+  rows_project(c, held.now.data() + 3 * c.fixed.size(), held.y, r);
 }
 
 void constraints_project(const System& system, const Constraints& c, HeldMotion& held, Field field,
@@ -353,9 +368,7 @@ void constraints_project(const System& system, const Constraints& c, HeldMotion&
   if (!c.rigid.link.empty()) {
     rigid_project(system, c, field, held);
   } else {
-    rows_left(c, field, held.rate.data() + 3 * fixed, held.y);
-    factor_solve(c.factor, held.y.data());
-    rows_correct<false>(c, held.y, field, field, 0);
+    rows_project(c, held.rate.data() + 3 * fixed, held.y, field);
   }
   for (std::size_t k = 0; k < c.rows.size(); ++k) set(held.out, fixed + k, at(held.y, k));
   for (std::size_t k = 0; k < held.out.size(); ++k) held.taken[k] += held.out[k];

@@ -41,6 +41,8 @@ struct HeldStep {
   double half, centred;  // h_o/2 and 1 + c h_o/2; above order 2, what the kick has of the step before, and 1
   double before;         // above order 2, what damping has left of v before the kick; else 1
   bool again = false;    // the free step has been met; this meets what was added to it since
+  const char* hit =
+      nullptr;  // [nodes / kRowUnit] then: something has been added to one of the nodes; null: to any
 };
 
 // Puts held nodes where the frames of the state (at t_{n+1}) want them after the free step, and adds to the

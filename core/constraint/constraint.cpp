@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <unordered_map>
 
 #include "constraint/vector3.h"
@@ -163,6 +164,46 @@ std::vector<OpenRow> nodes_fix(Constraints& c, std::vector<OpenRow> rows, std::v
   return rows;
 }
 
+// The part of each row, numbered by their first rows: rows of one node are in one part.
+std::vector<std::size_t> parts_of(const std::vector<OpenRow>& rows) {
+  std::vector<std::size_t> up(rows.size());  // an earlier row of the same part, or the row itself
+  std::iota(up.begin(), up.end(), std::size_t(0));
+  const auto first = [&](std::size_t r) {
+    while (up[r] != r) r = up[r] = up[up[r]];
+    return r;
+  };
+  std::unordered_map<std::size_t, std::size_t> row_of;  // a node's
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::size_t n : rows[r].on.node) {
+      const std::size_t a = first(row_of.try_emplace(n, r).first->second), b = first(r);
+      up[std::max(a, b)] = std::min(a, b);
+    }
+  for (std::size_t r = 0; r < rows.size(); ++r) up[r] = first(r);
+  return up;
+}
+
+// The rows part by part.
+void rows_take(Constraints& c, std::vector<OpenRow> rows) {
+  const std::vector<std::size_t> part = parts_of(rows);
+  std::vector<std::size_t> order(rows.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return part[a] < part[b]; });
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    if (k == 0 || part[order[k]] != part[order[k - 1]]) c.part.push_back({k, k, {}, {}, {}, {}});
+    OpenRow& row = rows[order[k]];
+    for (std::size_t n : row.on.node) c.part.back().line.push_back(std::uint32_t(n / kRowUnit));
+    c.part.back().end = k + 1;
+    const Target target = target_make(c, row.parts);
+    if (target.count > 0) c.led.push_back(k);
+    c.rows.push_back({std::move(row.on), target});
+  }
+  for (RowPart& p : c.part) {
+    std::sort(p.line.begin(), p.line.end());
+    p.line.erase(std::unique(p.line.begin(), p.line.end()), p.line.end());
+  }
+}
+
 }  // namespace
 
 Constraints constraints_make(const std::vector<ConstraintRow>& rows, const Array& inverse_mass,
@@ -176,27 +217,26 @@ Constraints constraints_make(const std::vector<ConstraintRow>& rows, const Array
         {row.pin,
          {row.node, row.weight},
          row.pin < 0 ? std::vector<TargetPart>{} : std::vector{TargetPart{row.pin, 1, row.target}}});
-  open = rows_independent(nodes_fix(c, std::move(open), problems), inverse_mass, c.pins, problems);
-  for (OpenRow& row : open) {
-    const Target target = target_make(c, row.parts);
-    if (target.count > 0) c.led.push_back(c.rows.size());
-    c.rows.push_back({std::move(row.on), target});
-  }
+  rows_take(c, rows_independent(nodes_fix(c, std::move(open), problems), inverse_mass, c.pins, problems));
   constraints_refactor(c, inverse_mass);
   c.rigid = rigid_make(c.rows, c.fixed, links);
   return c;
 }
 
 void constraints_refactor(Constraints& c, const Array& inverse_mass) {
-  std::vector<const SparseRow*> rows;
-  for (const HeldRow& row : c.rows) rows.push_back(&row.on);
-  c.factor = factor_make(rows, inverse_mass, 0);
-  c.terms = RowTerms{};
-  for (const SparseRow* row : rows) {
-    for (std::size_t k = 0; k < row->node.size(); ++k)
-      c.terms.term.push_back(
-          {std::uint32_t(row->node[k]), row->weight[k], row->weight[k] * inverse_mass[row->node[k]]});
-    c.terms.end.push_back(c.terms.term.size());
+  for (RowPart& part : c.part) {
+    std::vector<const SparseRow*> rows;
+    part.term.clear();
+    part.last.clear();
+    for (std::size_t r = part.begin; r < part.end; ++r) {
+      const SparseRow& row = c.rows[r].on;
+      rows.push_back(&row);
+      for (std::size_t k = 0; k < row.node.size(); ++k)
+        part.term.push_back(
+            {std::uint32_t(row.node[k]), row.weight[k], row.weight[k] * inverse_mass[row.node[k]]});
+      part.last.push_back(part.term.size());
+    }
+    part.factor = factor_make(rows, inverse_mass, 0);
   }
 }
 

@@ -66,9 +66,14 @@ struct RowTerm {
   std::uint32_t node;
   double weight, pull;  // pull: over the node's mass, 1/kg
 };
-struct RowTerms {
-  std::vector<RowTerm> term;
-  std::vector<std::size_t> end;  // [rows]
+
+// Rows that share nodes, if through others: they are met on their own.
+struct RowPart {
+  std::size_t begin, end;           // rows
+  std::vector<RowTerm> term;        // theirs
+  std::vector<std::size_t> last;    // [rows] where the terms of a row end
+  std::vector<std::uint32_t> line;  // nodes over kRowUnit, sorted, each once
+  Factor factor;                    // of A M^-1 A^T
 };
 
 struct Constraints {
@@ -76,9 +81,8 @@ struct Constraints {
   std::vector<TargetPart> parts;
   std::vector<FixedNode> fixed;
   std::vector<HeldRow> rows;     // independent
-  RowTerms terms;                // of the rows
+  std::vector<RowPart> part;     // of the rows, in their order
   std::vector<std::size_t> led;  // the rows that have a target
-  Factor factor;                 // of A M^-1 A^T
   Rigid rigid;                   // links beside them
 };
 

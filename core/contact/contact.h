@@ -53,6 +53,7 @@ struct alignas(kLine) ContactBlock {
   double grip[kRowUnit];      // 1 where the particle sticks, else 0
   double carry[3][kRowUnit];  // m/s^2, what a particle that is not alone got in the last step
   double shared[kRowUnit];    // 1 where other surfaces are near as well, else 0
+  bool flat;                  // every surface in it is a face: D = side side^T
   bool shares;                // somewhere
   bool carries;               // a carry is not 0
   std::size_t node;           // the first of them

@@ -42,6 +42,17 @@ void lane_set(ContactBlock& b, std::size_t i, const Touch& touch, double grip) {
   b.grip[i] = grip;
 }
 
+bool is_flat(const ContactBlock& b) {
+  constexpr double kRounding = 1e-12;
+  for (std::size_t i = 0; i < std::size_t(kRowUnit); ++i) {
+    if (b.offset[i] == -kFar) continue;
+    const double trace =
+        b.shape[0][i] + b.shape[3][i] + b.shape[5][i];  // 1 of a face, 2 of an edge, 3 of a vertex
+    if (trace > 1 + kRounding) return false;
+  }
+  return true;
+}
+
 std::size_t place_first(const ContactBlocks& blocks, std::uint32_t node) {
   const auto at = std::lower_bound(blocks.order.begin(), blocks.order.end(), node,
                                    [](const ContactPlace& p, std::uint32_t n) { return p.node < n; });
@@ -82,6 +93,7 @@ void lane_write(ContactBlocks& blocks, std::uint32_t node, int lattice, std::siz
   for (std::size_t k = 0; k < std::max(count, touch.size()); ++k) {
     ContactBlock& b = blocks.pool[blocks.order[first + k].block];
     b.shares = std::any_of(b.shared, b.shared + kRowUnit, [](double is) { return is > 0; });
+    b.flat = is_flat(b);
   }
 }
 

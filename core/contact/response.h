@@ -131,6 +131,7 @@ struct Gap {
 };
 template <class L>
 DRAPE_INLINE Gap<L> contact_gap(const ContactBlock& b, int i, const Vec<L>& x, L s) {
+  if (b.flat) return {s, {L::load(b.side[0] + i), L::load(b.side[1] + i), L::load(b.side[2] + i)}};
   const auto at = [&](const double* row) DRAPE_INLINE_LAMBDA { return L::load(row + i); };
   const Vec<L> e = x - Vec<L>{at(b.point[0]), at(b.point[1]), at(b.point[2])};
   const L xx = at(b.shape[0]), xy = at(b.shape[1]), xz = at(b.shape[2]), yy = at(b.shape[3]),
@@ -183,6 +184,12 @@ struct ContactSums {
   }
 };
 
+// What a pass reads of every block.
+DRAPE_INLINE void block_fetch(const ContactBlock& b) {
+  for (const double* row : {b.side[0], b.side[1], b.side[2], b.offset, b.grip}) __builtin_prefetch(row);
+  __builtin_prefetch(&b.node);
+}
+
 template <class L, bool kMoves>
 void contact_run(const ContactJob& job) {
   const PoseLanes<L, kMoves> pose(*job.body);
@@ -190,8 +197,10 @@ void contact_run(const ContactJob& job) {
   ContactSums<L> sums;
   int lattice = 0;  // of the laws
   ContactLanes<L> law(job.law[0], c, job.damping), told(job.law[0], job.told, job.damping);
-  for (std::size_t k = 0; k < job.body->blocks.order.size(); ++k) {
-    ContactBlock& b = job.body->blocks.pool[job.body->blocks.order[k].block];
+  const ContactBlocks& blocks = job.body->blocks;
+  for (std::size_t k = 0; k < blocks.order.size(); ++k) {
+    ContactBlock& b = job.body->blocks.pool[blocks.order[k].block];
+    if (k + 1 < blocks.order.size()) block_fetch(blocks.pool[blocks.order[k + 1].block]);
     if (b.lattice != lattice) {
       lattice = b.lattice;
       law = ContactLanes<L>(job.law[lattice], c, job.damping);
@@ -223,6 +232,7 @@ void contact_run(const ContactJob& job) {
         if (given) {
           vec_store(v, 0, free);
           if (job.moves) vec_store(r, 0, moved);
+          if (job.moves && job.hit) job.hit[b.node / kRowUnit] = 1;
           if (job.moves) carry_store(b, i, Vec<L>{L(0.0), L(0.0), L(0.0)});
         }
         continue;
@@ -243,6 +253,8 @@ void contact_run(const ContactJob& job) {
       if (job.moves) vec_store(r, 0, moved + hit.dv * L(c.drift));
       if (job.moves && (given || job.tied || b.shares)) {
         const L tied = job.tied ? L::load(job.tied + n) : L(0.0);
+        if (job.hit && (given || any(gt(tied * (abs(hit.dv.x) + abs(hit.dv.y) + abs(hit.dv.z)), L(0.0)))))
+          job.hit[b.node / kRowUnit] = 1;
         carry_store(b, i, carry_of(c, normal, hit, max(tied, L::load(b.shared + i)), light));
       }
       if (job.energy) {

@@ -86,6 +86,7 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
   if (touches) touch_apply(system, *motion.kernel, motion.touch, touch, s);
   if (touches || (rubs && self_hits(motion.self))) {
     step.again = true;
+    if (!rubs && !motion.touch.hit.empty()) step.hit = motion.touch.hit.data();
     constraints_meet(system, motion.constraints, step, motion.held, s);
   }
   constraints_end(motion.constraints, s, motion.held);

@@ -50,7 +50,7 @@ ContactJob job_of(const System& system, TouchRoom& room, const State& s, std::si
   job.body = const_cast<BodyContact*>(&s.body[b]);  // its grips are written by passes that move
   job.old = room.old[b].data();
   job.mass = system.mass.data();
-  if (!room.tied.empty()) job.tied = room.tied.data();
+  if (!room.tied.empty()) job.tied = room.tied.data(), job.hit = room.hit.data();
   job.law = room.law.data();
   job.damping = system.bodies[b].damping;
   job.energy = system.energy;
@@ -162,8 +162,10 @@ void touch_keep(const System& system, TouchRoom& room, State& s) {
 
 void touch_tie(const System& system, const Constraints& constraints, TouchRoom& room) {
   room.tied.clear();
+  room.hit.clear();
   if (system.bodies.empty() || constraints.rows.empty()) return;
   room.tied.assign(system.nodes, 0.0);
+  room.hit.assign(system.nodes / kRowUnit, 0);
   for (const HeldRow& row : constraints.rows)
     for (std::size_t n : row.on.node) room.tied[n] = 1;
   for (const RigidLink& link : constraints.rigid.link)
@@ -213,6 +215,7 @@ void touch_carry_synchronous(const System& system, TouchRoom& room, const State&
 
 void touch_apply(const System& system, const Kernel& kernel, TouchRoom& room, const TouchStep& step,
                  State& s) {
+  std::fill(room.hit.begin(), room.hit.end(), char(0));
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     BodyContact& body = s.body[b];
     if (body.blocks.order.empty()) continue;
@@ -232,6 +235,8 @@ void touch_apply(const System& system, const Kernel& kernel, TouchRoom& room, co
     s.input += sum[7];
   }
   if (room.ridge.empty()) return;
+  for (const RidgeTouch& t : room.ridge)
+    for (int k = 0; !room.hit.empty() && k < t.part->weights(); ++k) room.hit[t.part->node[k] / kRowUnit] = 1;
   ridge_respond(system, s, room.ridge, touch_kick(step),
                 {{s.vx.data(), s.vy.data(), s.vz.data()},
                  {s.x.data(), s.y.data(), s.z.data()},
@@ -318,11 +323,15 @@ double touch_step_most(const System& system, const State& s) {
     const Frame& frame = s.body[b].frame;
     const double listed = kWay * (contact_reach(surface, layer) - layer);
     const double carried = vector3::norm(frame.velocity) + vector3::norm(frame.spin) * surface.size;
+    const Array& budget2 = s.body[b].budget2;
+    double least2 = INFINITY;  // s^2, of bodies that stay
     for (std::size_t n : system.particle) {
-      const double budget = s.body[b].budget2.empty() ? 0 : kLeft * std::sqrt(s.body[b].budget2[n]);
-      const double speed = std::sqrt(s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n]) + carried;
-      longest = std::min(longest, std::max(listed, budget) / speed);
+      const double way2 = std::max(listed * listed, budget2.empty() ? 0 : kLeft * kLeft * budget2[n]),
+                   speed2 = s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n];
+      if (carried > 0) longest = std::min(longest, std::sqrt(way2) / (std::sqrt(speed2) + carried));
+      else least2 = std::min(least2, way2 / speed2);
     }
+    longest = std::min(longest, std::sqrt(least2));
   }
   return std::min(longest, ridge_step_most(system, s));
 }

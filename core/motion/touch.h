@@ -15,6 +15,7 @@ struct TouchRoom {
   std::vector<Array> old;         // [bodies][blocks x 3 x kRowUnit] v_{n-1/2}
   std::vector<std::size_t> due;   // [nodes / kRowUnit] first nodes of blocks to look at anew
   Array tied;                     // [nodes] 1 where pins and welds tie a particle to others; empty: nowhere
+  std::vector<char> hit;          // [nodes / kRowUnit] where tied nodes have been touched in the present step
   std::vector<ContactLaw> law;    // [lattices] of the present body
   std::vector<RidgeTouch> ridge;  // links and cells on ridges, of the present pass
   RidgeSums ridge_sums;
