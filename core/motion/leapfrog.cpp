@@ -223,7 +223,7 @@ void leapfrog_retuned(const System& system, Motion& motion, State& s) {
   rates_begin(system, s);
   s.watch_wait = 0;
   s.watch_period = 1;
-  if (system.fit) fit_wake(s);
+  if (system.fit) fit_wake(s), fit_forget(s);
   if (s.steps == 0) subs_begin(system, motion, s);
 }
 
