@@ -155,6 +155,12 @@ double ridge_keep(const System& system, State& s, std::vector<RidgeTouch>& touch
   return find(system, s, &s, touches);
 }
 
+double ridge_note(const System& system, State& s, double moved) {
+  static thread_local std::vector<RidgeTouch> touches;
+  for (BodyContact& body : s.body) body.ridge.reach = std::max(body.ridge.reach, moved);
+  return find(system, s, &s, touches);
+}
+
 double ridge_look(const System& system, const State& s, std::vector<RidgeTouch>& touches) {
   return find(system, s, nullptr, touches);
 }

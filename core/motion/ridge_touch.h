@@ -34,6 +34,10 @@ void ridge_stick(const System& system, State& state);
 // next step, of `ahead` s.
 void ridge_watch(const System& system, State& state, std::size_t body, double ahead);
 
+// Before places change otherwise than in a step, by as much as `moved` (m): notes which pairs are out of the
+// bodies, since a jump may take them through. Gives J as ridge_keep.
+double ridge_note(const System& system, State& state, double moved);
+
 // The longest step (s) in which nodes near a ridge move by no more than a quarter of the layer.
 double ridge_step_most(const System& system, const State& state);
 

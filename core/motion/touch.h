@@ -68,8 +68,8 @@ void touch_carry_synchronous(const System& system, TouchRoom& room, const State&
 void touch_apply(const System& system, const Kernel& kernel, TouchRoom& room, const TouchStep& step,
                  State& state);
 
-// After the particles and bodies have moved: looks at the surroundings of those that may have come near
-// something else. `ahead`: the next step, s.
+// After the particles and bodies have moved, or velocities have jumped: looks at the surroundings of those
+// that may have come near something else, or will. `ahead`: the next step, s.
 void touch_watch(const System& system, const Kernel& kernel, TouchRoom& room, State& state, double ahead);
 
 // What contact does to synchronous velocities [nodes] in the last half kick of `half` s, which is what
