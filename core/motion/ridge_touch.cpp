@@ -3,7 +3,8 @@
 // J.
 //
 // The stiffness k = min(m_k) W^2/2 (in a fit, which has no balance of energy, W^2/(2 K)) does not change as
-// the foot slides, so that the penalty has an energy, and k K <= W^2/2, for W_k >= 0, sum W_k = 1.
+// the foot slides along a link, so that the penalty has an energy. With S = sum |W_k|, 1 on a link and up to
+// 2 beyond its end, it is k/S^2: k K/S^2 <= W^2/2.
 #include "motion/ridge_touch.h"
 
 #include <algorithm>

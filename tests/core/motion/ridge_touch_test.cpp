@@ -386,6 +386,51 @@ TEST(Ridge, AJumpTakesNoLinkThroughUnseen) {
   }
 }
 
+// What the penalties of pairs add to omega^2: with k the stiffness of a pair, the rows of M^-1/2 W k W^T
+// M^-1/2 sum up to at most (|W_k|/S) W^2/2, S = sum |W_j|. A link over a knife whose foot slides from half a
+// link before its beginning to half a link beyond its end: weights from -1/2 to 3/2.
+TEST(Ridge, PenaltyStaysWithinTheBoundOfTheStep) {
+  const SceneFolder folder;
+  Scene scene = reference::rectangle(linen(0.01), 0.01, 0.01, 0.01);
+  scene.pieces[0].place.origin = {0.1, 0, 0.1};
+  body_add(scene, folder, "knife", roof(1.3));
+  Assembled a = assemble(scene);
+  const Lattice& l = a.system.lattices[0];
+  const double sum = l.touch.omega2 / 2;
+  double least = INFINITY, most = -INFINITY, largest = 0;
+  std::vector<RidgeTouch> touches;
+  for (int at = 0; at < 450; ++at) {
+    const double foot = -0.62 + 0.005 * at, tilt = foot < 0.5 ? -1.15 : 1.15;
+    for (int j = 0; j < 2; ++j)
+      for (int i = 0; i < 2; ++i) {  // a plane tilted about y, 0.6 layers over the ridge
+        const double along = (i - foot) * 0.01, up = 0.6 * l.touch.layer;
+        const std::size_t n = l.node(i, j);
+        a.state.x[n] = along * std::cos(tilt) + up * std::sin(tilt);
+        a.state.z[n] = -along * std::sin(tilt) + up * std::cos(tilt);
+        a.state.y[n] = 0.01 * j;
+      }
+    touch_begin(a.system, *a.motion.kernel, a.motion.touch, a.state);
+    ridge_keep(a.system, a.state, touches);
+    for (const RidgeTouch& t : touches) {
+      ASSERT_EQ(t.part->weights(), 2);
+      const double *w = t.gap.weight, spread = std::abs(w[0]) + std::abs(w[1]);
+      const double m[2] = {a.system.mass[t.part->node[0]], a.system.mass[t.part->node[1]]};
+      EXPECT_NEAR(w[0] + w[1], 1, 1e-12);
+      least = std::min(least, w[1]), most = std::max(most, w[1]);
+      for (int k = 0; k < 2; ++k) {
+        double row = 0;
+        for (int j = 0; j < 2; ++j) row += t.stiffness * std::abs(w[k] * w[j]) / std::sqrt(m[k] * m[j]);
+        EXPECT_LE(row, std::abs(w[k]) / spread * sum * (1 + 1e-12)) << "foot " << foot;
+        largest = std::max(largest, row / sum);
+      }
+    }
+  }
+  std::printf("feet from %.2f to %.2f, rows up to %.3f of W^2/2\n", least, most, largest);
+  EXPECT_LT(least, -0.4);
+  EXPECT_GT(most, 1.4);
+  EXPECT_GT(largest, 0.99);
+}
+
 // A body without sharp edges has no ridges, and the cloth nothing for them.
 TEST(Ridge, ASmoothBodyPaysNothing) {
   const SceneFolder folder;
