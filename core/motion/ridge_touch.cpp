@@ -228,8 +228,10 @@ void ridge_respond(const System& system, const State& s, const std::vector<Ridge
     }
     if (!(most > kSettled * first)) break;
   }
+  sums.stop.assign(touches.size(), 0.0);
   for (std::size_t k = 0; k < touches.size(); ++k) {
     const RidgeTouch& t = touches[k];
+    sums.stop[k] = given[k].stop;
     sums_add(s, t, c, f, given[k], sums);
     if (!moves) continue;
     RidgePair& to = moves->body[t.body].ridge.pair[t.pair];
