@@ -360,6 +360,10 @@ TEST_F(Import, refuses_bad_bodies) {
   expect_refused(line + "empty.obj", {"empty.obj: holds 0 vertices and 0 faces"});
   write("words.obj", "v 0 0 0\nv one 2 3\nf 1 1 1\n");
   expect_refused(line + "words.obj", {"words.obj:2: is no vertex"});
+  write("nan.obj", "v 0 0 0\nv nan 1 0\nv 0 1.7 1\nf 1 2 3\n");
+  expect_refused(line + "nan.obj", {"nan.obj:2: is no vertex"});
+  write("infinite.obj", "v 0 0 0\nv 1e400 1 0\nv 0 1.7 1\nf 1 2 3\n");
+  expect_refused(line + "infinite.obj", {"infinite.obj:2: is no vertex"});
   write("giant.obj", "v 0 0 0\nv 0 17000 0\nv 1 0 0\nf 1 2 3\n");
   expect_refused(line + "giant.obj", {"giant.obj: is 17000 high along y; allowed: 0.3 to 3 m"});
 }
