@@ -19,7 +19,7 @@ Vec3 outward(const Mat3& turn, const Vec3& x) { return {dot(turn[0], x), dot(tur
 using namespace drape;
 
 const drape_fields* drape_fields_at(drape_cloth* c) {
-  fields_fill(c->fields, c->system, c->state);
+  fields_fill(c->fields, c->system, c->state, leapfrog_stops(c->system, c->motion, c->state));
   c->fields_shown = {int(c->fields.area.size()), c->fields.strain.data(), c->fields.tension.data(),
                      c->fields.pressure.data(), c->fields.area.data()};
   return &c->fields_shown;

@@ -147,9 +147,9 @@ typedef struct drape_outputs {
   int body_count;
   drape_body* body;           /* [body_count] */
   int has_self_contact;       /* cloth touches cloth */
-  double contact_count;       /* particles that touch a body, and pairs of cloth that touch */
+  double contact_count;       /* particles that touch a body, links and cells on its ridges, pairs of cloth */
   double contact_penetration; /* m, the most that one is pressed into the cloth's thickness */
-  double contact_pressure;    /* Pa, the largest */
+  double contact_pressure;    /* Pa, the largest; of bodies with what stops hold */
   int node_count;             /* particles of all pieces in order, row by row */
   double* node_position;      /* [node_count x 3] m; NULL until first asked for */
   double* node_velocity;      /* [node_count x 3] m/s, synchronous; likewise */

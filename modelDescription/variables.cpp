@@ -188,8 +188,9 @@ void add_contact(Table& table, drape_outputs& o) {
   }
   if (o.body_count == 0 && !o.has_self_contact) return;
   add(table, "contact.count", &o.contact_count, output_discrete(DRAPE_STRAIN, "1"),
-      o.has_self_contact ? "particles that touch a body, and pairs of cloth that touch"
-                         : "particles that touch a body");
+      o.has_self_contact
+          ? "particles that touch a body, links and cells on its sharp edges, and pairs of cloth that touch"
+          : "particles that touch a body, and links and cells on its sharp edges");
   add(table, "contact.penetration.max", &o.contact_penetration, output(DRAPE_STRAIN, "m"),
       "the most that a particle is pressed into the thickness of its cloth");
   add(table, "contact.pressure.max", &o.contact_pressure, output(DRAPE_STRAIN, "Pa"),

@@ -112,7 +112,7 @@ struct BodyContact {
 };
 
 struct ContactSummary {
-  std::size_t count = 0;                 // particles that touch
+  std::size_t count = 0;                 // particles that touch, pairs with ridges that do
   double penetration = 0, pressure = 0;  // m, Pa, the largest
 };
 

@@ -51,7 +51,8 @@ void over_set(const Ridge& r, double sines, double sine, const Vec3& n, double d
 
 // The link passes over (or under) the ridge where its ends are on both sides of the plane through the ridge
 // and its way out. On a ridge of more than 90 degrees of turn, the foot on the link's line may then lie a
-// little beyond its end.
+// little beyond its end, by half a link at most. There the weights are up to 3/2 and sum |W_k| up to 2: the
+// penalty is over (sum |W_k|)^2, so that it stiffens the nodes as one on the link with |W_k|/sum |W_j|.
 RidgeGap gap_link_edge(const Ridge& edge, const Vec3* end, double sine) {
   RidgeGap gap;
   const Vec3 e = end[1] - end[0], f = edge.to - edge.from, r = end[0] - edge.from, across = cross(e, f);
@@ -72,6 +73,8 @@ RidgeGap gap_link_edge(const Ridge& edge, const Vec3* end, double sine) {
   }
   const double sines = side_set(edge, n);
   over_set(edge, sines, sine, n, dot(r, n), gap);
+  const double spread = std::abs(1 - s) + std::abs(s);  // 1 on the link
+  gap.share /= spread * spread;
   gap.weight[0] = 1 - s;
   gap.weight[1] = s;
   return gap;

@@ -16,7 +16,8 @@ struct RidgeGap {
   bool over = false;     // a local minimum of the distance; what follows is only then set
   double distance = 0;   // d, m
   double inside = 0;     // m, by which the body falls away below it: deeper, the cloth is beyond the body
-  double share = 0;      // of the penalty: from 0 where it begins to be one to 1 at twice the sine
+  double share = 0;      // of the penalty: from 0 where it begins to be one to 1 at twice the sine, over
+                         // (sum |W_k|)^2
   Vec3 n{0, 0, 0};
   double weight[4]{};  // W
 };

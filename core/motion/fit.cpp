@@ -16,7 +16,8 @@ constexpr double kScaleWithin = 0.02;   // of a cell, by which no particle moves
 constexpr int kJudgeEvery = 8;          // intervals
 constexpr double kResidualRest = 1e-5;  // of the load
 constexpr double kKineticRest = 1e-9;   // of that times the size of the largest piece
-constexpr int kMeasureEvery = 64;       // steps, at least
+constexpr int kMeasureEvery = 64;       // steps, at least; the first after a change takes
+constexpr int kMeasureFirst = 16;       // and each one twice as many as the one before
 constexpr double kShrink = 0.01;        // of itself, by which an inertia shrinks from look to look at most
 constexpr double kSettleMost = 1;       // s, for which what has been sewn settles without friction
 constexpr double kSettled = 0.1;        // of the load: then it has settled
@@ -114,7 +115,7 @@ double omega_moved(const System& system, Motion& motion, State& s) {
   double stiff = 0, moved = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     Array &place = s.fit.place[k], &force = s.fit.force[k];
-    if (!place.empty())
+    if (s.fit.measure_every > 0)
       for (std::size_t n : system.particle) {
         const double u = (*r[k])[n] - place[n];
         stiff += u * (force[n] - (*f[k])[n]);
@@ -133,9 +134,12 @@ void fit_look(const System& system, Motion& motion, State& s, double h) {
   fit_scale(system, motion.constraints, s, h);
   if (s.fit.sewing) s.fit.settling = kSettleMost;
   else s.fit.settling -= s.watch_wait * h;
-  if (s.steps < s.fit.measured + kMeasureEvery && !s.fit.place[0].empty()) return;
+  const bool kept = s.fit.measure_every > 0;
+  if (kept && s.steps < s.fit.measured + s.fit.measure_every) return;
+  const double omega = omega_moved(system, motion, s);
+  if (kept) s.fit.damping = std::min(2 * omega, 1 / h);
   s.fit.measured = s.steps;
-  s.fit.damping = std::min(2 * omega_moved(system, motion, s), 1 / h);
+  s.fit.measure_every = kept ? std::min(2 * s.fit.measure_every, kMeasureEvery) : kMeasureFirst;
 }
 
 // The forces left on particles and those of the pins (N), summed by size.
@@ -191,9 +195,12 @@ void fit_judge(const System& system, Motion& motion, State& s) {
   if (s.fit.at_rest) stop(system, s);
 }
 
+void fit_forget(State& s) { s.fit.measure_every = 0; }
+
 void fit_wake(State& s) {
   s.fit.most = 0;
   if (!s.fit.at_rest) return;
+  fit_forget(s);
   s.fit.at_rest = false;
   s.fit.judge_wait = 0;
   s.watch_wait = 0;

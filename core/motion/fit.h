@@ -9,8 +9,8 @@
 // so that h is S of the limit at most everywhere. Weight and forces stay; so do equilibria, but for how deep
 // particles lie in the layer of a body, whose penalty goes with the inertia. An inertia grows
 // at once and shrinks slowly: one that followed the strain of a vibration would pump it up. The damping is
-// critical for the mode in motion, by Rayleigh's quotient of the way u of the last 64 steps (adaptive dynamic
-// relaxation, Underwood 1983):
+// critical for the mode in motion, by Rayleigh's quotient of the way u of the last 64 steps, of fewer at
+// first (adaptive dynamic relaxation, Underwood 1983):
 //
 //     c = 2 omega,     omega^2 = u.K u/(u.M' u),     K u = f(r) - f(r + u)
 //
@@ -32,5 +32,8 @@ void fit_scale(const System& system, const Constraints& constraints, State& stat
 // fit_wake.
 void fit_judge(const System& system, Motion& motion, State& state);
 void fit_wake(State& state);
+
+// After a change of the system, across which no way is measured; the damping stays until there is a new one.
+void fit_forget(State& state);
 
 }  // namespace drape

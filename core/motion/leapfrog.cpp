@@ -174,6 +174,7 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
                       &s.pin_impulse);
   if (!s.wx.empty()) s.wx = s.vx, s.wy = s.vy, s.wz = s.vz;
+  if (!s.body.empty()) touch_watch(system, *motion.kernel, motion.touch, s, 0, step_next(system, s));
   if (system.energy) s.input += kinetic_energy(system, s) - before;
 }
 
@@ -223,7 +224,7 @@ void leapfrog_retuned(const System& system, Motion& motion, State& s) {
   rates_begin(system, s);
   s.watch_wait = 0;
   s.watch_period = 1;
-  if (system.fit) fit_wake(s);
+  if (system.fit) fit_wake(s), fit_forget(s);
   if (s.steps == 0) subs_begin(system, motion, s);
 }
 

@@ -83,6 +83,9 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& state, dou
 void leapfrog_synchronous(const System& system, Motion& motion, const State& state, double* vx, double* vy,
                           double* vz, std::vector<PinLoad>& load);
 
+// What stops of bodies hold now: of the forces at t_n, whatever the velocity.
+TouchStops leapfrog_stops(const System& system, Motion& motion, const State& state);
+
 // What is held, then what touches, on synchronous velocities in the last half kick of `half` s, or on
 // accelerations (half = 0). What touching changes is held again, so that it meets the velocities that pins
 // and welds leave, as in a step. Adds to the loads where `load` is not null.

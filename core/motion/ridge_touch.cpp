@@ -3,7 +3,8 @@
 // J.
 //
 // The stiffness k = min(m_k) W^2/2 (in a fit, which has no balance of energy, W^2/(2 K)) does not change as
-// the foot slides, so that the penalty has an energy, and k K <= W^2/2, for W_k >= 0, sum W_k = 1.
+// the foot slides along a link, so that the penalty has an energy. With S = sum |W_k|, 1 on a link and up to
+// 2 beyond its end, it is k/S^2: k K/S^2 <= W^2/2.
 #include "motion/ridge_touch.h"
 
 #include <algorithm>
@@ -165,6 +166,12 @@ double ridge_keep(const System& system, State& s, std::vector<RidgeTouch>& touch
   return find(system, s, &s, touches);
 }
 
+double ridge_note(const System& system, State& s, double moved) {
+  static thread_local std::vector<RidgeTouch> touches;
+  for (BodyContact& body : s.body) body.ridge.reach = std::max(body.ridge.reach, moved);
+  return find(system, s, &s, touches);
+}
+
 double ridge_look(const System& system, const State& s, std::vector<RidgeTouch>& touches) {
   return find(system, s, nullptr, touches);
 }
@@ -234,8 +241,10 @@ void ridge_respond(const System& system, const State& s, const std::vector<Ridge
     }
     if (!(most > kSettled * first)) break;
   }
+  sums.stop.assign(touches.size(), 0.0);
   for (std::size_t k = 0; k < touches.size(); ++k) {
     const RidgeTouch& t = touches[k];
+    sums.stop[k] = given[k].stop;
     sums_add(s, t, c, f, given[k], sums);
     if (!moves) continue;
     RidgePair& to = moves->body[t.body].ridge.pair[t.pair];

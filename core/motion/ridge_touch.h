@@ -34,6 +34,10 @@ void ridge_stick(const System& system, State& state);
 // next step, of `ahead` s.
 void ridge_watch(const System& system, State& state, std::size_t body, double ahead);
 
+// Before places change otherwise than in a step, by as much as `moved` (m): notes which pairs are out of the
+// bodies, since a jump may take them through. Gives J as ridge_keep.
+double ridge_note(const System& system, State& state, double moved);
+
 // The longest step (s) in which nodes near a ridge move by no more than a quarter of the layer.
 double ridge_step_most(const System& system, const State& state);
 
@@ -59,6 +63,7 @@ void ridge_carry(const System& system, const State& state, const std::vector<Rid
 // impulses to load [bodies], J to dissipated and input.
 struct RidgeSums {
   std::vector<PinLoad> load;
+  std::vector<double> stop;  // [touches] N s along n
   double dissipated, input;
 };
 void ridge_respond(const System& system, const State& state, const std::vector<RidgeTouch>& touches,
@@ -75,7 +80,8 @@ struct Voxels;
 RidgeDeep ridge_deepest(const System& system, const State& state, std::size_t body, const Lattice& lattice,
                         Voxels& voxels);
 
-// Visits (touch, depth in m, force of the penalty in N) where links and cells are within their layer.
+// Visits (touch, its place in ridge_look, depth in m, force of the penalty in N) where links and cells are
+// within their layer.
 template <class Visit>
 void ridge_each(const System& system, const State& s, Visit visit) {
   if (!ridge_any(s)) return;
@@ -85,7 +91,9 @@ void ridge_each(const System& system, const State& s, Visit visit) {
     const double layer = system.lattices[std::size_t(t.part->lattice)].touch.layer;
     const double depth = layer - t.gap.distance;
     const double pressed = std::min(depth, layer);  // past the ridge it is pushed as from the ridge itself
-    if (depth > 0) visit(t, depth, t.stiffness * contact_penalty(kContactBlend * layer, pressed));
+    if (depth > 0)
+      visit(t, std::size_t(&t - touches.data()), depth,
+            t.stiffness * contact_penalty(kContactBlend * layer, pressed));
   }
 }
 

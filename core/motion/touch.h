@@ -69,8 +69,9 @@ void touch_carry_synchronous(const System& system, TouchRoom& room, const State&
 void touch_apply(const System& system, const Kernel& kernel, TouchRoom& room, const TouchStep& step,
                  State& state);
 
-// After the particles and bodies have moved: looks at the surroundings of those that may have come near
-// something else. `drift`: how long they moved, s; `ahead`: the next step.
+// After the particles and bodies have moved, or velocities have jumped: looks at the surroundings of those
+// that may have come near something else, or will. `drift`: how long they moved since the last watch, s;
+// `ahead`: the next step.
 void touch_watch(const System& system, const Kernel& kernel, TouchRoom& room, State& state, double drift,
                  double ahead);
 
@@ -90,11 +91,22 @@ bool touch_any(const State& state);  // a particle is near a body, or a link nea
 // omega^2 that contact adds to that of a lattice, 1/s^2.
 double touch_omega2(const System& system, const State& state, int lattice);
 
+// What stops hold now beyond the penalties, N along the normals: of particles that touch and of the pairs of
+// ridge_look, in their order. Empty where nothing is so deep.
+struct TouchStops {
+  std::vector<double> particle, pair;
+};
+bool touch_stopped(const System& system, const State& state);  // something is, nearly
+
+// Of the accelerations a [nodes] that all else leaves, carry given.
+TouchStops touch_stops(const System& system, const State& state, const std::vector<RidgeTouch>& pairs,
+                       double* const a[3]);
+
 // What touches now, and the energy of the penalties, J.
-ContactSummary touch_summary(const System& system, const State& state);
+ContactSummary touch_summary(const System& system, const State& state, const TouchStops& stops);
 double touch_energy(const System& system, const State& state);
 
 // The pressure of bodies on each node, Pa, summed over the surfaces that it touches.
-std::vector<double> touch_pressure(const System& system, const State& state);
+std::vector<double> touch_pressure(const System& system, const State& state, const TouchStops& stops);
 
 }  // namespace drape

@@ -57,7 +57,11 @@ std::vector<std::size_t> seams_due(const System& system, const State& s) {
 }
 
 void seams_weld(const System& system, Motion& motion, State& s, const std::vector<std::size_t>& pairs) {
+  double moved = 0;
+  for (const Seam& seam : system.seams.seam) moved = std::max(moved, seam.gap_tolerance);
   leapfrog_complete(system, motion, s);
+  const double lost = ridge_note(system, s, moved);
+  if (system.energy) s.dissipated += lost;
   for (std::size_t p : pairs) s.sewn[p] = Sewn::kWelded;
   seams_restore(system, motion, s);
   held_refresh(motion.constraints, s, motion.held);
@@ -66,10 +70,9 @@ void seams_weld(const System& system, Motion& motion, State& s, const std::vecto
   constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
                       &s.pin_impulse);
   if (!s.wx.empty()) s.wx = s.vx, s.wy = s.vy, s.wz = s.vz;
-  double moved = 0;
-  for (const Seam& seam : system.seams.seam) moved = std::max(moved, seam.gap_tolerance);
-  self_hurry(system, s, moved);
   touch_hurry(s);
+  if (!s.body.empty()) touch_watch(system, *motion.kernel, motion.touch, s, 0, step_next(system, s));
+  self_hurry(system, s, moved);
 }
 
 void seams_restore(const System& system, Motion& motion, const State& s) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "motion/touch.h"
 #include "system/links.h"
 
 namespace drape {
@@ -34,9 +33,9 @@ std::vector<LinkSums> link_sums(const System& system, const State& s) {
 
 }  // namespace
 
-void fields_fill(Fields& fields, const System& system, const State& s) {
+void fields_fill(Fields& fields, const System& system, const State& s, const TouchStops& stops) {
   const std::vector<LinkSums> sums = link_sums(system, s);
-  const std::vector<double> pressure = touch_pressure(system, s);
+  const std::vector<double> pressure = touch_pressure(system, s, stops);
   fields = Fields{};
   for (const std::size_t n : system.particle) {
     for (const auto& [width, strain, tension] : sums[n]) {

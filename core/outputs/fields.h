@@ -1,6 +1,6 @@
 // What every particle feels: fields over the cloth, for pictures and reports.
 #pragma once
-#include "system/system.h"
+#include "motion/touch.h"
 
 namespace drape {
 
@@ -11,7 +11,7 @@ struct Fields {
   std::vector<double> pressure;  // [particles] Pa, of contact with bodies
   std::vector<double> area;      // [particles] m^2
 };
-void fields_fill(Fields& fields, const System& system, const State& state);
+void fields_fill(Fields& fields, const System& system, const State& state, const TouchStops& stops);
 
 // The links of one direction of a piece.
 struct Elongation {

@@ -87,14 +87,14 @@ double* nodes_fill(std::vector<double>& to, const System& system, const Array& x
   return to.data();
 }
 
-void summary_fill(Outputs& o, const System& system, const State& s) {
+void summary_fill(Outputs& o, const System& system, const State& s, const TouchStops& stops) {
   const StrainSummary strain = strain_summary(system, s);
   o.shown.strain_warp = strain.warp;
   o.shown.strain_weft = strain.weft;
   o.shown.strain_bias = strain.bias;
   o.shown.tension_max = strain.tension_max;
   o.shown.strain_beyond_test_count = strain.beyond_test_count;
-  const ContactSummary touch = touch_summary(system, s), self = self_summary(system, s);
+  const ContactSummary touch = touch_summary(system, s, stops), self = self_summary(system, s);
   o.shown.contact_count = double(touch.count + self.count);
   o.shown.contact_penetration = std::max(touch.penetration, self.penetration);
   o.shown.contact_pressure = std::max(touch.pressure, self.pressure);
@@ -143,6 +143,7 @@ void outputs_make(Outputs& o, const Scene& scene, const System& system) {
 }
 
 void outputs_fill(Outputs& o, const System& system, Motion& motion, const State& s, int what) {
+  const TouchStops stops = what & DRAPE_STRAIN ? leapfrog_stops(system, motion, s) : TouchStops{};
   if (what & (DRAPE_MOTION | DRAPE_ENERGY | DRAPE_NODE_MOTION))
     leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(), motion.now_z.data(),
                          o.pin_load);
@@ -155,7 +156,7 @@ void outputs_fill(Outputs& o, const System& system, Motion& motion, const State&
     pins_fill(o, system, s);
     bodies_fill(o, system, motion, s);
   }
-  if (what & DRAPE_STRAIN) summary_fill(o, system, s);
+  if (what & DRAPE_STRAIN) summary_fill(o, system, s, stops);
   if ((what & DRAPE_ENERGY) && o.shown.has_energy) energy_fill(o, system, motion, s);
   if (what & DRAPE_NODE_PLACES) o.shown.node_position = nodes_fill(o.node_position, system, s.x, s.y, s.z);
   if (what & DRAPE_NODE_MOTION)

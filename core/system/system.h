@@ -135,7 +135,8 @@ struct Fit {
   bool at_rest = false;
   bool sewing = false;        // seams are to be closed: weight and friction wait
   double settling = 0;        // s, for which friction waits yet at most
-  std::int64_t measured = 0;  // step at which the damping was found
+  std::int64_t measured = 0;  // step from which the damping is measured next
+  int measure_every = 0;      // steps of that measure, at least; 0: nothing is kept
   Array place[3], force[3];   // [nodes] m, N, where particles were then, and the forces there
 };
 

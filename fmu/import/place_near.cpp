@@ -18,6 +18,8 @@ constexpr double kOver = 0.05;     // m, above a shoulder: a strap bends as it i
 constexpr double kShoulder = 0.2;  // m, the most that a top may be above a seam to be in its way
 constexpr double kBeside = 0.01;   // m, on either side of a seam
 constexpr double kGap = 0.02;      // m: nearer edges are sewn at once
+constexpr double kCovers = 0.5;    // of the smaller panel: more of it over another makes a second layer
+constexpr double kParallel = 0.9;  // cosine between the normals of two layers
 
 // The ends of the first edge of a side, in space.
 struct Edge {
@@ -30,11 +32,27 @@ Edge edge_of(const Scene& scene, const SeamSide& side) {
   return {place_point(piece.place, piece.outline[i]), place_point(piece.place, piece.outline[(i + 1) % n])};
 }
 
-void panel_approach(PieceSpec& piece, const std::vector<Vec3>& body) {
-  PlaceSpec& place = piece.place;
-  Vec2 low = piece.outline[0], high = low;
-  for (const Vec2& p : piece.outline)
+// The box round points of a plane.
+struct Box {
+  Vec2 low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+  void add(const Vec2& p) {
     for (std::size_t k = 0; k < 2; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+  }
+  double area() const { return std::max(high[0] - low[0], 0.0) * std::max(high[1] - low[1], 0.0); }
+};
+
+// How a panel stands to the body: how far off it was placed (below 0 where the body comes through), and where
+// out is; {0, 0, 0}: it was left where it was.
+struct Stand {
+  double off = 0;
+  Vec3 out{0, 0, 0};
+};
+
+Stand panel_approach(PieceSpec& piece, const std::vector<Vec3>& body) {
+  PlaceSpec& place = piece.place;
+  Box box;
+  for (const Vec2& p : piece.outline) box.add(p);
+  const auto& [low, high] = box;
   const Vec3 normal = cross(place.axis_x, place.axis_y);
   double nearest = INFINITY, farthest[2] = {0, 0};  // below, above
   int count[2] = {0, 0};
@@ -50,9 +68,44 @@ void panel_approach(PieceSpec& piece, const std::vector<Vec3>& body) {
   }
   const int body_side = count[1] > count[0];
   const double outward = body_side ? -1 : 1, through = farthest[1 - body_side];
-  if (count[0] + count[1] == 0 || through > kThrough) return;  // beside the body, or in the middle of it
+  if (count[0] + count[1] == 0 || through > kThrough) return {};  // beside the body, or in the middle of it
   if (through > 0) place.origin += (outward * (through + kNear)) * normal;
   else if (nearest > kNear) place.origin -= (outward * (nearest - kNear)) * normal;
+  return {through > 0 ? -through : nearest, outward * normal};
+}
+
+// True where most of the smaller panel lies over the other, nearer than kNear.
+bool covers(const PieceSpec& a, const Stand& as, const PieceSpec& b, const Stand& bs) {
+  if (dot(as.out, bs.out) < kParallel || std::abs(dot(b.place.origin - a.place.origin, as.out)) >= kNear)
+    return false;
+  Box of_a, of_b, both;
+  for (const Vec2& p : a.outline) of_a.add(p);
+  for (const Vec2& p : b.outline) {
+    const Vec3 d = place_point(b.place, p) - a.place.origin;
+    of_b.add({dot(d, a.place.axis_x), dot(d, a.place.axis_y)});
+  }
+  for (std::size_t k = 0; k < 2; ++k) {
+    both.low[k] = std::max(of_a.low[k], of_b.low[k]);
+    both.high[k] = std::min(of_a.high[k], of_b.high[k]);
+  }
+  return both.area() > kCovers * std::min(of_a.area(), of_b.area());
+}
+
+// What lay over another panel still does: from the body outwards, each goes on until it covers none below.
+void layers_part(Scene& scene, const std::vector<Stand>& stands) {
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < stands.size(); ++k)
+    if (norm(stands[k].out) > 0) order.push_back(k);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return stands[a].off < stands[b].off; });
+  for (std::size_t k = 1; k < order.size(); ++k)
+    for (std::size_t below = 0; below < k; ++below) {
+      PieceSpec& piece = scene.pieces[order[k]];
+      if (!covers(scene.pieces[order[below]], stands[order[below]], piece, stands[order[k]])) continue;
+      const double over =
+          dot(piece.place.origin - scene.pieces[order[below]].place.origin, stands[order[below]].out);
+      piece.place.origin += (kNear - over) * stands[order[k]].out;
+    }
 }
 
 // How far a level seam has to rise for its sides to meet above what is between them.
@@ -79,10 +132,12 @@ double lift_wanted(const Scene& scene, const SeamSpec& seam, const std::vector<V
 void garment_place_near(Scene& scene, const std::vector<Vec3>& body) {
   double lift = 0, farthest = 0;
   for (const SeamSpec& seam : scene.seams) lift = std::max(lift, lift_wanted(scene, seam, body));
+  std::vector<Stand> stands;
   for (PieceSpec& piece : scene.pieces) {
     piece.place.origin[1] += lift;
-    panel_approach(piece, body);
+    stands.push_back(panel_approach(piece, body));
   }
+  layers_part(scene, stands);
   std::vector<SeamSpec*> later;
   for (SeamSpec& seam : scene.seams) {
     const Vec3 gap = edge_of(scene, seam.side[1]).middle() - edge_of(scene, seam.side[0]).middle();

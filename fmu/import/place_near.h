@@ -8,9 +8,9 @@
 namespace drape {
 
 // Moves each panel that lies wholly beyond the body, or is a little cut by it, along its normal to `kNear`
-// off it, all panels up until no level seam has a top of the body (a shoulder) in its way, and lets seams
-// that join panels one above the other wait until the others are closed. `body` [m]: the vertices of the
-// body; up is y.
+// off it, panels that lay one over the other as far from each other, all panels up until no level seam has a
+// top of the body (a shoulder) in its way, and lets seams that join panels one above the other wait until the
+// others are closed. `body` [m]: the vertices of the body; up is y.
 void garment_place_near(Scene& scene, const std::vector<Vec3>& body);
 
 }  // namespace drape

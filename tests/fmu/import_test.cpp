@@ -299,6 +299,59 @@ TEST(ImportPlace, PutsPanelsNearTheBodyAndOutside) {
   }
 }
 
+// A panel 0.4 m x 0.5 m across z, its lower edge at y = 1, and a box of points about the axis of y.
+PieceSpec panel_at(double x, double z, double width = 0.4, double height = 0.5) {
+  PieceSpec panel;
+  panel.outline = {{-width / 2, 0}, {width / 2, 0}, {width / 2, height}, {-width / 2, height}};
+  panel.place.origin = {x, 1, z};
+  return panel;
+}
+std::vector<Vec3> box_points(double low, double high, double half) {  // of y; of z
+  std::vector<Vec3> points;
+  for (int k = 0; k <= 10; ++k)
+    for (const double x : {-0.15, 0.0, 0.15})
+      for (const double z : {-half, half}) points.push_back({x, low + k * (high - low) / 10, z});
+  return points;
+}
+double placed(const PieceSpec& panel, const std::vector<Vec3>& body) {
+  Scene scene;
+  scene.pieces = {panel};
+  garment_place_near(scene, body);
+  EXPECT_EQ(scene.pieces[0].place.origin[0], panel.place.origin[0]);
+  EXPECT_EQ(scene.pieces[0].place.origin[1], panel.place.origin[1]);
+  return scene.pieces[0].place.origin[2];
+}
+
+// The body's surface at z = 0.1 or -0.1: 12 mm off it on the side where most of the panel is.
+TEST(ImportPlace, PutsAPanelOutsideWhereverItIs) {
+  const std::vector<Vec3> whole = box_points(0.9, 1.6, 0.1), low = box_points(0.9, 1.2, 0.1);
+  EXPECT_NEAR(placed(panel_at(0, 0.3), whole), 0.112, 1e-12);
+  EXPECT_NEAR(placed(panel_at(0, -2), whole), -0.112, 1e-12) << "far off";
+  EXPECT_NEAR(placed(panel_at(0, 0.105), whole), 0.105, 1e-12) << "near enough";
+  EXPECT_NEAR(placed(panel_at(0, 0.05), low), 0.112, 1e-12) << "with its lower half in the body";
+  EXPECT_NEAR(placed(panel_at(0, 0.05), whole), 0.112, 1e-12) << "wholly in it";
+  EXPECT_NEAR(placed(panel_at(2, 0.3), whole), 0.3, 1e-12) << "beside it";
+  EXPECT_NEAR(placed(panel_at(0, 0.1), {}), 0.1, 1e-12) << "no body";
+  // in the middle of a body of which 0.25 m are on either side: left to the scene's own check
+  EXPECT_NEAR(placed(panel_at(0, 0), box_points(0.9, 1.6, 0.25)), 0, 1e-12);
+}
+
+// A pocket on a panel, and a flap on both, stay over it in their order, 12 mm from one to the next; panels
+// beside each other stay in one plane; front and back do not know of each other.
+TEST(ImportPlace, KeepsLayersApart) {
+  const std::vector<Vec3> body = box_points(0.9, 1.6, 0.1);
+  Scene scene;
+  scene.pieces = {panel_at(0.05, 0.35, 0.08, 0.1), panel_at(0.05, 0.32, 0.1, 0.12), panel_at(0, 0.3),
+                  panel_at(0, -0.3), panel_at(0.41, 0.3)};
+  scene.pieces[4].outline[0][0] = scene.pieces[4].outline[3][0] = -0.3;  // 0.09 m over the front
+  garment_place_near(scene, body);
+  EXPECT_NEAR(scene.pieces[2].place.origin[2], 0.112, 1e-12);
+  EXPECT_NEAR(scene.pieces[1].place.origin[2], 0.124, 1e-12);
+  EXPECT_NEAR(scene.pieces[0].place.origin[2], 0.136, 1e-12);
+  EXPECT_NEAR(scene.pieces[3].place.origin[2], -0.112, 1e-12);
+  EXPECT_NEAR(scene.pieces[4].place.origin[2], 0.112, 1e-12);
+}
+
 TEST_F(Import, refuses_bad_bodies) {
   write("tunic.json", kTunic);
   const std::string line = "import tunic.json -o tunic.toml --body ";
@@ -307,6 +360,10 @@ TEST_F(Import, refuses_bad_bodies) {
   expect_refused(line + "empty.obj", {"empty.obj: holds 0 vertices and 0 faces"});
   write("words.obj", "v 0 0 0\nv one 2 3\nf 1 1 1\n");
   expect_refused(line + "words.obj", {"words.obj:2: is no vertex"});
+  write("nan.obj", "v 0 0 0\nv nan 1 0\nv 0 1.7 1\nf 1 2 3\n");
+  expect_refused(line + "nan.obj", {"nan.obj:2: is no vertex"});
+  write("infinite.obj", "v 0 0 0\nv 1e400 1 0\nv 0 1.7 1\nf 1 2 3\n");
+  expect_refused(line + "infinite.obj", {"infinite.obj:2: is no vertex"});
   write("giant.obj", "v 0 0 0\nv 0 17000 0\nv 1 0 0\nf 1 2 3\n");
   expect_refused(line + "giant.obj", {"giant.obj: is 17000 high along y; allowed: 0.3 to 3 m"});
 }

@@ -241,7 +241,7 @@ TEST(Touch, OrderIsTwoWhileNoContactOpensOrCloses) {
     scene.step = h;
     Assembled a = assemble(scene);
     advance(a, time);
-    EXPECT_EQ(touch_summary(a.system, a.state).count, a.system.particle.size());
+    EXPECT_EQ(touch_summary(a.system, a.state, {}).count, a.system.particle.size());
     errors.push_back((positions(a) - exact.r).cwiseAbs().maxCoeff());
   }
   for (std::size_t k = 1; k < errors.size(); ++k)

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "../contact/body_fixture.h"
+#include "../seam/seam_fixture.h"
 #include "constraint/vector3.h"
 #include "contact/job.h"
 #include "motion/touch.h"
@@ -321,6 +322,113 @@ TEST(Ridge, EnergyIsBalanced) {
   }
   EXPECT_LT(errors[0], 1e-4);
   EXPECT_NEAR(std::log2(errors[0] / errors[1]), 2, 0.7);
+}
+
+// A sheet folded along y at x = z = 0, which falls to both sides by 45 degrees.
+Mesh fold() {
+  Mesh m = roof(kPi / 4);
+  m.corner.resize(4);
+  return m;
+}
+
+// A strip of `links` links along x, one cell wide, at a height over the fold; nothing weighs.
+Scene over_fold(const SceneFolder& folder, int links, double left, double height) {
+  FabricSpec fabric = linen();
+  fabric.bending_warp = fabric.bending_weft = 0;
+  Scene scene = reference::rectangle(fabric, links * 0.01, 0.01, 0.01);
+  scene.gravity = {0, 0, 0};
+  scene.damping = 200;
+  scene.communication = 1e-5;  // of one step
+  scene.pieces[0].place.origin = {left, -0.0043, height};
+  body_add(scene, folder, "fold", fold());
+  return scene;
+}
+
+// How high the links across it are over the fold.
+double over_fold_height(const Assembled& a) {
+  const Lattice& l = a.system.lattices[0];
+  const std::size_t n = l.node(0, 0), m = l.node(1, 0);
+  const double t = a.state.x[n] / (a.state.x[n] - a.state.x[m]);
+  return (1 - t) * a.state.z[n] + t * a.state.z[m];
+}
+
+// A link lies 1.3 layers over a fold, 0.3 of its length beyond one end. That end jumps down by 5 layers in a
+// single step, as a pin takes it there, or as it is welded to what a pin holds there: the link by 1.5, past
+// the fold. It is stopped in that step, or was seen out of the fold before it and comes out again: of a
+// sheet, only such links do.
+TEST(Ridge, AJumpTakesNoLinkThroughUnseen) {
+  const SceneFolder folder;
+  const double layer = 0.0005;
+  for (const bool weld : {false, true}) {
+    Scene scene = over_fold(folder, weld ? 1 : 2, weld ? -0.003 : -0.007, 1.3 * layer);
+    if (weld) {
+      scene.pieces.push_back(scene.pieces[0]);
+      scene.pieces[1].name = "right";
+      scene.pieces[1].place.origin = {0.007, -0.0043, -3.7 * layer};
+      scene.seams = {seam_join()};
+      scene.seams[0].gap_tolerance = 6 * layer;
+      scene.pins = {{"held", 1, {}, {3}}};
+    } else {
+      scene.pins = {reference::pin_edges("left", {3}), reference::pin_edges("right", {1})};
+      scene.pins[0].drive = Drive::kPosition;
+    }
+    Assembled a = assemble(scene);
+    if (!weld) {
+      sewn_advance(a, 1e-3);
+      a.motion.inputs.pin[0].position[2] -= 5 * layer;
+    }
+    const std::int64_t steps = a.state.steps;
+    sewn_advance(a, 1e-5);
+    EXPECT_EQ(a.state.steps, steps + 1);
+    EXPECT_LT(over_fold_height(a), weld ? 0 : 0.1 * layer);
+    sewn_advance(a, 0.05);
+    EXPECT_GT(over_fold_height(a), 0.1 * layer) << (weld ? "weld" : "pin");
+  }
+}
+
+// What the penalties of pairs add to omega^2: with k the stiffness of a pair, the rows of M^-1/2 W k W^T
+// M^-1/2 sum up to at most (|W_k|/S) W^2/2, S = sum |W_j|. A link over a knife whose foot slides from half a
+// link before its beginning to half a link beyond its end: weights from -1/2 to 3/2.
+TEST(Ridge, PenaltyStaysWithinTheBoundOfTheStep) {
+  const SceneFolder folder;
+  Scene scene = reference::rectangle(linen(0.01), 0.01, 0.01, 0.01);
+  scene.pieces[0].place.origin = {0.1, 0, 0.1};
+  body_add(scene, folder, "knife", roof(1.3));
+  Assembled a = assemble(scene);
+  const Lattice& l = a.system.lattices[0];
+  const double sum = l.touch.omega2 / 2;
+  double least = INFINITY, most = -INFINITY, largest = 0;
+  std::vector<RidgeTouch> touches;
+  for (int at = 0; at < 450; ++at) {
+    const double foot = -0.62 + 0.005 * at, tilt = foot < 0.5 ? -1.15 : 1.15;
+    for (int j = 0; j < 2; ++j)
+      for (int i = 0; i < 2; ++i) {  // a plane tilted about y, 0.6 layers over the ridge
+        const double along = (i - foot) * 0.01, up = 0.6 * l.touch.layer;
+        const std::size_t n = l.node(i, j);
+        a.state.x[n] = along * std::cos(tilt) + up * std::sin(tilt);
+        a.state.z[n] = -along * std::sin(tilt) + up * std::cos(tilt);
+        a.state.y[n] = 0.01 * j;
+      }
+    touch_begin(a.system, *a.motion.kernel, a.motion.touch, a.state);
+    ridge_keep(a.system, a.state, touches);
+    for (const RidgeTouch& t : touches) {
+      ASSERT_EQ(t.part->weights(), 2);
+      const double *w = t.gap.weight, spread = std::abs(w[0]) + std::abs(w[1]);
+      const double m[2] = {a.system.mass[t.part->node[0]], a.system.mass[t.part->node[1]]};
+      EXPECT_NEAR(w[0] + w[1], 1, 1e-12);
+      least = std::min(least, w[1]), most = std::max(most, w[1]);
+      for (int k = 0; k < 2; ++k) {
+        double row = 0;
+        for (int j = 0; j < 2; ++j) row += t.stiffness * std::abs(w[k] * w[j]) / std::sqrt(m[k] * m[j]);
+        EXPECT_LE(row, std::abs(w[k]) / spread * sum * (1 + 1e-12)) << "foot " << foot;
+        largest = std::max(largest, row / sum);
+      }
+    }
+  }
+  std::printf("feet from %.2f to %.2f, rows up to %.3f of W^2/2\n", least, most, largest);
+  EXPECT_LT(least, -0.4);
+  EXPECT_GT(most, 1.4);
+  EXPECT_GT(largest, 0.99);
 }
 
 // A body without sharp edges has no ridges, and the cloth nothing for them.

@@ -26,8 +26,8 @@ TEST(Fields, PressureIsThatOfTheSummary) {
   const SceneFolder folder;
   const Assembled a = on_ball(folder);
   Fields fields;
-  fields_fill(fields, a.system, a.state);
-  const ContactSummary sum = touch_summary(a.system, a.state);
+  fields_fill(fields, a.system, a.state, {});
+  const ContactSummary sum = touch_summary(a.system, a.state, {});
   std::size_t count = 0;
   double most = 0, weight = 0;
   for (const double p : fields.pressure) count += p > 0, most = std::max(most, p);
@@ -38,13 +38,49 @@ TEST(Fields, PressureIsThatOfTheSummary) {
   EXPECT_NEAR(weight, 0.04, 1e-12);
 }
 
+// At rest on a table every particle is pressed by its weight over its area, rho g, whether the penalty holds
+// it or is too soft and the stop does; with a hole, and cells that the outline cuts. What the body bears is
+// the sum.
+TEST(Fields, PressureAtRestIsWeightOverArea) {
+  const SceneFolder folder;
+  for (const double slope : {0.2, 20.0})  // N/m per width
+    for (const Mode mode : {Mode::kFit, Mode::kDynamic}) {
+      FabricSpec fabric = linen();
+      fabric.warp = fabric.weft = reference::straight(slope);
+      fabric.bias = {};
+      fabric.bending_warp = fabric.bending_weft = 0;
+      Scene scene = reference::rectangle(fabric, 0.05, 0.05, 0.01);
+      scene.pieces[0].outline[2] = {0.047, 0.042};
+      scene.pieces[0].place.origin = {0, 0, 0.0002};
+      scene.mode = mode;
+      scene.damping = mode == Mode::kFit ? 0 : 50;
+      body_add(scene, folder, "table", box(2, 2, 0.1)).position = {0, 0, -0.05};
+      Assembled a = assemble(scene);
+      for (double t = 0; t < 2 && !a.state.fit.at_rest; t += 0.1) advance(a, 0.1);
+      const TouchStops stops = leapfrog_stops(a.system, a.motion, a.state);
+      EXPECT_EQ(stops.particle.empty(), slope > 1) << "the penalty holds it";
+      Fields fields;
+      fields_fill(fields, a.system, a.state, stops);
+      const double wanted = 0.2 * 9.81;
+      double force = 0, weight = 0;
+      for (std::size_t k = 0; k < fields.pressure.size(); ++k) {
+        EXPECT_NEAR(fields.pressure[k], wanted, 1e-4 * wanted) << slope;
+        force += fields.pressure[k] * fields.area[k];
+      }
+      for (std::size_t n : a.system.particle) weight += 9.81 * a.system.mass[n];
+      EXPECT_NEAR(force, weight, 2e-5 * weight);
+      EXPECT_NEAR(-body_force(a)[2], mode == Mode::kFit ? force : force * a.state.h_old / 2, 2e-5 * weight);
+      EXPECT_NEAR(touch_summary(a.system, a.state, stops).pressure, wanted, 1e-4 * wanted);
+    }
+}
+
 // Of one piece, the elongations are the strains of the cloth; means of particles lie between them.
 TEST(Fields, ElongationIsThatOfTheSummary) {
   const SceneFolder folder;
   const Assembled a = on_ball(folder);
   const StrainSummary sum = strain_summary(a.system, a.state);
   Fields fields;
-  fields_fill(fields, a.system, a.state);
+  fields_fill(fields, a.system, a.state, {});
   const drape_strain of[] = {sum.warp, sum.weft, sum.bias};
   double tension = 0;
   for (const Thread along : {Thread::kWarp, Thread::kWeft, Thread::kBias}) {
