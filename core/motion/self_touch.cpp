@@ -29,14 +29,20 @@ double speed_of(const System& system, const State& s) {
   Vec3 range;
   const Array* v[3] = {&s.vx, &s.vy, &s.vz};
   for (std::size_t k = 0; k < 3; ++k) {
-    const double* at = v[k]->data();
-    double low = INFINITY, high = -INFINITY;
-    for (const NodeSpan& span : system.self.span)
-      for (std::size_t n = span.begin; n < span.end; ++n) {
-        low = at[n] < low ? at[n] : low;
-        high = at[n] > high ? at[n] : high;
-      }
-    range[k] = high - low;
+    double low[kRowUnit], high[kRowUnit];  // so that the compiler makes vectors of them
+    std::fill_n(low, kRowUnit, INFINITY);
+    std::fill_n(high, kRowUnit, -INFINITY);
+    const auto take = [&](double at, int i) {
+      low[i] = at < low[i] ? at : low[i];
+      high[i] = at > high[i] ? at : high[i];
+    };
+    for (const NodeSpan& span : system.self.span) {
+      const double *at = v[k]->data() + span.begin, *end = v[k]->data() + span.end;
+      for (; at + kRowUnit <= end; at += kRowUnit)
+        for (int i = 0; i < kRowUnit; ++i) take(at[i], i);
+      for (; at < end; ++at) take(*at, 0);
+    }
+    range[k] = *std::max_element(high, high + kRowUnit) - *std::min_element(low, low + kRowUnit);
   }
   return norm(range);
 }

@@ -72,7 +72,8 @@ void each_near(const Buckets& b, const std::vector<Ball>& balls, Visit visit) {
   const auto take = [&](const std::array<std::int64_t, 3>& at, std::vector<std::uint32_t>& to) {
     const std::size_t hash = bucket_hash(b, at);
     for (std::uint32_t k = b.start[hash]; k < b.start[hash + 1]; ++k)
-      if (balls[b.item[k]].bucket == at) to.push_back(b.item[k]);
+      if (const auto& of = balls[b.item[k]].bucket; of[0] == at[0] && of[1] == at[1] && of[2] == at[2])
+        to.push_back(b.item[k]);
   };
   for (std::size_t a = 0; a < balls.size(); ++a) {
     const auto& at = balls[a].bucket;
@@ -134,7 +135,15 @@ void crosses_find(const Search& s, const SelfCell& a, const SelfCell& b, SelfPai
     }
 }
 
-// Visits all cells that do not adjoin and whose balls are nearer than `reach`.
+// Whether a slab across the line of centres, wider than `reach`, has one cell on either side.
+bool are_apart(const State& s, const SelfCell& a, const SelfCell& b, const Vec3& between, double reach) {
+  double end = -INFINITY, begin = INFINITY;
+  for (NodeIndex n : a.node) end = std::max(end, dot(place(s, n), between));
+  for (NodeIndex n : b.node) begin = std::min(begin, dot(place(s, n), between));
+  return begin - end > reach * norm(between);
+}
+
+// Visits all cells that do not adjoin and may be nearer than `reach`.
 template <class Visit>
 void each_pair(const SelfMesh& mesh, const State& state, double reach, Visit visit) {
   std::vector<Ball> balls = balls_of(mesh, state);
@@ -150,8 +159,9 @@ void each_pair(const SelfMesh& mesh, const State& state, double reach, Visit vis
     const std::size_t a = std::min(p, q), b = std::max(p, q);
     const Vec3 between = balls[b].centre - balls[a].centre;
     const double far = balls[a].radius + balls[b].radius + reach;
-    if (dot(between, between) <= far * far && !self_cells_adjoin(mesh, mesh.cell[a], mesh.cell[b]))
-      visit(mesh.cell[a], mesh.cell[b]);
+    if (dot(between, between) > far * far || are_apart(state, mesh.cell[a], mesh.cell[b], between, reach))
+      return;
+    if (!self_cells_adjoin(mesh, mesh.cell[a], mesh.cell[b])) visit(mesh.cell[a], mesh.cell[b]);
   });
 }
 

@@ -72,7 +72,7 @@ def main():
     parser.add_argument("folder", type=Path, nargs="?", default=ROOT / "build" / "cusick")
     parser.add_argument("--quick", action="store_true", help="coarse cells, two seeds")
     options = parser.parse_args()
-    cells, seeds = ((0.015,), (1, 2)) if options.quick else ((0.0075, 0.005), (1, 2))
+    cells, seeds = ((0.015,), (1, 2)) if options.quick else ((0.0075, 0.005), (1, 2, 3, 4, 5))
     means = []
     for cell in cells:
         found = []
