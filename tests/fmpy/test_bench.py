@@ -18,6 +18,11 @@ def test_whole(tmp_path):
     assert (tmp_path / "whole.csv").read_text().count("\n") == 8
 
 
+def test_garment(tmp_path):
+    run(BENCH / "garment.py", "--quick", "--csv", tmp_path / "garment.csv")
+    assert (tmp_path / "garment.csv").read_text().count("\n") == 5
+
+
 def test_scenes(drape, tmp_path):
     scene = ROOT / "examples" / "hanging_wool" / "scene.toml"
     drape("bench", "scenes", "--quick", "--scene", scene, "--csv", tmp_path / "scenes.csv")

@@ -1,0 +1,89 @@
+"""What seams, contact and self-contact cost a garment on its form, beside its lattices alone.
+
+    taskset -c 0 .venv/bin/python tests/bench/garment.py [--quick] [--csv FILE] [--settle SECONDS]
+
+The drafted dress of about 15,000 particles of wool, dynamic with `damping = 20`: its parts alone, which fall; sewn, without the form; sewn
+on the form; and there with self-contact. All settle for 2.5 s, on which the dress lies still; then each goes on for 5 ms by turns, in one
+FMPy process. Microseconds a step, medians; what a scene has not it must not pay for, so each row is a scene of its own.
+"""
+import argparse
+import csv
+import re
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "tests" / "fmpy"), str(ROOT / "examples" / "drafting")]
+from fitting import EXAMPLES, draft  # noqa: E402
+from master import Fmu, Instance  # noqa: E402
+
+TURN = 0.005  # s of cloth
+
+
+def without(text, table):
+    """A scene without its tables [[table]]."""
+    return re.sub(rf"\[\[{table}\]\].*?(?=\n\[|\Z)", "", text, flags=re.S)
+
+
+def variants(text):
+    sewn_on_form = text.replace('mode = "fit"', "damping = 20")
+    sewn = without(sewn_on_form, "body")
+    return {
+        "lattices alone": without(sewn, "seam"),
+        "with seams": sewn,
+        "with seams and contact": sewn_on_form,
+        "with seams, contact and self-contact": sewn_on_form.replace("[scene]", "[scene]\nself_contact = true", 1),
+    }
+
+
+class Run:
+    def __init__(self, folder, number, text):
+        scene = folder / f"variant{number}.toml"
+        scene.write_text(text)
+        packed = scene.with_suffix(".fmu")
+        subprocess.run([ROOT / "build" / "drape", "pack", scene, "-o", packed], check=True, stdout=subprocess.DEVNULL)
+        self.instance = Instance(Fmu(packed)).initialize()
+        self.time = 0.0
+
+    def advance(self, length):
+        """Seconds a step."""
+        steps, start = self.instance.get("step.count")[0], time.perf_counter()
+        self.instance.slave.doStep(self.time, length)
+        taken = time.perf_counter() - start
+        self.time += length
+        return taken / (self.instance.get("step.count")[0] - steps)
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    arguments.add_argument("--quick", action="store_true", help="coarse cells, seconds in all, no figures to rely on")
+    arguments.add_argument("--csv", type=Path, help="also writes the rows to a file")
+    arguments.add_argument("--settle", type=float, default=2.5, help="s of cloth before it is measured")
+    options = arguments.parse_args()
+    cell, settle, turns = (0.03, 0.01, 1) if options.quick else (0.0078, options.settle, 8)
+    with tempfile.TemporaryDirectory() as folder:
+        text = draft(EXAMPLES / "dress" / "draft.py", Path(folder), f"--cell={cell}").read_text()
+        runs = {name: Run(Path(folder), k, scene) for k, (name, scene) in enumerate(variants(text).items())}
+        for run in runs.values():
+            run.advance(settle)
+        times = {name: [] for name in runs}
+        for _ in range(turns):
+            for name, run in runs.items():
+                times[name].append(1e6 * run.advance(TURN))
+        touching = runs["with seams and contact"].instance.get("contact.count")[0]
+    rows = [(name, statistics.median(values)) for name, values in times.items()]
+    for name, value in rows:
+        print(f"{name:40} {value:8.1f} us a step {value / rows[0][1]:8.2f}")
+    print(f"{touching:.0f} particles and pairs touch the form")
+    if options.csv:
+        with open(options.csv, "w", newline="") as file:
+            csv.writer(file, lineterminator="\n").writerows(
+                [("what", "us a step"), *((name, f"{value:.4g}") for name, value in rows)])
+
+
+if __name__ == "__main__":
+    main()
