@@ -13,12 +13,12 @@ struct Said {
   std::vector<std::string> errors, warnings;
 };
 
-// Opens a cloth above the mesh, with the lines added to its body.
+// Opens a cloth above the mesh, with the lines added to its body and to the scene.
 Said said_of(const std::string& file, const std::string& mesh, const std::string& lines = "",
-             const std::string& origin = "[0, 0, 2]") {
+             const std::string& origin = "[0, 0, 2]", const std::string& of_scene = "") {
   const SceneFolder folder;
   folder.write(file, mesh);
-  const auto scene = folder.write("scene.toml", R"([scene]
+  const auto scene = folder.write("scene.toml", "[scene]\n" + of_scene + R"(
 name = "s"
 [fabric.f]
 areal_density = 0.2
@@ -66,6 +66,9 @@ TEST(BodyFault, OfMeshes) {
 }
 
 TEST(BodyFault, OfKeys) {
+  expect_error(said_of("a.obj", kTetrahedron, "", "[0, 0, 2]", "order = 4"),
+               "scene.order = 4 does not go with bodies, on which cloth is damped and rubs; wanted: order = "
+               "2, or no body");
   expect_error(said_of("a.obj", kTetrahedron, "scale = 0"),
                "body.b.scale = 0 m per unit of the mesh; allowed: above 0");
   expect_error(said_of("a.obj", kTetrahedron, "orientation = [0, 0, 0, 0]"), "has length 0");
