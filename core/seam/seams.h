@@ -26,7 +26,7 @@ struct SeamPair {
   SeamRow gap;  // r_b - r_a
 };
 
-// A difference of two points of one piece.
+// From a point of the cloth to another.
 struct SeamArm {
   struct Term {
     std::uint32_t node;
@@ -34,11 +34,10 @@ struct SeamArm {
     double weight;
   };
   int count = 0;
-  Term term[8];
+  Term term[12];
 };
 
-// Across a welded pair: p_a - x - p_b, each p a cell's edge inside its piece. Of the two points that are x,
-// each arm ends in its own: what acts on one of them, the weld shares.
+// Across a welded pair: p_a - x - p_b, each p a cell's edge inside its piece, x the middle of the pair.
 struct SeamHinge {
   SeamArm arm[2];        // x - p_a, p_b - x
   double reach[2];       // m: their lengths at rest

@@ -45,10 +45,10 @@ SeamPoint point_tie(const Grid& grid, const Lattice& l, Vec2 p, Vec2 looked_up) 
 
 Vec2 inside(Vec2 p, Vec2 inward, double d) { return {p[0] + d * inward[0], p[1] + d * inward[1]}; }
 
-// sign (x - p)
-SeamArm arm_between(const SeamPoint& p, const SeamPoint& x, double sign) {
+// sign (x - p), with x the middle of the pair
+SeamArm arm_between(const SeamPoint& p, const SeamPair& pair, double sign) {
   SeamRow row;
-  row_add(row, x, sign);
+  for (const SeamPoint& x : pair.side) row_add(row, x, sign / 2);
   row_add(row, p, -sign);
   SeamArm arm;
   for (int k = 0; k < row.count; ++k)
@@ -81,7 +81,7 @@ void pairs_tie(const std::vector<Grid>& grids, const SeamLayout& layout, const S
     }
     for (std::size_t k = 0; k < 2; ++k) {
       const double sign = k == 0 ? 1 : -1;
-      hinge.arm[k] = arm_between(inner[k], pair.side[k], sign);
+      hinge.arm[k] = arm_between(inner[k], pair, sign);
     }
     if (std::all_of(pair.gap.weight, pair.gap.weight + pair.gap.count, [](double w) { return w == 0; }))
       hinge.width = 0;  // a corner sewn to itself
@@ -141,19 +141,14 @@ double gram_bound(const System& system, const std::vector<Bond>& bonds) {
   return most;
 }
 
-// c/|c| - a/|a| of a hinge, in flat cloth the rate of its angle, with the middle of the pair as x: welded, it
-// is the same, and lower.
-SeamRow angle_row(const SeamHinge& hinge, const SeamPair& pair) {
+// c/|c| - a/|a| of a hinge, in flat cloth the rate of its angle.
+SeamRow angle_row(const SeamHinge& hinge) {
   SeamRow row;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const double rate = (k == 0 ? -1 : 1) / hinge.reach[k], sign = k == 0 ? 1 : -1;
+  for (std::size_t k = 0; k < 2; ++k)
     for (int n = 0; n < hinge.arm[k].count; ++n) {
       const SeamArm::Term& term = hinge.arm[k].term[n];
-      row_add(row, {{term.node, 0, 0, 0}, {term.weight, 0, 0, 0}}, rate);
+      row_add(row, {{term.node, 0, 0, 0}, {term.weight, 0, 0, 0}}, (k == 0 ? -1 : 1) / hinge.reach[k]);
     }
-    row_add(row, pair.side[1 - k], sign / 2 * rate);
-    row_add(row, pair.side[k], -sign / 2 * rate);
-  }
   return row;
 }
 
@@ -166,7 +161,7 @@ void welded_bound(System& system) {
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
       const double kappa = seams.hinge[p].stiffness = seam_hinge_stiffness(system, seam, seams.hinge[p]);
       if (kappa == 0) continue;
-      angles.push_back(angle_row(seams.hinge[p], seams.pair[p]));
+      angles.push_back(angle_row(seams.hinge[p]));
       bonds.push_back({&angles.back(), kappa});
     }
     for (std::size_t k = seam.link_first; k < seam.link_first + seam.link_count; ++k)
