@@ -13,13 +13,14 @@ struct Said {
   std::vector<std::string> errors, warnings;
 };
 
-// Opens a cloth above the mesh, with the lines added to its body.
+// Opens a cloth above the mesh, with the lines added to its body, and others to the scene.
 Said said_of(const std::string& file, const std::string& mesh, const std::string& lines = "",
-             const std::string& origin = "[0, 0, 2]") {
+             const std::string& origin = "[0, 0, 2]", const std::string& scene_lines = "") {
   const SceneFolder folder;
   folder.write(file, mesh);
   const auto scene = folder.write("scene.toml", R"([scene]
 name = "s"
+)" + scene_lines + R"(
 [fabric.f]
 areal_density = 0.2
 thickness = 0.001
@@ -63,6 +64,14 @@ TEST(BodyFault, OfMeshes) {
   expect_error(said_of("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"), "face");
   expect_error(said_of("a.stl", "solid a\nfacet\nvertex 0 0 x\n"), "after 'vertex' stands 'x', no number");
   expect_error(said_of("a.stl", "nothing"), "is no STL file");
+}
+
+TEST(BodyFault, OfOrder) {
+  for (const std::string order : {"4", "6"})
+    expect_error(
+        said_of("a.obj", kTetrahedron, "", "[0, 0, 2]", "order = " + order),
+        "scene.order = " + order +
+            " does not go with bodies, whose contact is damped and rubs; wanted: order = 2, or no body");
 }
 
 TEST(BodyFault, OfKeys) {
