@@ -42,7 +42,8 @@ inline constexpr std::size_t kWatchGroup = 64;  // nodes that are watched togeth
 struct ContactWatch {
   BodyContact* body;          // its ease is written
   const double *r[3], *v[3];  // [nodes]
-  double drift, ahead;     // s, how long they have moved with v since they were watched last; the next step
+  double drift, ahead;     // s, how long they have moved with v since they were watched last (below 0: back);
+                           // the next step
   std::size_t begin, end;  // nodes, multiples of kRowUnit
 };
 

@@ -30,4 +30,12 @@ inline Vec3 pose_velocity(const Body& body, const BodyContact& c, const Vec3& at
   return c.frame.velocity + cross(c.frame.spin, at - c.frame.position);
 }
 
+// Its acceleration there: V' + w' x (r - o) + w x (w x (r - o)).
+inline Vec3 pose_acceleration(const Body& body, const BodyContact& c, const Vec3& at) {
+  using namespace vector3;
+  if (!body.moves) return {0, 0, 0};
+  const Vec3 arm = at - c.frame.position;
+  return c.frame.acceleration + cross(c.frame.spin_rate, arm) + cross(c.frame.spin, cross(c.frame.spin, arm));
+}
+
 }  // namespace drape

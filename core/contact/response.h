@@ -315,7 +315,7 @@ std::size_t contact_watch(const ContactWatch& job, std::size_t* due) {
     if constexpr (!kMoves) {
       const double speed = contact_speed<L>(job, begin, end);
       double& ease = b.ease[begin / kRowUnit];
-      ease -= job.drift * speed;
+      ease -= __builtin_fabs(job.drift) * speed;  // stages of order 4 and 6 go partly back
       if (ease > job.ahead * speed) continue;
     }
     L left(kFar);

@@ -251,6 +251,44 @@ void touch_apply(const System& system, const Kernel& kernel, TouchRoom& room, co
   s.input += room.ridge_sums.input;
 }
 
+namespace {
+
+constexpr double kWay = 0.5;    // of what triangles are listed for beyond the layer
+constexpr double kLeft = 0.25;  // of a budget
+
+// What a step may move a particle by, whatever its budget (m), and the speed of a body's fastest point (m/s).
+struct StepBound {
+  double listed, carried;
+};
+StepBound step_bound(const System& system, const State& s, std::size_t b) {
+  const BodySurface& surface = system.bodies[b].mesh.surface;
+  const double layer = layer_most(system);
+  const Frame& frame = s.body[b].frame;
+  return {kWay * (contact_reach(surface, layer) - layer),
+          vector3::norm(frame.velocity) + vector3::norm(frame.spin) * surface.size};
+}
+
+double way2_of(const StepBound& bound, const BodyContact& c, std::size_t n) {
+  return std::max(bound.listed * bound.listed, c.budget2.empty() ? 0 : kLeft * kLeft * c.budget2[n]);
+}
+
+double speed2_of(const State& s, std::size_t n) {
+  return s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n];
+}
+
+// Whether a particle of the block, looked at anew, would go farther in a step than the last look at the step
+// limit could know.
+bool outruns(const System& system, const State& s, std::size_t b, const StepBound& bound, std::size_t node,
+             double step) {
+  for (std::size_t n = node; n < node + std::size_t(kRowUnit); ++n)
+    if (system.mass[n] > 0 &&
+        step * (std::sqrt(speed2_of(s, n)) + bound.carried) > std::sqrt(way2_of(bound, s.body[b], n)))
+      return true;
+  return false;
+}
+
+}  // namespace
+
 void touch_hurry(State& s) {
   for (BodyContact& c : s.body) std::fill(c.ease.begin(), c.ease.end(), 0.0);
 }
@@ -271,7 +309,13 @@ void touch_watch(const System& system, const Kernel& kernel, TouchRoom& room, St
       watch.begin = l.twin_first, watch.end = l.end();
       count += kernel.contact.watch[system.bodies[b].moves](watch, room.due.data() + count);
     }
-    for (std::size_t k = 0; k < count; ++k) block_renew(system, room, s, b, room.due[k], ahead);
+    const bool chosen = count > 0 && system.step_given == 0 && !system.fit;
+    const StepBound bound = chosen ? step_bound(system, s, b) : StepBound{};
+    for (std::size_t k = 0; k < count; ++k) {
+      block_renew(system, room, s, b, room.due[k], ahead);
+      if (chosen && outruns(system, s, b, bound, room.due[k], std::max(ahead, step_next(system, s))))
+        s.watch_wait = 0;
+    }
     ridge_watch(system, s, b, ahead);
   }
 }
@@ -314,21 +358,14 @@ void touch_synchronous(const System& system, const Kernel& kernel, TouchRoom& ro
 }
 
 double touch_step_most(const System& system, const State& s) {
-  constexpr double kWay = 0.5;    // of what triangles are listed for beyond the layer
-  constexpr double kLeft = 0.25;  // of a budget: less than what is left of it when it is renewed
-  const double layer = layer_most(system);
   double longest = INFINITY;
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-    const BodySurface& surface = system.bodies[b].mesh.surface;
-    const Frame& frame = s.body[b].frame;
-    const double listed = kWay * (contact_reach(surface, layer) - layer);
-    const double carried = vector3::norm(frame.velocity) + vector3::norm(frame.spin) * surface.size;
-    const Array& budget2 = s.body[b].budget2;
+    const StepBound bound = step_bound(system, s, b);
     double least2 = INFINITY;  // s^2, of bodies that stay
     for (std::size_t n : system.particle) {
-      const double way2 = std::max(listed * listed, budget2.empty() ? 0 : kLeft * kLeft * budget2[n]),
-                   speed2 = s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n];
-      if (carried > 0) longest = std::min(longest, std::sqrt(way2) / (std::sqrt(speed2) + carried));
+      const double way2 = way2_of(bound, s.body[b], n), speed2 = speed2_of(s, n);
+      if (bound.carried > 0)
+        longest = std::min(longest, std::sqrt(way2) / (std::sqrt(speed2) + bound.carried));
       else least2 = std::min(least2, way2 / speed2);
     }
     longest = std::min(longest, std::sqrt(least2));

@@ -79,28 +79,33 @@ TouchStops touch_stops(const System& system, const State& s, const std::vector<R
     const ContactLanes<Lane> law(
         touch_law_now(system, s, body, system.lattices[std::size_t(t.block->lattice)]), c, body.damping);
     const Vec3 out = pose_outward(body, s.body[t.body], {t.gap.n.x.v, t.gap.n.y.v, t.gap.n.z.v});
-    Vec<Lane> free;
+    const Vec3 carried = pose_acceleration(body, s.body[t.body], {s.x[n], s.y[n], s.z[n]});
+    Vec<Lane> free;  // against the body
     Lane* to[] = {&free.x, &free.y, &free.z};
-    for (std::size_t k = 0; k < 3; ++k) *to[k] = a[k][n] - t.block->carry[k][t.lane];
+    for (std::size_t k = 0; k < 3; ++k) *to[k] = a[k][n] - t.block->carry[k][t.lane] - carried[k];
     const ContactHit<Lane> hit =
         contact_hit(law, Vec<Lane>{out[0], out[1], out[2]}, t.gap.distance, free, free,
                     Lane(t.block->grip[t.lane]), Lane(s.lightness.empty() ? 1 : 1 / s.lightness[n]));
     const Lane dv[] = {hit.dv.x, hit.dv.y, hit.dv.z};
-    for (std::size_t k = 0; k < 3; ++k) a[k][n] = (*to[k] + dv[k]).v;
+    for (std::size_t k = 0; k < 3; ++k) a[k][n] = (*to[k] + dv[k]).v + carried[k];
     stops.particle.push_back(system.mass[n] * hit.stop.v);
   });
+  std::vector<RidgeTouch> accelerated = pairs;
+  for (RidgeTouch& t : accelerated)
+    t.carried = pose_acceleration(system.bodies[t.body], s.body[t.body], t.at);
   RidgeSums sums;
-  ridge_respond(system, s, pairs, c, {{a[0], a[1], a[2]}, {}, nullptr}, nullptr, sums);
+  ridge_respond(system, s, accelerated, c, {{a[0], a[1], a[2]}, {}, nullptr}, nullptr, sums);
   stops.pair = sums.stop;
   return stops;
 }
 
 ContactSummary touch_summary(const System& system, const State& s, const TouchStops& stops) {
   ContactSummary sum;
-  std::size_t last = system.nodes, k = 0;  // a particle in a groove counts once
+  std::vector<char> counted(system.nodes, 0);  // a particle in a groove counts once
+  std::size_t k = 0;
   each_touching(system, s, [&](const Touching& t) {
-    sum.count += t.node != last;
-    last = t.node;
+    sum.count += counted[t.node] == 0;
+    counted[t.node] = 1;
     sum.penetration = std::max(sum.penetration, t.depth());
     sum.pressure = std::max(sum.pressure, pressure_of(system, s, t, stop_of(stops.particle, k++)));
   });

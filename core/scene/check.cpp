@@ -35,13 +35,12 @@ void order_check(const Scene& scene, Problems& problems) {
     problems.push_back({"scene.order", order + "mode = \"fit\"; wanted: order = 2, or \"dynamic\""});
   if (!scene.seams.empty())
     problems.push_back({"scene.order", order + "seams, whose pull is damped; wanted: order = 2, or no seam"});
-  if (!scene.bodies.empty())
-    problems.push_back({"scene.order", order +
-                                           "bodies, on which cloth is damped and rubs; wanted: order = 2, or "
-                                           "no body"});
   if (scene.self_contact)
     problems.push_back({"scene.order", order + "self_contact, which is damped; wanted: order = 2, or "
                                                "self_contact = false"});
+  if (!scene.bodies.empty())
+    problems.push_back(
+        {"scene.order", order + "bodies, whose contact is damped and rubs; wanted: order = 2, or no body"});
   const auto braked = [&](const std::string& place, double value, const char* unit) {
     if (value > 0)
       problems.push_back(

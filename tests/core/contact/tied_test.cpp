@@ -1,6 +1,8 @@
 // What touches a body and is not alone: tied to others by a weld, or in a groove. core/README.md, section 7.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "../seam/seam_fixture.h"
 #include "body_fixture.h"
 #include "constraint/vector3.h"
@@ -112,6 +114,43 @@ TEST(Tied, AStripRestsInAGroove) {
   }
   EXPECT_GT(both, 0);
   expect_weight(a);
+}
+
+// Welds that no contact touches in a step are not met again: that leaves them as they are, up to rounding,
+// against all of them met again. Two sewn squares fall onto a ball below the seam, or on a box with ridges.
+TEST(Tied, WeldsLeftAloneAreMetAlready) {
+  const SceneFolder folder;
+  const auto run = [&](bool ridges, bool all) {
+    Scene scene = sewn_pair(0.05, 1.6, 0.2, 0.6);
+    scene.energy = true;
+    scene.pieces[0].place.origin = {-0.05, 0, 0.001};
+    scene.pieces[1].place.origin = {0, 0, 0.001};
+    scene.pins = {{"held", 0, {}, {3}}};
+    if (ridges) body_add(scene, folder, "body", box(0.05, 0.025, 0.1)).position = {0.003, 0.01, -0.05};
+    else body_add(scene, folder, "body", ball(0.03, 40)).position = {0.002, 0.022, -0.03};
+    Assembled a = assemble(scene);
+    sewn_advance(a, 1e-3);
+    EXPECT_FALSE(a.motion.touch.hit.empty());
+    if (all) a.motion.touch.hit.clear();
+    energy_begin(a.system, a.state);
+    int met = 0;  // advances whose last step touched a weld
+    for (int k = 0; k < 60; ++k) {
+      sewn_advance(a, 1e-3);
+      met += std::count(a.motion.touch.hit.begin(), a.motion.touch.hit.end(), 1) > 0;
+    }
+    if (!all) {
+      EXPECT_GT(met, 5) << ridges;
+      EXPECT_LT(met, 60);
+    }
+    return a;
+  };
+  for (const bool ridges : {false, true}) {
+    const Assembled some = run(ridges, false), all = run(ridges, true);
+    EXPECT_LT((positions(some) - positions(all)).cwiseAbs().maxCoeff(), 1e-10) << ridges;
+    EXPECT_NEAR(some.state.input, all.state.input, 1e-10);
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(some.state.pin_impulse[0].force[k], all.state.pin_impulse[0].force[k], 1e-10);
+  }
 }
 
 }  // namespace

@@ -222,6 +222,29 @@ TEST(Touch, NothingGetsThroughAtFiftyMetresPerSecond) {
   }
 }
 
+// Nor through a body of small triangles that is reached from afar, in steps that were chosen for free flight:
+// a ball of 0.05 m, whose facets lie within 1e-4 m of it.
+TEST(Touch, NothingGetsThroughFromAfar) {
+  const SceneFolder folder;
+  FabricSpec dust = linen();
+  dust.warp = dust.weft = dust.bias = {};
+  dust.bending_warp = dust.bending_weft = 0;
+  dust.friction = {0, 0};
+  for (const double start : {0.27, 0.333, 0.354, 0.417, 0.48}) {
+    Scene scene = reference::rectangle(dust, 0.02, 0.02, 0.01);
+    scene.gravity = {0, 0, 0};
+    scene.pieces[0].place.origin = {-0.01, -0.01, start};
+    scene.pieces[0].velocity = {0, 0, -50};
+    body_add(scene, folder, "ball", ball(0.05, 100));
+    Assembled a = assemble(scene);
+    for (int k = 0; k < 30; ++k) {
+      advance(a, 1.6 * (start - 0.04) / 50 / 30);
+      for (std::size_t n : a.system.particle)
+        ASSERT_GT(std::hypot(a.state.x[n], a.state.y[n], a.state.z[n]), 0.0499) << start;
+    }
+  }
+}
+
 // A frictionless cloth pressed onto a table by a leaning gravity, in touch all the time: order 2 against the
 // judge.
 TEST(Touch, OrderIsTwoWhileNoContactOpensOrCloses) {

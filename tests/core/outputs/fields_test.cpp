@@ -74,6 +74,36 @@ TEST(Fields, PressureAtRestIsWeightOverArea) {
     }
 }
 
+// Particles at the bottom of a groove touch both of its sides: each counts once, and so does one that touches
+// two bodies.
+TEST(Fields, AParticleCountsOnceByHoweverManySurfaces) {
+  const SceneFolder folder;
+  const Mesh groove{{{-0.2, -1, 0.2}, {0, -1, 0}, {0.2, -1, 0.2}, {-0.2, 1, 0.2}, {0, 1, 0}, {0.2, 1, 0.2}},
+                    {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};
+  for (const bool halves : {false, true}) {
+    Scene scene = reference::rectangle(linen(), 0.04, 0.03, 0.01);
+    scene.pieces[0].place.axis_x = {0, 1, 0};  // along the groove
+    scene.pieces[0].place.axis_y = {-1, 0, 0};
+    scene.pieces[0].place.origin = {0.01, -0.02, 0.05};
+    if (halves) {
+      Mesh left = groove, right = groove;
+      left.corner.resize(2);
+      right.corner.erase(right.corner.begin(), right.corner.begin() + 2);
+      body_add(scene, folder, "left", left);
+      body_add(scene, folder, "right", right);
+    } else {
+      body_add(scene, folder, "groove", groove);
+    }
+    Assembled a = assemble(scene);
+    for (std::size_t n : a.system.particle) {  // all into the bottom, within both layers
+      a.state.x[n] = 0;
+      a.state.z[n] = 0.0004 * std::sqrt(2.0);
+    }
+    touch_begin(a.system, *a.motion.kernel, a.motion.touch, a.state);
+    EXPECT_EQ(touch_summary(a.system, a.state, {}).count, a.system.particle.size()) << halves;
+  }
+}
+
 // Of one piece, the elongations are the strains of the cloth; means of particles lie between them.
 TEST(Fields, ElongationIsThatOfTheSummary) {
   const SceneFolder folder;
