@@ -28,8 +28,8 @@ struct Nearest {
 };
 
 // For a particle at x; `triangle` lists all triangles within `listed` of x. Beyond `contact` nothing touches;
-// what is farther than `reach`, at least `within`, is measured by the balls around triangles. `side`: the
-// side of the nearest touch so far, or null.
+// what is farther than `reach`, at least `within`, is measured by the planes of triangles and the balls
+// around them. `side`: the side of the nearest touch so far, or null.
 void nearest_find(const BodySurface& surface, const std::vector<int>& triangle, const Vec3& x, double contact,
                   double within, double reach, double listed, const Vec3* side, Nearest& found);
 

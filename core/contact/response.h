@@ -277,7 +277,7 @@ void contact_run(const ContactJob& job) {
   sums.give(job.sum);
 }
 
-// The largest of lanes that are at least 0, or the smallest.
+// Over the lanes.
 template <class L>
 double largest(L a) {
   alignas(kLine) double lane[L::kWidth];

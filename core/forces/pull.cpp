@@ -12,7 +12,7 @@ using namespace vector3;
 double seam_mass(const System& system, const SeamPair& pair) {
   const SeamRow& row = pair.gap;
   double sum = 0;
-  for (int k = 0; k < row.count; ++k) sum += row.weight[k] * row.weight[k] * system.inverse_mass[row.node[k]];
+  for (const SeamTerm& t : row) sum += t.weight * t.weight * system.inverse_mass[t.node];
   return sum > 0 ? 1 / sum : 0;
 }
 

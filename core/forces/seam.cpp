@@ -45,8 +45,8 @@ void batch_bend(HingeBatch& b, const SeamHinge* const* of, std::size_t count, Hi
   for (std::size_t i = count; i < std::size_t(kRowUnit); ++i) batch_set(b, i, {1, 0, 0}, {1, 0, 0}, 0);
   hinges(b);
   for (std::size_t i = 0; i < count; ++i) {
-    arm_force(of[i]->arm[0], {-b.a[0][i], -b.a[1][i], -b.a[2][i]}, to);
-    arm_force(of[i]->arm[1], {b.c[0][i], b.c[1][i], b.c[2][i]}, to);
+    row_force(of[i]->arm[0], {-b.a[0][i], -b.a[1][i], -b.a[2][i]}, to);
+    row_force(of[i]->arm[1], {b.c[0][i], b.c[1][i], b.c[2][i]}, to);
   }
 }
 
@@ -76,7 +76,7 @@ void seams_bond(const System& system, const State& s, HingeKernel hinges, SideFo
   const SeamHinge* of[kRowUnit];
   std::size_t count = 0;
   each_hinge_sewn(system, s, [&](const SeamHinge& hinge) {
-    batch_set(batch, count, arm_value(hinge.arm[0], s), arm_value(hinge.arm[1], s), hinge.stiffness);
+    batch_set(batch, count, row_value(hinge.arm[0], s), row_value(hinge.arm[1], s), hinge.stiffness);
     of[count++] = &hinge;
     if (count < std::size_t(kRowUnit)) return;
     batch_bend(batch, of, count, hinges, to);
@@ -94,7 +94,7 @@ void seams_bond(const System& system, const State& s, HingeKernel hinges, SideFo
 SeamEnergy seams_energy(const System& system, const State& s) {
   SeamEnergy e;
   each_hinge_sewn(system, s, [&](const SeamHinge& h) {
-    e.bending += h.stiffness * hinge_energy_between(arm_value(h.arm[0], s), arm_value(h.arm[1], s));
+    e.bending += h.stiffness * hinge_energy_between(row_value(h.arm[0], s), row_value(h.arm[1], s));
   });
   each_link_sewn(system, s, [&](const Seam& seam, const SeamLink&, const Vec3& edge) {
     const double strain = norm(edge) / seam.rest - 1;

@@ -17,6 +17,7 @@
 
 namespace drape {
 
+// N m: of a hinge, to be kept with it; 0 where a side does not bend.
 double seam_hinge_stiffness(const System& system, const Seam& seam, const SeamHinge& hinge);
 
 // Tension of a link, N, and its slope per strain at zero.

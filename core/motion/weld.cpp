@@ -10,10 +10,10 @@ namespace {
 
 ConstraintRow weld_row(const SeamRow& gap) {
   ConstraintRow row{-1, {}, {}, {0, 0, 0}};
-  for (int k = 0; k < gap.count; ++k) {
-    if (gap.weight[k] == 0) continue;
-    row.node.push_back(gap.node[k]);
-    row.weight.push_back(gap.weight[k]);
+  for (const SeamTerm& t : gap) {
+    if (t.weight == 0) continue;
+    row.node.push_back(t.node);
+    row.weight.push_back(t.weight);
   }
   return row;
 }

@@ -14,11 +14,18 @@ struct SeamPoint {
 };
 
 // A sum over nodes, each once: of the points of a pair.
+struct SeamTerm {
+  std::uint32_t node;
+  int slot;  // in Side
+  double weight;
+};
 struct SeamRow {
   int count = 0;
-  std::size_t node[16];
-  double weight[16];
-  int slot[16];  // in Side
+  SeamTerm term[16];
+  SeamTerm* begin() { return term; }
+  SeamTerm* end() { return term + count; }
+  const SeamTerm* begin() const { return term; }
+  const SeamTerm* end() const { return term + count; }
 };
 
 struct SeamPair {
@@ -26,20 +33,9 @@ struct SeamPair {
   SeamRow gap;  // r_b - r_a
 };
 
-// From a point of the cloth to another.
-struct SeamArm {
-  struct Term {
-    std::uint32_t node;
-    int slot;  // in Side
-    double weight;
-  };
-  int count = 0;
-  Term term[12];
-};
-
 // Across a welded pair: p_a - x - p_b, each p a cell's edge inside its piece, x the middle of the pair.
 struct SeamHinge {
-  SeamArm arm[2];        // x - p_a, p_b - x
+  SeamRow arm[2];        // x - p_a, p_b - x
   double reach[2];       // m: their lengths at rest
   double threads[2][2];  // of side k: cos^4 between arm and warp, sin^4
   double width;          // m

@@ -45,17 +45,6 @@ SeamPoint point_tie(const Grid& grid, const Lattice& l, Vec2 p, Vec2 looked_up) 
 
 Vec2 inside(Vec2 p, Vec2 inward, double d) { return {p[0] + d * inward[0], p[1] + d * inward[1]}; }
 
-// sign (x - p), with x the middle of the pair
-SeamArm arm_between(const SeamPoint& p, const SeamPair& pair, double sign) {
-  SeamRow row;
-  for (const SeamPoint& x : pair.side) row_add(row, x, sign / 2);
-  row_add(row, p, -sign);
-  SeamArm arm;
-  for (int k = 0; k < row.count; ++k)
-    if (row.weight[k] != 0) arm.term[arm.count++] = {std::uint32_t(row.node[k]), 0, row.weight[k]};
-  return arm;
-}
-
 // The pairs of a seam and the hinges across them.
 void pairs_tie(const std::vector<Grid>& grids, const SeamLayout& layout, const Seam& seam, System& system) {
   for (std::size_t n = 0; n < seam.count; ++n) {
@@ -81,9 +70,10 @@ void pairs_tie(const std::vector<Grid>& grids, const SeamLayout& layout, const S
     }
     for (std::size_t k = 0; k < 2; ++k) {
       const double sign = k == 0 ? 1 : -1;
-      hinge.arm[k] = arm_between(inner[k], pair, sign);
+      for (const SeamPoint& x : pair.side) row_add(hinge.arm[k], x, sign / 2);
+      row_add(hinge.arm[k], inner[k], -sign);
     }
-    if (std::all_of(pair.gap.weight, pair.gap.weight + pair.gap.count, [](double w) { return w == 0; }))
+    if (std::all_of(pair.gap.begin(), pair.gap.end(), [](const SeamTerm& t) { return t.weight == 0; }))
       hinge.width = 0;  // a corner sewn to itself
     system.seams.pair.push_back(pair);
     system.seams.hinge.push_back(hinge);
@@ -123,16 +113,15 @@ struct Bond {
 double gram_bound(const System& system, const std::vector<Bond>& bonds) {
   std::unordered_map<std::size_t, std::vector<std::pair<std::size_t, double>>> by_node;
   for (std::size_t p = 0; p < bonds.size(); ++p)
-    for (int k = 0; k < bonds[p].row->count; ++k)
-      by_node[bonds[p].row->node[k]].push_back({p, bonds[p].row->weight[k]});
+    for (const SeamTerm& t : *bonds[p].row) by_node[t.node].push_back({p, t.weight});
   double most = 0;
   std::map<std::size_t, double> gram;
   for (std::size_t p = 0; p < bonds.size(); ++p) {
     const SeamRow& row = *bonds[p].row;
     gram.clear();
-    for (int k = 0; k < row.count; ++k)
-      for (const auto& [q, weight] : by_node[row.node[k]])
-        gram[q] += row.weight[k] * weight * system.inverse_mass[row.node[k]];
+    for (const SeamTerm& t : row)
+      for (const auto& [q, weight] : by_node[t.node])
+        gram[q] += t.weight * weight * system.inverse_mass[t.node];
     double sum = 0;
     for (const auto& [q, value] : gram)
       sum += std::sqrt(bonds[p].strength * bonds[q].strength) * std::abs(value);
@@ -145,10 +134,8 @@ double gram_bound(const System& system, const std::vector<Bond>& bonds) {
 SeamRow angle_row(const SeamHinge& hinge) {
   SeamRow row;
   for (std::size_t k = 0; k < 2; ++k)
-    for (int n = 0; n < hinge.arm[k].count; ++n) {
-      const SeamArm::Term& term = hinge.arm[k].term[n];
-      row_add(row, {{term.node, 0, 0, 0}, {term.weight, 0, 0, 0}}, (k == 0 ? -1 : 1) / hinge.reach[k]);
-    }
+    for (const SeamTerm& t : hinge.arm[k])
+      row_add(row, {{t.node, 0, 0, 0}, {t.weight, 0, 0, 0}}, (k == 0 ? -1 : 1) / hinge.reach[k]);
   return row;
 }
 

@@ -220,12 +220,11 @@ void side_number(System& system) {
     for (SideClamp& s : side.clamps)
       for (int k = 0; k < 2; ++k) visit(s.node[k], s.slot[k]);
     const auto row = [&](SeamRow& r) {
-      for (int k = 0; k < r.count; ++k) visit(r.node[k], r.slot[k]);
+      for (SeamTerm& t : r) visit(t.node, t.slot);
     };
     for (SeamPair& s : system.seams.pair) row(s.gap);
     for (SeamHinge& s : system.seams.hinge)
-      for (SeamArm& arm : s.arm)
-        for (int k = 0; k < arm.count; ++k) visit(arm.term[k].node, arm.term[k].slot);
+      for (SeamRow& arm : s.arm) row(arm);
     for (SeamLink& s : system.seams.link) row(s.edge);
   };
   each_node([&](std::size_t node, int&) { touched.push_back(node); });

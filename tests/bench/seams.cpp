@@ -114,19 +114,24 @@ Held held_of(const Scene& scene, const Rest& rest) {
   Entries entries;
   std::vector<double> target;
   const auto& first = rest.unknowns.first;
-  const auto add = [&](const auto& node, const auto& weight, std::size_t count, int axis, double to) {
-    for (std::size_t k = 0; k < count; ++k)
-      if (weight[k] != 0) entries.emplace_back(Eigen::Index(target.size()), first[node[k]] + axis, weight[k]);
+  const auto entry = [&](std::size_t node, double weight, int axis) {
+    if (weight != 0) entries.emplace_back(Eigen::Index(target.size()), first[node] + axis, weight);
+  };
+  const auto add = [&](const ConstraintRow& row, int axis, double to) {
+    for (std::size_t k = 0; k < row.node.size(); ++k) entry(row.node[k], row.weight[k], axis);
     target.push_back(to);
   };
   for (const ConstraintRow& row : rest.system.pin_rows) {
     const bool high = scene.pins[std::size_t(row.pin)].name[0] == 'h';
-    add(row.node, row.weight, row.node.size(), 0, 0);
+    add(row, 0, 0);
     if (high) held.high.push_back(Eigen::Index(target.size()));
-    add(row.node, row.weight, row.node.size(), 1, high ? kPull * kHeight : 0);
+    add(row, 1, high ? kPull * kHeight : 0);
   }
   for (const SeamPair& pair : rest.system.seams.pair)
-    for (int axis : {0, 1}) add(pair.gap.node, pair.gap.weight, std::size_t(pair.gap.count), axis, 0);
+    for (int axis : {0, 1}) {
+      for (const SeamTerm& t : pair.gap) entry(t.node, t.weight, axis);
+      target.push_back(0);
+    }
   for (const RigidLink& link : rest.system.links) {
     const auto [a, b] = link.node;
     const double x = (rest.state.x[b] - rest.state.x[a]) / link.length,
@@ -151,13 +156,13 @@ void links_add(const Rest& rest, Entries& to) {
       const SeamRow& row = rest.system.seams.link[k].edge;
       const Vec3 edge = row_value(row, rest.state);
       const double length = vector3::norm(edge), stiff = seam_link_slope(rest.system, seam) / seam.rest;
-      for (int i = 0; i < row.count; ++i)
-        for (int j = 0; j < row.count; ++j)
+      for (const SeamTerm& i : row)
+        for (const SeamTerm& j : row)
           for (std::size_t p : {0u, 1u})
             for (std::size_t q : {0u, 1u})
-              to.emplace_back(rest.unknowns.first[row.node[i]] + Eigen::Index(p),
-                              rest.unknowns.first[row.node[j]] + Eigen::Index(q),
-                              stiff * row.weight[i] * row.weight[j] * edge[p] * edge[q] / (length * length));
+              to.emplace_back(rest.unknowns.first[i.node] + Eigen::Index(p),
+                              rest.unknowns.first[j.node] + Eigen::Index(q),
+                              stiff * i.weight * j.weight * edge[p] * edge[q] / (length * length));
     }
 }
 
