@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "decimal.h"
-#include "scene/nearest.h"
+#include "scene/spelling.h"
 #include "variables.h"
 
 namespace drape {

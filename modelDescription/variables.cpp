@@ -1,6 +1,6 @@
 #include "variables.h"
 
-#include "scene/ranges.h"
+#include "scene/limits.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "drape.h"
+#include "drape/drape.h"
 
 namespace drape {
 

@@ -8,8 +8,8 @@
 //
 //   F/4 = -(rho/16) phi [C_n |u_n| u_n c + C_t |u_t| |c| u_t]
 #pragma once
-#include "forces/rows.h"
-#include "system/system.h"
+#include "simd/vector_lanes.h"
+#include "model/system.h"
 
 namespace drape {
 namespace {

@@ -16,7 +16,7 @@
 // degrees. Beyond, psi goes on by its second-order Taylor polynomial.
 #pragma once
 #include "forces/bending_constants.h"
-#include "forces/rows.h"
+#include "simd/vector_lanes.h"
 
 namespace drape {
 namespace {

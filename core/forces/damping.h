@@ -7,7 +7,7 @@
 // Along the link only: no net force or torque, nothing in rigid motion; it takes w l0 beta p' e'^2 from the
 // cloth.
 #pragma once
-#include "forces/lane.h"
+#include "simd/lane.h"
 
 namespace drape {
 namespace {

@@ -1,6 +1,6 @@
 // Hinges of seams, eight at a time.
 #pragma once
-#include "system/array.h"
+#include "math/aligned_array.h"
 
 namespace drape {
 

@@ -9,7 +9,7 @@
 // pulls, the next is at its laws, and so on. Between the stages only numbers of links are kept; edges are
 // made again, which is cheap.
 #pragma once
-#include "forces/rows.h"
+#include "simd/vector_lanes.h"
 #include "forces/tension.h"
 
 namespace drape {

@@ -2,8 +2,8 @@
 // balance.
 #pragma once
 #include "forces/air.h"
-#include "forces/lane_scalar.h"
-#include "system/system.h"
+#include "simd/lane_scalar.h"
+#include "model/system.h"
 
 namespace drape {
 namespace {

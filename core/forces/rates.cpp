@@ -3,7 +3,7 @@
 #include "forces/air.h"
 #include "forces/node_lane.h"
 #include "forces/tension.h"
-#include "system/links.h"
+#include "model/elements.h"
 
 namespace drape {
 namespace {

@@ -1,7 +1,7 @@
 // The forces that depend on velocity, alone and one by one: for the energy balance. core/README.md, sections
 // 3 and 4.
 #pragma once
-#include "system/system.h"
+#include "model/system.h"
 
 namespace drape {
 

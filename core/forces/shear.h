@@ -4,7 +4,7 @@
 //        | X |
 //      a o---o b        E = w sqrt(2) b G(e), G' = g, w = b phi/sqrt(2);  pull on a = w g(e) (d - a)/l
 #pragma once
-#include "forces/rows.h"
+#include "simd/vector_lanes.h"
 
 namespace drape {
 namespace {

@@ -4,7 +4,7 @@
 //        |
 //      a o---o b      E = w b P(e), P' = p;   pull on a = w p(e) (r1 - r0)/l = -dE/da, and its opposite on r1
 #pragma once
-#include "forces/rows.h"
+#include "simd/vector_lanes.h"
 
 namespace drape {
 namespace {

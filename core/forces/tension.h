@@ -3,8 +3,8 @@
 // A straight diagram is one product. Any other is a table: first the segment that a strain lies in, then its
 // polynomial.
 #pragma once
-#include "fabric/curve.h"
-#include "forces/lane.h"
+#include "math/monotone_curve.h"
+#include "simd/lane.h"
 
 namespace drape {
 namespace {

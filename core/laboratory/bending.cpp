@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "laboratory/rest.h"
-#include "motion/leapfrog.h"
-#include "sheet/cantilever.h"
-#include "system/assemble.h"
+#include "laboratory/equilibrium.h"
+#include "dynamics/advance.h"
+#include "standards/cantilever.h"
+#include "assembly/assemble.h"
 
 namespace drape {
 namespace {

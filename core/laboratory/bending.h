@@ -9,7 +9,7 @@
 //     elastica whose end lies on this plane.
 #pragma once
 #include "scene/scene.h"
-#include "sheet/units.h"
+#include "standards/units.h"
 
 namespace drape {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "fabric/law.h"
-#include "laboratory/mixing.h"
+#include "fabric/material_law.h"
+#include "laboratory/anderson.h"
 
 namespace drape {
 namespace {

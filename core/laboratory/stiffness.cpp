@@ -17,8 +17,8 @@
 #include <cmath>
 
 #include "forces/bending_constants.h"
-#include "forces/side.h"
-#include "system/links.h"
+#include "forces/irregular_elements.h"
+#include "model/elements.h"
 
 namespace drape {
 namespace {

@@ -3,7 +3,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "system/system.h"
+#include "model/system.h"
 
 namespace drape {
 

@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <numbers>
 
-#include "laboratory/rest.h"
-#include "motion/leapfrog.h"
-#include "system/assemble.h"
-#include "system/links.h"
+#include "laboratory/equilibrium.h"
+#include "dynamics/advance.h"
+#include "assembly/assemble.h"
+#include "model/elements.h"
 
 namespace drape {
 namespace {

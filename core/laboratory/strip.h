@@ -1,9 +1,9 @@
 // The tensile test of GOST 3813 on simulated cloth: a strip of the fabric's own specimen, all of both ends in
 // jaws, pulled along the warp, along the weft or at 45 degrees, without weight, in its plane.
 #pragma once
-#include "fabric/law.h"
-#include "system/side.h"
-#include "system/system.h"
+#include "fabric/material_law.h"
+#include "model/irregular_elements.h"
+#include "model/system.h"
 
 namespace drape {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sheet/root.h"
+#include "math/bisection.h"
 
 namespace drape {
 

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "forces/hinge_energy.h"
-#include "forces/seam.h"
-#include "forces/side.h"
-#include "motion/self_touch.h"
-#include "system/links.h"
+#include "forces/seam_bending.h"
+#include "forces/irregular_elements.h"
+#include "contact/self/self_contact.h"
+#include "model/elements.h"
 
 namespace drape {
 namespace {

@@ -1,7 +1,7 @@
 // Energies by kind, J.
 #pragma once
-#include "drape.h"
-#include "system/system.h"
+#include "drape/drape.h"
+#include "model/system.h"
 
 namespace drape {
 

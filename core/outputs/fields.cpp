@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "system/links.h"
+#include "model/elements.h"
 
 namespace drape {
 namespace {

@@ -1,6 +1,6 @@
 // What every particle feels: fields over the cloth, for pictures and reports.
 #pragma once
-#include "motion/touch.h"
+#include "contact/particle/contact.h"
 
 namespace drape {
 

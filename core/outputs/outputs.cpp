@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "constraint/vector3.h"
-#include "motion/step_limit.h"
+#include "math/vector3.h"
+#include "dynamics/step_size/step_limit.h"
 #include "outputs/energy.h"
 #include "outputs/strain.h"
-#include "seam/row.h"
+#include "model/seam_rows.h"
 
 namespace drape {
 namespace {

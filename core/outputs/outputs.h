@@ -1,8 +1,8 @@
 // What a cloth tells of itself: fills drape_outputs from System and State. Reads the motion, never changes
 // it.
 #pragma once
-#include "drape.h"
-#include "motion/leapfrog.h"
+#include "drape/drape.h"
+#include "dynamics/advance.h"
 
 namespace drape {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "system/links.h"
+#include "model/elements.h"
 
 namespace drape {
 namespace {

@@ -1,7 +1,7 @@
 // Strain and tension of every thread and diagonal.
 #pragma once
-#include "drape.h"
-#include "system/system.h"
+#include "drape/drape.h"
+#include "model/system.h"
 
 namespace drape {
 

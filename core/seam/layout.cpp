@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "piece/outline.h"
+#include "piece/outline/outline.h"
 
 namespace drape {
 namespace {

@@ -7,7 +7,7 @@
 //         \  / | \  /        rigid links from each particle of a seam to those of the edge within 1.5 b
 //      ----x---+--x-----     the outline
 #pragma once
-#include "piece/grid.h"
+#include "piece/grid/grid.h"
 
 namespace drape {
 

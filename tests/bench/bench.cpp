@@ -7,7 +7,7 @@
 #include "bench/bound.h"
 #include "bench/clock.h"
 #include "bench/cloths.h"
-#include "scene/read.h"
+#include "scene/reader/read.h"
 
 namespace drape::bench {
 namespace {

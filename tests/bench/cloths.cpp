@@ -5,8 +5,8 @@
 #include <random>
 #include <stdexcept>
 
-#include "motion/step_limit.h"
-#include "system/assemble.h"
+#include "dynamics/step_size/step_limit.h"
+#include "assembly/assemble.h"
 
 namespace drape::bench {
 namespace {

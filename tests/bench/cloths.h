@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "motion/leapfrog.h"
+#include "dynamics/advance.h"
 
 namespace drape::bench {
 

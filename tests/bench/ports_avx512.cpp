@@ -1,4 +1,4 @@
-#include "forces/lane_avx512.h"
+#include "simd/lane_avx512.h"
 
 #include "bench/ports_lane.h"
 

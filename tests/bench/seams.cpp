@@ -7,10 +7,10 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "forces/seam.h"
+#include "forces/seam_bending.h"
 #include "laboratory/stiffness.h"
-#include "seam/row.h"
-#include "system/assemble.h"
+#include "model/seam_rows.h"
+#include "assembly/assemble.h"
 
 namespace drape::bench {
 namespace {

@@ -4,12 +4,12 @@
 
 #include <random>
 
-#include "motion/leapfrog.h"
-#include "motion/step_limit.h"
+#include "dynamics/advance.h"
+#include "dynamics/step_size/step_limit.h"
 #include "outputs/energy.h"
 #include "outputs/outputs.h"
 #include "reference/test_cloth.h"
-#include "system/assemble.h"
+#include "assembly/assemble.h"
 
 namespace drape {
 

@@ -13,8 +13,8 @@
 
 #include "bench/cloths.h"
 #include "bench/precision/trial.h"
-#include "motion/step_limit.h"
-#include "system/composition.h"
+#include "dynamics/step_size/step_limit.h"
+#include "model/composition.h"
 
 namespace drape::bench {
 namespace {

@@ -18,11 +18,11 @@
 #include <random>
 #include <thread>
 
-#include "core/scene/scene_file.h"
-#include "motion/leapfrog.h"
-#include "motion/step_limit.h"
+#include "scene_file.h"
+#include "dynamics/advance.h"
+#include "dynamics/step_size/step_limit.h"
 #include "outputs/energy.h"
-#include "system/assemble.h"
+#include "assembly/assemble.h"
 
 namespace drape {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "bench/cloths.h"
-#include "motion/step_limit.h"
-#include "system/composition.h"
+#include "dynamics/step_size/step_limit.h"
+#include "model/composition.h"
 
 namespace drape::bench {
 namespace {

@@ -73,7 +73,7 @@ void demand(int flag, const char* call) {
     throw std::runtime_error(std::string("SUNDIALS: ") + call + " returned " + std::to_string(flag));
 }
 
-// The last stage at c = 0: tests/reference/solver.cpp tells why.
+// The last stage at c = 0: core/reference/solver.cpp tells why.
 void erk_table(Session& s, int order) {
   const ARKODE_ERKTableID id = order == 2   ? ARKODE_HEUN_EULER_2_1_2
                                : order == 3 ? ARKODE_BOGACKI_SHAMPINE_4_2_3

@@ -9,7 +9,7 @@
 #include "forces/hinge_energy.h"
 #include "outputs/energy.h"
 #include "reference/forces.h"
-#include "system/links.h"
+#include "model/elements.h"
 
 namespace drape {
 namespace {

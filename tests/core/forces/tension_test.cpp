@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "forces/lane_scalar.h"
+#include "simd/lane_scalar.h"
 
 namespace drape {
 namespace {

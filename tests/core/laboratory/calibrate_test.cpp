@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "laboratory/store.h"
+#include "laboratory/write_calibration.h"
 #include "reference/test_cloth.h"
-#include "scene/read.h"
-#include "scene/scene_file.h"
+#include "scene/reader/read.h"
+#include "scene_file.h"
 
 namespace drape {
 namespace {

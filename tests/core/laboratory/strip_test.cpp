@@ -7,10 +7,10 @@
 #include <cstdio>
 
 #include "cloth_fixture.h"
-#include "laboratory/rest.h"
+#include "laboratory/equilibrium.h"
 #include "laboratory/strip_order.h"
 #include "reference/motion.h"
-#include "scene/read.h"
+#include "scene/reader/read.h"
 
 namespace drape {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/body_fixture.h"
-#include "motion/touch.h"
+#include "body_fixture.h"
+#include "contact/particle/contact.h"
 #include "outputs/strain.h"
 
 namespace drape {

@@ -1,7 +1,7 @@
 // Pieces in space: core/README.md, section 1.
 #include "piece/place.h"
 
-#include "piece/piece_fixture.h"
+#include "piece_fixture.h"
 
 namespace drape {
 namespace {

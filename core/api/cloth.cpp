@@ -1,0 +1,262 @@
+// The C interface: a cloth is a scene, the system made from it, its state, and the structs it shows.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <new>
+
+#include "api/cloth.h"
+#include "dynamics/step_size/step_limit.h"
+#include "dynamics/seam_welding.h"
+#include "outputs/energy.h"
+#include "scene/reader/read.h"
+#include "assembly/assemble.h"
+
+struct drape_snapshot {
+  drape::State state;
+  drape::Tuning tuning;
+  drape::ParameterValues shown;  // also what is set but not committed yet
+  struct Inputs {
+    double wind[3];
+    std::vector<drape_pin_input> pin, body;
+  } inputs, input_rates;
+};
+
+namespace drape {
+namespace {
+
+constexpr double kIntervalsMost = 1e9;  // in one advance
+
+void inputs_save(const drape_inputs& from, drape_snapshot::Inputs& to) {
+  std::copy(from.wind, from.wind + 3, to.wind);
+  to.pin.assign(from.pin, from.pin + from.pin_count);
+  to.body.assign(from.body, from.body + from.body_count);
+}
+
+void inputs_restore(const drape_snapshot::Inputs& from, drape_inputs& to) {
+  std::copy(from.wind, from.wind + 3, to.wind);
+  std::copy(from.pin.begin(), from.pin.end(), to.pin);
+  std::copy(from.body.begin(), from.body.end(), to.body);
+}
+
+// Sides of very different length are likely to be a mistake.
+void seams_warn(const drape_cloth& c) {
+  constexpr double kUsual = 1.5;
+  for (std::size_t k = 0; k < c.scene.seams.size(); ++k) {
+    const double a = c.system.seams.seam[k].length[0], b = c.system.seams.seam[k].length[1];
+    const double ratio = std::max(a, b) / std::min(a, b);
+    if (ratio > kUsual)
+      say(c, DRAPE_LOG_WARNING,
+          "seam." + c.scene.seams[k].name + " sews " + number(a) + " m to " + number(b) +
+              " m: the longer side is " + number(ratio, 4) +
+              " times the shorter, which it is gathered to; usual: up to " + number(kUsual));
+  }
+}
+
+void cloth_assemble(drape_cloth& c, std::vector<Problem>& problems) {
+  c.system = system_assemble(c.scene, c.state, problems);
+  if (!problems.empty()) return;
+  c.motion = motion_make(c.system);
+  leapfrog_begin(c.system, c.motion, c.state);
+  energy_begin(c.system, c.state);
+  touch_start_check(c.system, c.scene, c.motion.touch, c.state, problems);
+  self_start_check(c.system, c.scene, c.state, problems);
+  step_check(c, problems);
+  if (!problems.empty()) return;
+  c.good = c.state;
+  parameters_make(c.parameters, c.scene, c.system.step_max);
+  tuning_begin(c);
+  inputs_make(c);
+  outputs_make(c.outputs, c.scene, c.system);
+  seams_warn(c);
+  for (const Body& body : c.system.bodies)
+    for (const std::string& remark : body.remarks) say(c, DRAPE_LOG_WARNING, remark);
+}
+
+// Where a run left the finite numbers, and the likely reason.
+std::string trouble_text(const drape_cloth& c) {
+  const State& s = c.state;
+  for (const Lattice& l : c.system.lattices)
+    for (std::size_t n : c.system.particle) {
+      if (!l.owns(n)) continue;
+      if (std::isfinite(s.x[n] + s.y[n] + s.z[n]) && std::isfinite(s.vx[n] + s.vy[n] + s.vz[n])) continue;
+      const auto [column, row] = l.place_of(n);
+      return "piece '" + c.scene.pieces[std::size_t(l.piece)].name + "', column " +
+             std::to_string(column + 1) + ", row " + std::to_string(row + 1);
+    }
+  return "no particle";
+}
+
+void say_trouble(const drape_cloth& c, Advance how, double length) {
+  const double from = state_time(c.good, c.system.communication);
+  const std::string when = "between " + number(from, 9) + " and " + number(from + length, 9) + " s";
+  if (how == Advance::kNotFinite) {
+    say(c, DRAPE_LOG_ERROR,
+        when + " the run left the finite numbers, first seen at " + trouble_text(c) + " after step " +
+            std::to_string(c.state.steps) + " of size " + number(c.state.h_old) +
+            " s; loads or strains grew beyond what the fabric's laws can carry; the state is that of " +
+            number(from, 9) + " s");
+    return;
+  }
+  const double limit = step_limit_of(c.system, c.state.omega2);
+  if (how == Advance::kTooManySteps) {
+    say(c, DRAPE_LOG_ERROR,
+        when + " the step limit fell to " + number(limit) + " s, more than " + number(double(kSubsMost)) +
+            " steps in a communication interval, set by the " +
+            step_limit_link(c.system, c.scene, c.state, c.state.h_old) +
+            "; loads or strains grew beyond what the fabric's laws can carry; the state is that of " +
+            number(from, 9) + " s");
+    return;
+  }
+  say(c, DRAPE_LOG_ERROR,
+      "scene.step = " + number(c.system.step_given) + " s is above the step limit, which fell to " +
+          number(limit) + " s " + when + ", set by the " + step_limit_link(c.system, c.scene, c.state) +
+          "; the state is that of " + number(from, 9) + " s");
+}
+
+}  // namespace
+}  // namespace drape
+
+using namespace drape;
+
+drape_cloth* drape_open(const char* scene_file, drape_log_fn* log, void* user) {
+  auto* c = new drape_cloth;
+  c->log = log;
+  c->log_user = user;
+  std::vector<Problem> problems;
+  try {
+    c->scene = scene_read(scene_file, problems);
+    if (problems.empty()) c->text = scene_resolve(scene_file, problems);
+    for (const BodySpec& body : c->scene.bodies) c->files.push_back(body_file(body.name, body.mesh));
+    if (problems.empty()) {
+      cloth_assemble(*c, problems);
+      for (Problem& p : problems) p.place = scene_place(scene_file, p.place);
+    }
+  } catch (const std::bad_alloc&) {
+    problems.push_back(
+        {std::string(scene_file) + ":", "does not fit into this machine's memory; use larger cells"});
+  }
+  if (problems.empty()) return c;
+  say_problems(*c, problems);
+  delete c;
+  return nullptr;
+}
+
+void drape_close(drape_cloth* c) { delete c; }
+
+const char* drape_scene_name(const drape_cloth* c) { return c->scene.name.c_str(); }
+const char* drape_scene_text(const drape_cloth* c) { return c->text.c_str(); }
+int drape_file_count(const drape_cloth* c) { return int(c->scene.bodies.size()); }
+const char* drape_file_path(const drape_cloth* c, int k) {
+  return c->scene.bodies[std::size_t(k)].mesh.c_str();
+}
+const char* drape_file_name(const drape_cloth* c, int k) { return c->files[std::size_t(k)].c_str(); }
+double drape_duration(const drape_cloth* c) { return c->scene.duration; }
+double drape_communication(const drape_cloth* c) { return c->system.communication; }
+
+drape_parameters* drape_parameters_of(drape_cloth* c) { return &c->parameters.shown; }
+
+drape_inputs* drape_inputs_of(drape_cloth* c) { return &c->inputs; }
+drape_inputs* drape_input_rates_of(drape_cloth* c) { return &c->input_rates; }
+void drape_inputs_start(drape_cloth* c) {
+  if (c->state.steps > 0 || std::equal(c->state.wind.begin(), c->state.wind.end(), c->inputs.wind)) return;
+  std::copy(c->inputs.wind, c->inputs.wind + 3, c->state.wind.begin());
+  leapfrog_retuned(c->system, c->motion, c->state);
+}
+int drape_at_rest(const drape_cloth* c) { return c->state.fit.at_rest; }
+
+drape_status drape_start(drape_cloth* c, double time) {
+  if (!std::isfinite(time) || c->state.steps > 0) {
+    say(*c, DRAPE_LOG_ERROR,
+        std::isfinite(time) ? "the start time is set before the first step"
+                            : "the start time must be a finite number of seconds");
+    return DRAPE_DISCARD;
+  }
+  c->state.origin = time;
+  return DRAPE_OK;
+}
+
+double drape_time(const drape_cloth* c) { return state_time(c->state, c->system.communication); }
+
+drape_status drape_advance(drape_cloth* c, double length) {
+  if (!(std::isfinite(length) && length > 0)) {
+    say(*c, DRAPE_LOG_ERROR,
+        "the length of an advance is " + number(length) + " s; allowed: above 0 s, finite");
+    return DRAPE_DISCARD;
+  }
+  if (length / c->system.communication > kIntervalsMost) {
+    say(*c, DRAPE_LOG_ERROR,
+        "the length of an advance is " + number(length) + " s; allowed: at most " +
+            number(kIntervalsMost * c->system.communication) + " s, " + number(kIntervalsMost) +
+            " communication intervals");
+    return DRAPE_DISCARD;
+  }
+  c->stuck = false;
+  const bool committed = drape_commit(c) == DRAPE_OK;
+  std::vector<Problem> problems;
+  if (!inputs_take(*c, length, problems)) say_problems(*c, problems);
+  if (!committed || !problems.empty()) return DRAPE_DISCARD;
+  c->good = c->state;
+  c->tuning_good = c->tuning;
+  std::string event;
+  const Advance how = leapfrog_advance(c->system, c->motion, c->state, length, event, [c](double intervals) {
+    const bool tuned = tuning_go(*c, intervals);
+    return sewing_go(*c) || tuned;
+  });
+  if (!event.empty())
+    say(*c, DRAPE_LOG_STABILITY, event + ", set by the " + step_limit_link(c->system, c->scene, c->state));
+  if (how == Advance::kDone) {
+    inputs_taken(*c);
+    return DRAPE_OK;
+  }
+  say_trouble(*c, how, length);
+  c->state = c->good;
+  tuning_restore(*c, c->tuning_good);
+  seams_restore(c->system, c->motion, c->state);
+  c->stuck = how == Advance::kStepAboveLimit;
+  return c->stuck ? DRAPE_DISCARD : DRAPE_ERROR;
+}
+
+int drape_stuck(const drape_cloth* c) { return c->stuck; }
+
+const drape_outputs* drape_outputs_at(drape_cloth* c, int want_nodes) {
+  const int nodes = want_nodes ? DRAPE_NODE_PLACES | DRAPE_NODE_MOTION : 0;
+  return drape_outputs_of(c, DRAPE_PLACES | DRAPE_MOTION | DRAPE_STRAIN | DRAPE_ENERGY | nodes);
+}
+
+const drape_outputs* drape_outputs_of(drape_cloth* c, int what) {
+  outputs_fill(c->outputs, c->system, c->motion, c->state, what);
+  return &c->outputs.shown;
+}
+
+double drape_step_limit(drape_cloth* c, const char** set_by) {
+  if (set_by) {
+    c->limit_link = step_limit_link(c->system, c->scene, c->state);
+    *set_by = c->limit_link.c_str();
+  }
+  return step_limit_of(c->system, step_limit_omega2(c->system, *c->motion.kernel, c->state));
+}
+
+drape_snapshot* drape_save(drape_cloth* c, drape_snapshot* into) {
+  if (!into) into = new drape_snapshot;
+  into->state = c->state;
+  into->tuning = c->tuning;
+  into->shown = parameters_read(c->parameters);
+  inputs_save(c->inputs, into->inputs);
+  inputs_save(c->input_rates, into->input_rates);
+  return into;
+}
+
+void drape_restore(drape_cloth* c, const drape_snapshot* from) {
+  c->stuck = false;
+  c->state = from->state;
+  workspace_clear(c->motion.workspace);  // what the state before may have left there
+  tuning_restore(*c, from->tuning);
+  seams_restore(c->system, c->motion, c->state);
+  parameters_write(c->parameters, from->shown);
+  inputs_restore(from->inputs, c->inputs);
+  inputs_restore(from->input_rates, c->input_rates);
+}
+
+void drape_snapshot_free(drape_snapshot* s) { delete s; }
+
+const char* drape_version(void) { return DRAPE_VERSION; }

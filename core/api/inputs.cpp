@@ -1,0 +1,150 @@
+// The inputs of the C interface: what may be written, and how it becomes the end of the next advance's paths.
+#include <algorithm>
+#include <cmath>
+
+#include "api/cloth.h"
+#include "scene/limits.h"
+
+namespace drape {
+namespace {
+
+bool all_zero(const double* q) { return q[0] == 0 && q[1] == 0 && q[2] == 0 && q[3] == 0; }
+
+// One vector input, its rate, and where it is now.
+struct VectorInput {
+  std::string name;
+  const Quantity* limits;
+  int size;
+  double *value, *rate;
+  const double* now;
+};
+
+// Where the vector is to be after `length`. A number at fault is told, and again what it is now.
+void vector_take(const VectorInput& v, double length, double* reached, std::vector<Problem>& problems) {
+  for (int k = 0; k < v.size; ++k) {
+    const std::string name = v.name + "[" + std::to_string(k + 1) + "]";
+    reached[k] = v.rate[k] == 0 ? v.value[k] : v.value[k] + length * v.rate[k];
+    if (quantity_fits(*v.limits, v.value[k]) && quantity_fits(*v.limits, reached[k])) continue;
+    const bool by_rate = quantity_fits(*v.limits, v.value[k]);
+    problems.push_back({name, (by_rate ? "+ its derivative times the length of the advance " : "") +
+                                  limits_text(*v.limits, by_rate ? reached[k] : v.value[k])});
+    v.value[k] = v.now[k];
+    v.rate[k] = 0;
+  }
+}
+
+void orientation_take(const VectorInput& v, double* reached, std::vector<Problem>& problems) {
+  if (!all_zero(reached)) return;
+  problems.push_back({v.name, "has the length 0; allowed: any length above 0"});
+  for (int k = 0; k < 4; ++k) v.value[k] = v.now[k], v.rate[k] = 0;
+}
+
+// Of a pin or a body: `name`.
+void pin_take(const std::string& name, const Frame& now, drape_pin_input& in, drape_pin_input& rate,
+              double length, Frame& to, std::vector<Problem>& problems) {
+  const auto take = [&](const char* what, const Quantity& limits, int size, double* value, double* by,
+                        const double* present, double* reached) {
+    const VectorInput v{name + "." + what, &limits, size, value, by, present};
+    const std::size_t before = problems.size();
+    vector_take(v, length, reached, problems);
+    if (size == 4 && problems.size() == before) orientation_take(v, reached, problems);
+  };
+  if (in.drive & DRAPE_DRIVE_POSITION) {
+    take("position", kPinPosition, 3, in.position, rate.position, now.position.data(), to.position.data());
+    if (in.clamp)
+      take("orientation", kPinOrientation, 4, in.orientation, rate.orientation, now.turn.data(),
+           to.turn.data());
+  }
+  if (in.drive & DRAPE_DRIVE_VELOCITY) {
+    take("velocity", kPinVelocity, 3, in.velocity, rate.velocity, now.velocity.data(), to.velocity.data());
+    if (in.clamp)
+      take("angular_velocity", kPinAngularVelocity, 3, in.angular_velocity, rate.angular_velocity,
+           now.spin.data(), to.spin.data());
+  }
+}
+
+}  // namespace
+
+void inputs_make(drape_cloth& c) {
+  for (std::size_t p = 0; p < c.scene.pins.size(); ++p) {
+    const PinSpec& pin = c.scene.pins[p];
+    if (pin.drive == Drive::kNone) continue;
+    drape_pin_input in{};
+    in.name = pin.name.c_str();
+    in.drive = pin.drive == Drive::kPosition   ? DRAPE_DRIVE_POSITION
+               : pin.drive == Drive::kVelocity ? DRAPE_DRIVE_VELOCITY
+                                               : DRAPE_DRIVE_POSITION | DRAPE_DRIVE_VELOCITY;
+    in.clamp = pin.clamp;
+    c.pin_rates.push_back(in);
+    for (std::size_t k = 0; k < 3; ++k) in.position[k] = c.state.pin_frame[p].position[k];
+    in.orientation[0] = 1;
+    c.pin_inputs.push_back(in);
+    c.driven.push_back(p);
+  }
+  for (std::size_t b = 0; b < c.system.bodies.size(); ++b) {
+    const Body& body = c.system.bodies[b];
+    if (!body.moves) continue;
+    drape_pin_input in{};
+    in.name = body.name.c_str();
+    in.drive = DRAPE_DRIVE_POSITION | DRAPE_DRIVE_VELOCITY;
+    in.clamp = 1;
+    c.body_rates.push_back(in);
+    std::copy(body.start.position.begin(), body.start.position.end(), in.position);
+    std::copy(body.start.turn.begin(), body.start.turn.end(), in.orientation);
+    c.body_inputs.push_back(in);
+    c.moving.push_back(b);
+  }
+  for (drape_inputs* inputs : {&c.inputs, &c.input_rates}) {
+    inputs->has_wind = c.scene.has_air;
+    inputs->body_count = int(c.moving.size());
+    inputs->pin_count = int(c.driven.size());
+  }
+  for (std::size_t k = 0; k < 3; ++k) c.inputs.wind[k] = c.scene.wind[k];
+  c.inputs.pin = c.pin_inputs.data();
+  c.input_rates.pin = c.pin_rates.data();
+  c.inputs.body = c.body_inputs.data();
+  c.input_rates.body = c.body_rates.data();
+}
+
+void inputs_mend(drape_cloth& c, std::vector<Problem>& problems) {
+  const auto mend = [&](const char* kind, drape_pin_input& in, drape_pin_input& rate, const Frame& now) {
+    if (!in.clamp || !(in.drive & DRAPE_DRIVE_POSITION) || !all_zero(rate.orientation)) return;
+    double reached[4] = {in.orientation[0], in.orientation[1], in.orientation[2], in.orientation[3]};
+    orientation_take({std::string(kind) + in.name + ".orientation", &kPinOrientation, 4, in.orientation,
+                      rate.orientation, now.turn.data()},
+                     reached, problems);
+  };
+  for (std::size_t k = 0; k < c.driven.size(); ++k)
+    mend("pin.", c.pin_inputs[k], c.pin_rates[k], c.state.pin_frame[c.driven[k]]);
+  for (std::size_t k = 0; k < c.moving.size(); ++k)
+    mend("body.", c.body_inputs[k], c.body_rates[k], c.state.body[c.moving[k]].frame);
+}
+
+bool inputs_take(drape_cloth& c, double length, std::vector<Problem>& problems) {
+  Inputs to = inputs_at(c.state);
+  const std::size_t before = problems.size();
+  if (c.inputs.has_wind)
+    vector_take({"wind", &kWind, 3, c.inputs.wind, c.input_rates.wind, c.state.wind.data()}, length,
+                to.wind.data(), problems);
+  for (std::size_t k = 0; k < c.driven.size(); ++k)
+    pin_take(std::string("pin.") + c.pin_inputs[k].name, c.state.pin_frame[c.driven[k]], c.pin_inputs[k],
+             c.pin_rates[k], length, to.pin[c.driven[k]], problems);
+  for (std::size_t k = 0; k < c.moving.size(); ++k)
+    pin_take(std::string("body.") + c.body_inputs[k].name, c.state.body[c.moving[k]].frame, c.body_inputs[k],
+             c.body_rates[k], length, to.body[c.moving[k]], problems);
+  if (problems.size() > before) return false;
+  c.motion.inputs = to;
+  return true;
+}
+
+void inputs_taken(drape_cloth& c) {
+  for (double& rate : c.input_rates.wind) rate = 0;
+  for (std::vector<drape_pin_input>* rates : {&c.pin_rates, &c.body_rates})
+    for (drape_pin_input& rate : *rates) {
+      for (double* v : {rate.position, rate.velocity, rate.angular_velocity})
+        for (int k = 0; k < 3; ++k) v[k] = 0;
+      for (double& q : rate.orientation) q = 0;
+    }
+}
+
+}  // namespace drape

@@ -1,0 +1,253 @@
+#include "api/parameters.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "validation/checks.h"
+#include "scene/limits.h"
+
+namespace drape {
+namespace {
+
+const DiagramSpec* diagrams_of(const FabricSpec& f, int k) {
+  return k == 0 ? &f.warp : k == 1 ? &f.weft : &f.bias;
+}
+DiagramSpec* diagrams_of(FabricSpec& f, int k) { return k == 0 ? &f.warp : k == 1 ? &f.weft : &f.bias; }
+drape_diagram* shown_of(drape_fabric& f, int k) { return k == 0 ? &f.warp : k == 1 ? &f.weft : &f.bias; }
+constexpr const char* kDiagram[] = {"warp", "weft", "bias"};
+
+// Visits every number in a fixed order.
+template <class P, class Visit>
+void each_value(P& p, Visit visit) {
+  visit(p.shown.damping);
+  for (auto& g : p.shown.gravity) visit(g);
+  visit(p.shown.air_normal);
+  visit(p.shown.air_tangential);
+  visit(p.shown.ramp);
+  visit(p.shown.step_max);
+  visit(p.shown.threads);
+  for (auto& s : p.seams) visit(s.close);
+  for (auto& f : p.fabrics)
+    for (auto* v : {&f.areal_density, &f.bending_warp, &f.bending_weft, &f.poisson, &f.compression,
+                    &f.damping, &f.friction})
+      visit(*v);
+  for (auto& list : p.force)
+    for (auto& v : list) visit(v);
+}
+
+// Name and range of every number, in the order of each_value.
+struct ValueRow {
+  std::string place;
+  const Quantity* limits;
+};
+std::vector<ValueRow> value_rows(const Parameters& p, const Scene& scene) {
+  std::vector<ValueRow> rows{{"damping", &kDamping}};
+  for (int k = 1; k <= 3; ++k) rows.push_back({"gravity[" + std::to_string(k) + "]", &kGravity});
+  rows.push_back({"air.normal", &kAirCoefficient});
+  rows.push_back({"air.tangential", &kAirCoefficient});
+  rows.push_back({"parameter_ramp", &kRamp});
+  rows.push_back({"step.max", &kStepMax});
+  rows.push_back({"threads", &kThreads});
+  for (const SeamSpec& s : scene.seams) rows.push_back({"seam." + s.name + ".close", &kClose});
+  for (const FabricSpec& f : scene.fabrics) {
+    const std::string place = "fabric." + f.name;
+    rows.push_back({place + ".areal_density", &kArealDensity});
+    rows.push_back({place + ".bending.warp", &kBending});
+    rows.push_back({place + ".bending.weft", &kBending});
+    rows.push_back({place + ".poisson", &kPoisson});
+    rows.push_back({place + ".compression", &kCompression});
+    rows.push_back({place + ".damping", &kSpringDamping});
+    rows.push_back({place + ".friction", &kFriction});
+  }
+  for (std::size_t list = 0; list < p.force.size(); ++list)
+    for (std::size_t i = 1; i <= p.force[list].size(); ++i)
+      rows.push_back({"fabric." + scene.fabrics[list / 3].name + "." + kDiagram[list % 3] + ".force[" +
+                          std::to_string(i) + "]",
+                      &kForce});
+  return rows;
+}
+
+// Of the forces that depend on velocity.
+bool is_rated(const ValueRow& row) { return row.limits == &kAirCoefficient || row.limits == &kSpringDamping; }
+
+std::string rated_text(const Quantity& q, double value, int order) {
+  char text[80];
+  std::snprintf(text, sizeof text, "= %.9g%s; allowed: ", value, std::string(q.unit) == "1" ? "" : " s");
+  return text + order_allows(order);
+}
+
+// The first point of a diagram whose law, force x correction, lies below that of the one before it; its size
+// where none does.
+std::size_t fall_of(const std::vector<double>& force, const DiagramSpec& diagram) {
+  const std::vector<double>& correction = diagram.correction;
+  double before = 0;
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    const double law = correction.empty() ? force[i] : force[i] * correction[i + 1];
+    if (law < before || (i > 0 && force[i] < force[i - 1])) return i;
+    before = law;
+  }
+  return force.size();
+}
+
+std::string fall_text(const std::vector<double>& force, std::size_t i) {
+  char text[160];
+  const double before = i > 0 ? force[i - 1] : 0.0;
+  const char* why = force[i] < before ? "at least the force before it, %.9g N: a diagram does not fall"
+                                      : "what does not let force x correction fall after %.9g N";
+  std::snprintf(text, sizeof text, (std::string("= %.9g N; allowed: ") + why).c_str(), force[i], before);
+  return text;
+}
+
+}  // namespace
+
+std::string limits_text(const Quantity& q, double value) {
+  const std::string unit = std::string(q.unit) == "1" ? "" : std::string(" ") + q.unit;
+  char text[160];
+  std::snprintf(text, sizeof text, "= %.9g%s; allowed: %s %.9g to %.9g%s", value, unit.c_str(),
+                q.above   ? "above"
+                : q.whole ? "a whole number from"
+                          : "from",
+                q.low, q.high, unit.c_str());
+  return text;
+}
+
+void parameters_make(Parameters& p, const Scene& scene, double step_max) {
+  const std::size_t n = scene.fabrics.size();
+  p.touches = !scene.bodies.empty();
+  p.fabrics.resize(n);
+  p.elongation.resize(3 * n);
+  p.force.resize(3 * n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const FabricSpec& f = scene.fabrics[k];
+    p.fabrics[k] = {
+        f.name.c_str(), f.areal_density, {},        {},           {}, f.bending_warp, f.bending_weft,
+        f.poisson,      f.compression,   f.damping, f.friction[0]};
+    for (int d = 0; d < 3; ++d) {
+      const DiagramSpec& from = *diagrams_of(f, d);
+      if (from.force.empty()) continue;
+      std::vector<double>&e = p.elongation[3 * k + std::size_t(d)], &force = p.force[3 * k + std::size_t(d)];
+      e.assign(from.elongation.begin() + 1, from.elongation.end());
+      force.assign(from.force.begin() + 1, from.force.end());
+      *shown_of(p.fabrics[k], d) = {int(force.size()), e.data(), force.data()};
+    }
+  }
+  for (const SeamSpec& s : scene.seams) p.seams.push_back({s.name.c_str(), 0});
+  p.shown = {scene.damping,
+             {scene.gravity[0], scene.gravity[1], scene.gravity[2]},
+             scene.has_air,
+             scene.air_normal,
+             scene.air_tangential,
+             0,
+             step_max,
+             1,
+             int(n),
+             p.fabrics.data(),
+             int(p.seams.size()),
+             p.seams.data()};
+}
+
+namespace {
+bool is_closing(const Parameters& p, const double* value) {
+  return std::any_of(p.seams.begin(), p.seams.end(),
+                     [&](const drape_seam_parameters& s) { return value == &s.close; });
+}
+}  // namespace
+
+ParameterValues parameters_read(const Parameters& p) {
+  ParameterValues v;
+  each_value(p, [&](double x) { v.value.push_back(x); });
+  return v;
+}
+
+void parameters_write(Parameters& p, const ParameterValues& v) {
+  std::size_t k = 0;
+  each_value(p, [&](double& x) { x = v.value[k++]; });
+}
+
+bool parameters_move_otherwise(const Parameters& p, const ParameterValues& a, const ParameterValues& b) {
+  const auto idle = [&](const double* value) {
+    return value == &p.shown.ramp || value == &p.shown.threads || is_closing(p, value) ||
+           (!p.touches && std::any_of(p.fabrics.begin(), p.fabrics.end(),
+                                      [&](const drape_fabric& f) { return value == &f.friction; }));
+  };
+  bool otherwise = false;
+  std::size_t k = 0;
+  each_value(p, [&](const double& value) {
+    otherwise = otherwise || (a.value[k] != b.value[k] && !idle(&value));
+    ++k;
+  });
+  return otherwise;
+}
+
+std::vector<int> parameters_groups(const Parameters& p) {
+  std::vector<int> group;
+  int next = 0;
+  each_value(p, [&](const double& value) {
+    const bool at_once = &value == &p.shown.ramp || &value == &p.shown.step_max ||
+                         &value == &p.shown.threads || is_closing(p, &value);
+    group.push_back(at_once ? -1 : next++);
+  });
+  std::size_t k = group.size();
+  for (std::size_t list = p.force.size(); list-- > 0;) {
+    k -= p.force[list].size();
+    for (std::size_t i = 0; i < p.force[list].size(); ++i) group[k + i] = group[k];
+  }
+  return group;
+}
+
+std::vector<FabricSpec> parameters_fabrics(const Parameters& p, const Scene& scene) {
+  std::vector<FabricSpec> fabrics = scene.fabrics;
+  for (std::size_t k = 0; k < fabrics.size(); ++k) {
+    FabricSpec& f = fabrics[k];
+    const drape_fabric& shown = p.fabrics[k];
+    f.areal_density = shown.areal_density;
+    f.bending_warp = shown.bending_warp;
+    f.bending_weft = shown.bending_weft;
+    f.poisson = shown.poisson;
+    f.compression = shown.compression;
+    f.damping = shown.damping;
+    // The kinetic coefficient keeps its ratio to the static one, which is what is tuned.
+    f.friction = {shown.friction,
+                  f.friction[0] > 0 ? shown.friction * (f.friction[1] / f.friction[0]) : shown.friction};
+    for (int d = 0; d < 3; ++d)
+      for (std::size_t i = 1; i < diagrams_of(f, d)->force.size(); ++i)
+        diagrams_of(f, d)->force[i] = p.force[3 * k + std::size_t(d)][i - 1];
+  }
+  return fabrics;
+}
+
+void parameters_mend(Parameters& p, const Scene& scene, const ParameterValues& in_force,
+                     std::vector<Problem>& problems) {
+  const std::vector<ValueRow> rows = value_rows(p, scene);
+  ParameterValues now = parameters_read(p);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const bool brakes = scene.order > 2 && is_rated(rows[k]) && now.value[k] > 0;
+    if (quantity_fits(*rows[k].limits, now.value[k]) && !brakes) continue;
+    problems.push_back({rows[k].place, brakes ? rated_text(*rows[k].limits, now.value[k], scene.order)
+                                              : limits_text(*rows[k].limits, now.value[k])});
+    now.value[k] = in_force.value[k];
+  }
+  parameters_write(p, now);
+  std::size_t first = now.value.size();
+  for (std::size_t list = p.force.size(); list-- > 0;) {
+    std::vector<double>& force = p.force[list];
+    first -= force.size();
+    const std::size_t fall = fall_of(force, *diagrams_of(scene.fabrics[list / 3], int(list % 3)));
+    if (fall == force.size()) continue;
+    problems.push_back({rows[first + fall].place, fall_text(force, fall)});
+    for (std::size_t i = 0; i < force.size(); ++i) force[i] = in_force.value[first + i];
+  }
+}
+
+bool parameters_restore(Parameters& p, const Scene& scene, const ParameterValues& in_force,
+                        const std::string& stem) {
+  const std::vector<ValueRow> rows = value_rows(p, scene);
+  const ParameterValues now = parameters_read(p);
+  ParameterValues mended = now;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    if (rows[k].place.compare(0, stem.size(), stem) == 0) mended.value[k] = in_force.value[k];
+  parameters_write(p, mended);
+  return !(mended == now);
+}
+
+}  // namespace drape

@@ -1,0 +1,55 @@
+// Seams at the beginning of a communication interval: pulling begins, and what has come together is welded.
+// Either changes the system in an instant; what that adds to the energies is work of the seams.
+#include <algorithm>
+
+#include "api/cloth.h"
+#include "math/vector3.h"
+#include "dynamics/seam_welding.h"
+#include "outputs/energy.h"
+#include "model/seam_rows.h"
+
+namespace drape {
+namespace {
+
+// Tells of seams that pairs of `due` have closed.
+void closed_tell(const drape_cloth& c, const std::vector<std::size_t>& due) {
+  const std::vector<Seam>& seams = c.system.seams.seam;
+  for (std::size_t k = 0; k < seams.size(); ++k) {
+    const std::size_t first = seams[k].first, end = first + seams[k].count;
+    bool closed = true, now = false;
+    for (std::size_t p = first; p < end; ++p) closed = closed && c.state.sewn[p] == Sewn::kWelded;
+    for (std::size_t p : due) now = now || (p >= first && p < end);
+    if (!closed || !now) continue;
+    const std::string place = "at " + number(state_time(c.state, c.system.communication), 9) +
+                              " s the seam '" + c.scene.seams[k].name + "' is ";
+    double gap = 0;  // m
+    for (std::size_t p = first; p < end; ++p)
+      gap = std::max(gap, vector3::norm(row_value(c.system.seams.pair[p].gap, c.state)));
+    if (gap <= seams[k].gap_tolerance / 100) say(c, DRAPE_LOG_EVENT, place + "closed");
+    else
+      say(c, DRAPE_LOG_WARNING,
+          place + "sewn but held open: pins or other seams leave a gap of " + number(gap, 3) +
+              " m; allowed: pins that let both sides meet, or a seam.gap_tol above the gap");
+  }
+}
+
+}  // namespace
+
+bool sewing_go(drape_cloth& c) {
+  if (c.system.seams.seam.empty()) return false;
+  bool changed = seams_pull_begin(c.system, c.state);
+  const std::vector<std::size_t> due = seams_due(c.system, c.state);
+  if (!due.empty()) {
+    leapfrog_complete(c.system, c.motion, c.state);
+    const double before = balance_error(c);
+    seams_weld(c.system, c.motion, c.state, due);
+    if (c.state.steps == 0) energy_begin(c.system, c.state);
+    c.state.input += balance_error(c) - before;
+    closed_tell(c, due);
+    changed = true;
+  }
+  if (changed) leapfrog_retuned(c.system, c.motion, c.state);
+  return changed;
+}
+
+}  // namespace drape

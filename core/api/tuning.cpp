@@ -1,0 +1,221 @@
+// What may change while the cloth moves: checks of tuned values, and their way into the system.
+// core/README.md, section 4, "Tuning".
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "api/cloth.h"
+#include "dynamics/step_size/step_limit.h"
+#include "outputs/energy.h"
+#include "assembly/assemble.h"
+
+namespace drape {
+
+void say(const drape_cloth& c, drape_log_kind kind, const std::string& message) {
+  if (c.log) c.log(c.log_user, kind, message.c_str());
+}
+
+void say_problems(const drape_cloth& c, const std::vector<Problem>& problems) {
+  for (const Problem& p : problems) say(c, DRAPE_LOG_ERROR, p.place + " " + p.message);
+}
+
+std::string number(double value, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
+
+namespace {
+
+// omega^2 now; where the scene gives the step, with the pull of the seams that are still open.
+double omega2_to_come(const drape_cloth& c) {
+  if (!(c.system.step_given > 0) || c.state.sewn.empty())
+    return step_limit_omega2(c.system, *c.motion.kernel, c.state);
+  State pulled = c.state;
+  std::replace(pulled.sewn.begin(), pulled.sewn.end(), Sewn::kOpen, Sewn::kPulled);
+  return step_limit_omega2(c.system, *c.motion.kernel, pulled);
+}
+
+}  // namespace
+
+void step_check(const drape_cloth& c, std::vector<Problem>& problems) {
+  const double omega2 = omega2_to_come(c), q = c.system.communication,
+               limit = step_limit_of(c.system, omega2), steps = leapfrog_steps(c.system, omega2),
+               most = kSubsMost, given = c.system.step_given, longest = given > 0 ? given : c.system.step_max;
+  const auto set_by = [&] { return ", set by the " + step_limit_link(c.system, c.scene, c.state); };
+  if (!(limit > 0) || !std::isfinite(omega2)) {
+    problems.push_back({"scene.step", "has no limit above 0 s: stiffness over mass is not finite" +
+                                          (omega2 > 0 ? set_by() : std::string())});
+  } else if (given > limit) {
+    problems.push_back({"scene.step", "= " + number(given) + " s; allowed: above 0, at most the step limit " +
+                                          number(limit) + " s" + set_by()});
+  } else if (!(steps <= most) && longest * most < q) {
+    problems.push_back({longest == given ? "scene.step" : "step.max",
+                        "= " + number(longest) + " s takes " + number(steps) +
+                            " steps in a communication interval of " + number(q) + " s; allowed: at most " +
+                            number(most) + ", " + number(q / most) + " s or more each"});
+  } else if (!(steps <= most)) {
+    problems.push_back({"scene.communication",
+                        "= " + number(q) + " s takes " + number(steps) + " steps; allowed: at most " +
+                            number(most) + ", but the step limit is " + number(limit) + " s" + set_by()});
+  }
+}
+
+namespace {
+
+// The fabric of the piece that sets the step limit.
+int step_fabric(const drape_cloth& c) {
+  int fabric = 0;
+  double most = -1;
+  for (const Lattice& l : c.system.lattices)
+    if (const double omega2 = step_limit_lattice(c.system, *c.motion.kernel, l, c.state); !(omega2 <= most))
+      most = omega2, fabric = l.fabric;
+  return fabric;
+}
+
+void threads_take(drape_cloth& c, int threads) {
+  if (threads == c.system.threads) return;
+  c.system.threads = threads;
+  Workspace& w = c.motion.workspace;
+  w = workspace_make(c.system, threads_wanted(c.system));
+  if (w.threads.size() > 1 && !w.workers)
+    say(c, DRAPE_LOG_WARNING,
+        "threads = " + std::to_string(threads) +
+            ": the system starts no more threads; the cloth moves on one");
+}
+
+// Takes the numbers of c.parameters into the system. The masses and the limit may have changed: look again at
+// once.
+void parameters_take(drape_cloth& c, std::vector<Problem>& problems) {
+  system_retune(c.system, parameters_fabrics(c.parameters, c.scene), problems);
+  if (!problems.empty()) return;
+  const drape_parameters& p = c.parameters.shown;
+  c.system.damping = p.damping;
+  c.system.gravity = {p.gravity[0], p.gravity[1], p.gravity[2]};
+  c.system.air.normal = p.air_normal;
+  c.system.air.tangential = p.air_tangential;
+  c.system.step_max = p.step_max;
+  constraints_refactor(c.motion.constraints, c.system.inverse_mass);
+  for (int k = 0; k < p.seam_count; ++k) c.system.seams.seam[std::size_t(k)].close = p.seam[k].close != 0;
+  threads_take(c, int(p.threads));
+  c.tuning.in_force = parameters_read(c.parameters);
+}
+
+// The same of other values; what is shown stays.
+void values_take(drape_cloth& c, const ParameterValues& values, std::vector<Problem>& problems) {
+  if (values == c.tuning.in_force) return;
+  const ParameterValues shown = parameters_read(c.parameters);
+  parameters_write(c.parameters, values);
+  parameters_take(c, problems);
+  parameters_write(c.parameters, shown);
+}
+
+// Takes the parameters if the cloth can step on with them. Otherwise puts back what stands in the way, a
+// diagram or all of a fabric, tells of it, and is true: to be tried again.
+bool parameters_try(drape_cloth& c, const ParameterValues& before, std::vector<Problem>& problems) {
+  const auto put_back = [&](const std::string& stem, const std::string& name, const std::string& why) {
+    if (!parameters_restore(c.parameters, c.scene, before, stem)) return false;
+    problems.push_back({name, why});
+    return true;
+  };
+  std::vector<Problem> found;
+  parameters_take(c, found);
+  if (!found.empty()) return put_back(found[0].place, found[0].place, found[0].message);
+  step_check(c, found);
+  if (found.empty()) return false;
+  if (found[0].place == "step.max") return put_back("step.max", "step.max", found[0].message);
+  const std::string fabric = "fabric." + c.scene.fabrics[std::size_t(step_fabric(c))].name;
+  const std::string why = "keeps its values: with those set, " + problem_text(found[0]);
+  // Where neither has been set, the motion itself has come to this: a matter of the next advance.
+  return put_back(fabric + ".", fabric, why) || put_back("damping", "damping", why) ||
+         put_back("air.", "air", why);
+}
+
+// The system has been changed at the present state.
+void tuning_changed(drape_cloth& c, double error_before) {
+  if (c.state.steps == 0) energy_begin(c.system, c.state);
+  leapfrog_retuned(c.system, c.motion, c.state);
+  c.state.input += balance_error(c) - error_before;
+}
+
+// What is fixed once the cloth has moved.
+void fixed_mend(const drape_cloth& c, const char* name, const char* unit, double& value, double fixed,
+                std::vector<Problem>& problems) {
+  if (c.state.steps == 0 || value == fixed) return;
+  problems.push_back({name, "= " + number(value) + unit + "; it is fixed once the cloth has moved, at " +
+                                number(fixed) + unit});
+  value = fixed;
+}
+
+// Takes what has been written; `before` are the values that were aimed at.
+void parameters_commit(drape_cloth& c, const ParameterValues& before, std::vector<Problem>& problems) {
+  parameters_mend(c.parameters, c.scene, before, problems);
+  drape_parameters& p = c.parameters.shown;
+  fixed_mend(c, "step.max", " s", p.step_max, c.system.step_max, problems);
+  fixed_mend(c, "threads", "", p.threads, c.system.threads, problems);
+  if (parameters_read(c.parameters) == before) return;
+  const ParameterValues in_force = c.tuning.in_force;
+  const State untouched = c.state;
+  leapfrog_complete(c.system, c.motion, c.state);
+  const double error_before = balance_error(c);
+  while (parameters_try(c, before, problems)) continue;
+  // Before the first step there is nothing to spare: the values are there at once.
+  const double ramp = c.state.steps > 0 ? c.parameters.shown.ramp : 0;
+  ramp_aim(c.tuning.ramp, in_force, parameters_read(c.parameters), ramp / c.system.communication,
+           parameters_groups(c.parameters));
+  std::vector<Problem> none;
+  values_take(c, ramp_values(c.tuning.ramp), none);
+  if (parameters_move_otherwise(c.parameters, in_force, c.tuning.in_force)) tuning_changed(c, error_before);
+  else c.state = untouched;
+}
+
+}  // namespace
+
+double balance_error(drape_cloth& c) {
+  if (!c.system.energy || c.state.steps == 0) return 0;
+  outputs_fill(c.outputs, c.system, c.motion, c.state, DRAPE_ENERGY);
+  return c.outputs.shown.energy.balance_error;
+}
+
+void tuning_begin(drape_cloth& c) {
+  c.tuning.in_force = parameters_read(c.parameters);
+  c.tuning.ramp = ramp_at(c.tuning.in_force);
+}
+
+bool tuning_go(drape_cloth& c, double intervals) {
+  Ramp& ramp = c.tuning.ramp;
+  if (!ramp_under_way(ramp)) return false;
+  ramp_go(ramp, intervals);
+  const ParameterValues values = ramp_values(ramp);
+  const bool moves = parameters_move_otherwise(c.parameters, c.tuning.in_force, values);
+  if (moves) leapfrog_complete(c.system, c.motion, c.state);
+  const double error_before = moves ? balance_error(c) : 0;
+  std::vector<Problem> problems;
+  values_take(c, values, problems);
+  // Both ends of the way make laws, but a law in between may not: the values wait for the next interval.
+  for (const Problem& p : problems) say(c, DRAPE_LOG_WARNING, "on its way, " + problem_text(p));
+  if (moves && problems.empty()) tuning_changed(c, error_before);
+  if (!ramp_under_way(ramp))
+    say(c, DRAPE_LOG_EVENT,
+        "at " + number(state_time(c.state, c.system.communication), 9) + " s the tuned values are reached");
+  return moves;
+}
+
+void tuning_restore(drape_cloth& c, const Tuning& tuning) {
+  std::vector<Problem> problems;  // none: these values were in force once
+  values_take(c, tuning.in_force, problems);
+  c.tuning = tuning;
+}
+
+}  // namespace drape
+
+using namespace drape;
+
+drape_status drape_commit(drape_cloth* c) {
+  std::vector<Problem> problems;
+  const ParameterValues before = c->tuning.ramp.to;
+  if (!(parameters_read(c->parameters) == before)) parameters_commit(*c, before, problems);
+  inputs_mend(*c, problems);
+  say_problems(*c, problems);
+  return problems.empty() ? DRAPE_OK : DRAPE_DISCARD;
+}

@@ -1,0 +1,92 @@
+#include "assembly/bodies.h"
+
+#include <cmath>
+
+#include "math/vector3.h"
+#include "body/library.h"
+#include "scene/diagnostics.h"
+
+namespace drape {
+namespace {
+
+using namespace vector3;
+
+constexpr double kSmallest = 0.005, kLargest = 20;  // m: bodies of other sizes are likely in another unit
+
+Vec3 posed(const Frame& frame, const Vec3& x) { return frame.position + x + turned_away(frame.turn, x); }
+
+// The triangles of a file, scaled; a body that stays is put in its place.
+bool mesh_take(const BodySpec& spec, const Frame& frame, const drape_contact_library& library,
+               std::vector<Vec3>& point, std::vector<std::array<int, 3>>& corner, std::string& trouble) {
+  char text[512];
+  drape_mesh_file* mesh = library.mesh_read(spec.mesh.c_str(), text, sizeof text);
+  if (!mesh) return trouble = text, false;
+  for (std::size_t k = 0; k < mesh->points; ++k) {
+    const double* p = mesh->point + 3 * k;
+    const Vec3 x = spec.scale * Vec3{p[0], p[1], p[2]};
+    point.push_back(spec.moves ? x : posed(frame, x));
+  }
+  for (std::size_t t = 0; t < mesh->triangles; ++t)
+    corner.push_back({mesh->corner[3 * t], mesh->corner[3 * t + 1], mesh->corner[3 * t + 2]});
+  library.mesh_free(mesh);
+  return true;
+}
+
+void findings_tell(const std::string& path, const BodySurface& surface, const SurfaceFindings& found,
+                   std::vector<std::string>& remarks) {
+  const auto tell = [&](std::size_t count, const char* what) {
+    if (count > 0) remarks.push_back(path + ".mesh has " + std::to_string(count) + what);
+  };
+  const std::size_t bad = found.open + found.crowded + found.turned;
+  tell(found.degenerate, " triangles without area, which are left out");
+  if (bad > 0)
+    tell(bad, surface.solid
+                  ? " edges that do not join two triangles that face alike; it is taken as closed"
+                  : " edges that do not join two triangles that face alike; it is taken as a sheet with "
+                    "two sides, which has no inside");
+  if (surface.size < kSmallest || surface.size > kLargest)
+    remarks.push_back(path + ".scale makes the body " + number_text(surface.size) +
+                      " m across; usual: " + number_text(kSmallest) + " to " + number_text(kLargest) +
+                      " m; is the mesh in another unit?");
+}
+
+}  // namespace
+
+std::vector<Body> bodies_make(const Scene& scene, std::vector<Problem>& problems) {
+  std::vector<Body> bodies;
+  for (const BodySpec& spec : scene.bodies) {
+    const std::string path = "body." + spec.name;
+    std::string trouble;
+    const drape_contact_library* library = contact_library(trouble);
+    if (!library) {
+      problems.push_back({path, "needs the contact library: " + trouble});
+      return bodies;
+    }
+    Body& body = bodies.emplace_back();
+    body.name = spec.name;
+    body.moves = spec.moves;
+    body.has_friction = spec.friction[0] >= 0;
+    body.friction = spec.friction;
+    body.damping = spec.damping;
+    body.start.position = spec.position;
+    body.start.turn = quaternion_normalised(spec.orientation);
+    std::vector<Vec3> point;
+    std::vector<std::array<int, 3>> corner;
+    SurfaceFindings findings;
+    if (mesh_take(spec, body.start, *library, point, corner, trouble))
+      body.mesh.surface = surface_make(point, corner, findings, trouble);
+    if (!trouble.empty()) {
+      problems.push_back({path + ".mesh", "= " + in_quotes(spec.mesh) + " " + trouble});
+      continue;
+    }
+    const BodySurface& s = body.mesh.surface;
+    findings_tell(path, s, findings, body.remarks);
+    body.mesh.library = library;
+    body.mesh.query = {
+        library->query_make(s.point[0].data(), s.point.size(), s.corner[0].data(), s.corner.size()),
+        library->query_free};
+  }
+  return bodies;
+}
+
+}  // namespace drape

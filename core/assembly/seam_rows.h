@@ -1,0 +1,13 @@
+// Ties the particles of seams to the cloth.
+#pragma once
+#include "model/system.h"
+
+namespace drape {
+
+// Lays the pairs of all seams: before the slots of Side are numbered.
+void seams_tie(const Scene& scene, const std::vector<Grid>& grids, System& system);
+
+// The rates and bounds of the pull, after the masses or laws have changed.
+void seams_retune(System& system);
+
+}  // namespace drape

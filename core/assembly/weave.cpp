@@ -1,0 +1,259 @@
+// A hinge at a node n1 between a link of width w_0 that ends there and one of width w_1 that begins there,
+// half a link each in series; W_0, W_1 the widths of all links of the thread that end and begin there, q of
+// the links that leave a clamp:
+//
+//   n0 ---w_0--- n1 ---w_1--- n2        kappa/B = 2 w_0 w_1/[b (q_0 W_1 + q_1 W_0)]
+//
+// Rows of nodes hold the hinges whose two links come from regular cells; all others go to the side. Most
+// nodes have regular cells and no clamp about them, and their hinges follow from the shares of these cells;
+// only the others, *odd* ones, are looked at link by link.
+#include "assembly/weave.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drape {
+namespace {
+
+// A link of a thread by its lower and upper node in Grid's numbering, [0] and [1] below.
+struct Span {
+  int node[2];
+  double width, dense;             // m; of all cells, of the regular ones
+  double q[2] = {1, 1};            // in the hinges at its ends
+  bool pivot[2] = {false, false};  // no hinge there: a clamp takes its place
+  double clamps = 0;               // sum of y
+};
+
+using Odd = std::vector<char>;  // [nodes of Grid]
+
+Odd odd_nodes(const Grid& grid, const std::vector<ClampSlopes>& clamps) {
+  Odd odd(std::size_t(grid.nodes()), false);
+  for (std::size_t c = std::size_t(grid.regular); c < grid.cells.size(); ++c)
+    for (int n : grid.cells[c].node) odd[std::size_t(n)] = true;
+  for (const ClampSlopes& clamp : clamps)
+    for (const HeldSlope& slope : clamp.slopes)
+      odd[std::size_t(slope.from)] = odd[std::size_t(slope.to)] = true;
+  return odd;
+}
+
+// Of the links with an odd end.
+std::vector<Span> spans_of(const Grid& grid, const Odd& odd, bool warp) {
+  std::vector<Span> all;
+  for (int c = 0; c < int(grid.cells.size()); ++c) {
+    const GridCell& cell = grid.cells[std::size_t(c)];
+    const double half = grid.cell * cell.share / 2;
+    const auto [a, b, up, opposite] = cell.node;
+    const int low[2] = {a, warp ? b : up}, high[2] = {warp ? up : b, opposite};
+    for (int k = 0; k < 2; ++k)
+      if (odd[std::size_t(low[k])] || odd[std::size_t(high[k])])
+        all.push_back({{low[k], high[k]}, half, c < grid.regular ? half : 0});
+  }
+  std::stable_sort(all.begin(), all.end(), [](const Span& p, const Span& q) {
+    return p.node[0] != q.node[0] ? p.node[0] < q.node[0] : p.node[1] < q.node[1];
+  });
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (kept > 0 && all[kept - 1].node[0] == all[k].node[0] && all[kept - 1].node[1] == all[k].node[1]) {
+      all[kept - 1].width += all[k].width;
+      all[kept - 1].dense += all[k].dense;
+    } else {
+      all[kept++] = all[k];
+    }
+  }
+  all.resize(kept);
+  return all;
+}
+
+// The link between two nodes in either order; null where there is none.
+Span* span_between(std::vector<Span>& spans, int p, int q) {
+  for (const auto& [low, high] : {std::pair{p, q}, std::pair{q, p}}) {
+    const auto s =
+        std::lower_bound(spans.begin(), spans.end(), std::pair{low, high},
+                         [](const Span& a, auto b) { return std::pair{a.node[0], a.node[1]} < b; });
+    if (s != spans.end() && s->node[0] == low && s->node[1] == high) return &*s;
+  }
+  return nullptr;
+}
+
+Vec3 direction(const State& s, std::size_t from, std::size_t to) {
+  const Vec3 d{s.x[to] - s.x[from], s.y[to] - s.y[from], s.z[to] - s.z[from]};
+  const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+  return {d[0] / length, d[1] / length, d[2] / length};
+}
+
+// Clamps on the links of one direction. Their excess over the hinges of a link in the cloth, two of weight 1,
+// is known when all are there.
+void clamps_lay(System& system, int lattice, std::vector<Span>& spans, bool warp,
+                const std::vector<ClampSlopes>& clamps, const State& start) {
+  const Lattice& l = system.lattices[std::size_t(lattice)];
+  const std::size_t first = system.side.clamps.size();
+  std::vector<Span*> link;
+  for (const ClampSlopes& clamp : clamps)
+    for (const HeldSlope& slope : clamp.slopes) {
+      Span* s = slope.warp == warp ? span_between(spans, slope.from, slope.to) : nullptr;
+      if (!s) continue;
+      const int held = s->node[0] == slope.from ? 0 : 1;
+      s->q[1 - held] = slope.series;
+      if (slope.pivot) s->pivot[held] = true;
+      s->clamps += slope.clamp;
+      const std::size_t from = l.node_of(slope.from), to = l.node_of(slope.to);
+      system.side.clamps.push_back({{from, to},
+                                    {},
+                                    lattice,
+                                    clamp.pin,
+                                    warp,
+                                    slope.clamp * 2 * s->width / l.cell,
+                                    direction(start, from, to),
+                                    0});
+      link.push_back(s);
+    }
+  for (std::size_t k = 0; k < link.size(); ++k) {
+    double load = link[k]->clamps;
+    for (int end : {0, 1})
+      if (!link[k]->pivot[end]) load += 1 / link[k]->q[end];
+    system.side.clamps[first + k].excess = std::max(0.0, load / 2 - 1);
+  }
+}
+
+// Of all nodes that are not odd.
+void hinges_fill(System& system, int lattice, const Odd& odd, bool warp) {
+  const Lattice& l = system.lattices[std::size_t(lattice)];
+  const std::ptrdiff_t along = warp ? l.stride : 1, across = warp ? 1 : l.stride;
+  Array& rows = warp ? system.hinge_warp : system.hinge_weft;
+  for (int j = 0; j < l.rows; ++j)
+    for (int i = 0; i < l.columns; ++i) {
+      if (odd[std::size_t(j * l.columns + i)]) continue;
+      const std::size_t n = l.node(i, j);
+      const auto width = [&](std::ptrdiff_t cell) {
+        return l.cell * system.share[std::size_t(std::ptrdiff_t(n) + cell)] / 2;
+      };
+      const double before = width(-along - across) + width(-along), after = width(-across) + width(0);
+      if (before > 0 && after > 0) rows[n] = 2 * before * after / (l.cell * (after + before));
+    }
+}
+
+// Of the odd nodes.
+void hinges_lay(System& system, int lattice, const std::vector<Span>& spans, const Odd& odd, bool warp) {
+  const Lattice& l = system.lattices[std::size_t(lattice)];
+  std::vector<const Span*> ending;  // by their upper node
+  for (const Span& s : spans)
+    if (odd[std::size_t(s.node[1])]) ending.push_back(&s);
+  std::stable_sort(ending.begin(), ending.end(),
+                   [](const Span* p, const Span* q) { return p->node[1] < q->node[1]; });
+  Array& rows = warp ? system.hinge_warp : system.hinge_weft;
+  auto begins = spans.begin();
+  for (auto e = ending.begin(); e != ending.end();) {
+    const int at = (*e)->node[1];
+    const auto e_end = std::find_if(e, ending.end(), [&](const Span* s) { return s->node[1] != at; });
+    begins = std::lower_bound(begins, spans.end(), at, [](const Span& s, int n) { return s.node[0] < n; });
+    const auto b_end = std::find_if(begins, spans.end(), [&](const Span& s) { return s.node[0] != at; });
+    double before = 0, after = 0;
+    bool pivot = false;
+    for (auto k = e; k != e_end; ++k) before += (*k)->width, pivot = pivot || (*k)->pivot[1];
+    for (auto k = begins; k != b_end; ++k) after += k->width, pivot = pivot || k->pivot[0];
+    for (; e != e_end; ++e)
+      for (auto b = begins; b != b_end && !pivot; ++b) {
+        const double share = 2 * (*e)->width * b->width / (l.cell * ((*e)->q[1] * after + b->q[0] * before));
+        const std::size_t n = l.node_of(at);
+        if ((*e)->dense > 0 && b->dense > 0) rows[n] = share;
+        else
+          system.side.hinges.push_back(
+              {{l.node_of((*e)->node[0]), n, l.node_of(b->node[1])}, {}, lattice, warp, share});
+      }
+    begins = b_end;
+  }
+}
+
+// Links and diagonals of cells with a twin: widths from those cells alone.
+void links_lay(System& system, int lattice, const std::vector<Span>& spans, Thread along) {
+  const Lattice& l = system.lattices[std::size_t(lattice)];
+  for (const Span& s : spans)
+    if (s.width > s.dense)
+      system.side.links.push_back({{l.node_of(s.node[0]), l.node_of(s.node[1])},
+                                   {},
+                                   lattice,
+                                   along,
+                                   s.width - s.dense,
+                                   l.cell,
+                                   s.dense > 0});
+}
+void cells_lay(System& system, int lattice, const Grid& grid) {
+  const Lattice& l = system.lattices[std::size_t(lattice)];
+  const double diagonal = std::sqrt(2.0) * l.cell;
+  for (std::size_t c = std::size_t(grid.regular); c < grid.cells.size(); ++c) {
+    const GridCell& cell = grid.cells[c];
+    SideCell side{{}, {}, lattice, cell.share};
+    for (int k = 0; k < 4; ++k) side.node[k] = l.node_of(cell.node[k]);
+    const double width = l.cell * l.cell / diagonal * cell.share;
+    const auto [a, b, up, opposite] = side.node;
+    system.side.links.push_back({{a, opposite}, {}, lattice, Thread::kBias, width, diagonal, false});
+    system.side.links.push_back({{b, up}, {}, lattice, Thread::kBias, width, diagonal, false});
+    system.side.cells.push_back(side);
+  }
+}
+
+}  // namespace
+
+void threads_lay(System& system, int lattice, const Grid& grid, const std::vector<ClampSlopes>& clamps,
+                 const State& start) {
+  const Odd odd = odd_nodes(grid, clamps);
+  for (bool warp : {true, false}) {
+    hinges_fill(system, lattice, odd, warp);
+    std::vector<Span> spans = spans_of(grid, odd, warp);
+    clamps_lay(system, lattice, spans, warp, clamps, start);
+    hinges_lay(system, lattice, spans, odd, warp);
+    links_lay(system, lattice, spans, warp ? Thread::kWarp : Thread::kWeft);
+  }
+  cells_lay(system, lattice, grid);
+}
+
+void side_number(System& system) {
+  Side& side = system.side;
+  std::vector<std::size_t> touched;
+  const auto each_node = [&](auto visit) {
+    for (SideLink& s : side.links)
+      for (int k = 0; k < 2; ++k) visit(s.node[k], s.slot[k]);
+    for (SideHinge& s : side.hinges)
+      for (int k = 0; k < 3; ++k) visit(s.node[k], s.slot[k]);
+    for (SideCell& s : side.cells)
+      for (int k = 0; k < 4; ++k) visit(s.node[k], s.slot[k]);
+    for (SideClamp& s : side.clamps)
+      for (int k = 0; k < 2; ++k) visit(s.node[k], s.slot[k]);
+    const auto row = [&](SeamRow& r) {
+      for (SeamTerm& t : r) visit(t.node, t.slot);
+    };
+    for (SeamPair& s : system.seams.pair) row(s.gap);
+    for (SeamHinge& s : system.seams.hinge)
+      for (SeamRow& arm : s.arm) row(arm);
+    for (SeamLink& s : system.seams.link) row(s.edge);
+  };
+  each_node([&](std::size_t node, int&) { touched.push_back(node); });
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+
+  auto next = touched.begin();
+  std::vector<std::size_t> slot_of(touched.size());
+  for (Lattice& l : system.lattices) {
+    l.twin_slot = int(side.node.size());
+    for (int k = 0; k < l.twin_stride; ++k) side.node.push_back(l.twin_first + std::size_t(k));
+    const std::size_t rows_end = l.node(0, l.rows);
+    if (next != touched.end() && *next < rows_end) l.row_slot.assign(std::size_t(l.rows) + 1, 0);
+    for (int j = 0; j < int(l.row_slot.size()); ++j) {
+      l.row_slot[std::size_t(j)] = int(side.node.size());
+      if (j == l.rows) break;
+      for (; next != touched.end() && *next < l.node(0, j + 1); ++next) {
+        slot_of[std::size_t(next - touched.begin())] = side.node.size();
+        side.node.push_back(*next);
+      }
+    }
+    for (; next != touched.end() && *next < l.end(); ++next)
+      slot_of[std::size_t(next - touched.begin())] = std::size_t(l.twin_slot) + (*next - l.twin_first);
+    while (side.node.size() % kRowUnit != 0) side.node.push_back(l.first);
+  }
+  each_node([&](std::size_t node, int& slot) {
+    slot =
+        int(slot_of[std::size_t(std::lower_bound(touched.begin(), touched.end(), node) - touched.begin())]);
+  });
+}
+
+}  // namespace drape

@@ -1,0 +1,142 @@
+#include "body/distance_grid.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "math/vector3.h"
+#include "body/closest_features.h"
+
+namespace drape {
+namespace {
+
+using namespace vector3;
+
+constexpr double kFiner = 4;                           // a voxel's size over that of the next level
+constexpr double kEdges = 2;                           // a smallest voxel over the mean edge
+constexpr double kRounding = 1e-12;                    // of the distance
+constexpr std::uint64_t kSpread = 0x9E3779B97F4A7C15;  // 2^64 over the golden ratio: spreads names
+constexpr int kSpreadShift = 64 - std::countr_zero(kVoxelsRecent);
+const double kHalfDiagonal = std::sqrt(3.0) / 2;
+
+// Voxels from -2^20 to 2^20 along each axis, which at 1 mm is a kilometre; beyond, places share voxels' names
+// with others and are asked about without being remembered.
+constexpr double kMost = 1 << 20;
+
+bool voxel_name(const Vec3& x, double size, std::uint64_t& name, Vec3& centre) {
+  name = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double cell = std::floor(x[k] / size);
+    if (!(std::abs(cell) < kMost)) return false;
+    name = name << 21 | std::uint64_t(std::int64_t(cell) + std::int64_t(kMost));
+    centre[k] = (cell + 0.5) * size;
+  }
+  return true;
+}
+
+double half_of(const Voxels& v, int level) { return kHalfDiagonal * v.size[level]; }
+
+// A largest voxel.
+Voxel voxel_ask(const Voxels& v, const Vec3& centre) {
+  Voxel voxel;
+  voxel.distance = v.library->distance(v.query, centre.data(), nullptr) * (1 - kRounding);
+  voxel.far = voxel.distance > half_of(v, 0) + v.size[0] / kFiner;
+  if (voxel.far) return voxel;
+  voxel.distance = half_of(v, 0) + v.reach;
+  voxel.triangle.resize(v.surface->corner.size());
+  voxel.triangle.resize(v.library->within(v.query, centre.data(), voxel.distance, voxel.triangle.data(),
+                                          voxel.triangle.size()));
+  voxel.triangle.shrink_to_fit();
+  return voxel;
+}
+
+// A voxel at `centre`: of the triangles of the one that it is in, at `middle`.
+Voxel voxel_part(const Voxels& v, int level, const Voxel& whole, const Vec3& middle, const Vec3& centre) {
+  Voxel voxel;
+  const double listed = half_of(v, level) + v.reach;
+  double clear = whole.distance * (1 - kRounding) - norm(centre - middle);
+  for (int t : whole.triangle) {
+    const Facet& f = v.surface->facet[std::size_t(t)];
+    const Vec3 d = centre - f.middle;
+    const double far = f.reach + std::max(listed, clear);
+    if (dot(d, d) > far * far) continue;
+    const double distance = nearest_distance(*v.surface, t, centre);
+    clear = std::min(clear, distance);
+    if (distance <= listed) voxel.triangle.push_back(t);
+  }
+  voxel.far =
+      level + 1 < kVoxelLevels ? clear > half_of(v, level) + v.size[level] / kFiner : voxel.triangle.empty();
+  voxel.distance = voxel.far ? clear * (1 - kRounding) : listed;
+  return voxel;
+}
+
+}  // namespace
+
+Voxels voxels_make(const drape_contact_library& library, const drape_query& query, const BodySurface& surface,
+                   double reach) {
+  Voxels v;
+  v.library = &library;
+  v.query = &query;
+  v.surface = &surface;
+  v.recent = std::make_unique<Voxels::Recent[]>(kVoxelsRecent);
+  v.reach = reach;
+  double size = std::max(kEdges * surface.edge_mean, 2 * reach);
+  for (int level = kVoxelLevels - 1; level >= 0; --level, size *= kFiner) v.size[level] = size;
+  return v;
+}
+
+namespace {
+
+// The voxel that decides about x; null where none is kept.
+struct Found {
+  Voxel* voxel;
+  Vec3 centre;
+};
+Found voxel_at(Voxels& v, const Vec3& x) {
+  constexpr int kLast = kVoxelLevels - 1;
+  std::uint64_t last = 0;
+  Vec3 centre{}, above{};
+  if (!voxel_name(x, v.size[kLast], last, centre)) return {nullptr, {}};
+  Voxels::Recent& recent = v.recent[last * kSpread >> kSpreadShift];
+  if (recent.voxel && recent.name == last) return {recent.voxel, centre};
+  Voxel* whole = nullptr;
+  for (int level = 0; level < kVoxelLevels; ++level) {
+    std::uint64_t name = 0;
+    voxel_name(x, v.size[level], name, centre);
+    const auto [at, fresh] = v.known[level].try_emplace(name);
+    if (fresh) at->second = level == 0 ? voxel_ask(v, centre) : voxel_part(v, level, *whole, above, centre);
+    whole = &at->second;
+    above = centre;
+    if (whole->far) break;
+    if (level == kLast) recent = {name, whole};
+  }
+  return {whole, centre};
+}
+
+double signed_distance(const Voxels& v, const Vec3& x) {
+  int triangle = 0;
+  v.library->distance(v.query, x.data(), &triangle);
+  return nearest_signed(*v.surface, triangle, x);
+}
+
+}  // namespace
+
+Neighbourhood voxels_at(Voxels& v, const Vec3& x) {
+  const Found found = voxel_at(v, x);
+  if (!found.voxel) return {v.library->distance(v.query, x.data(), nullptr) * (1 - kRounding), nullptr, 0};
+  if (found.voxel->far) return {found.voxel->distance - norm(x - found.centre), nullptr, 0};
+  return {0, &found.voxel->triangle, found.voxel->distance * (1 - kRounding) - norm(x - found.centre)};
+}
+
+double voxels_depth(Voxels& v, const Vec3& x) {
+  if (!v.surface->solid) return 0;
+  const Found found = voxel_at(v, x);
+  if (found.voxel && found.voxel->far) {
+    int& side = found.voxel->side;
+    if (side == 0) side = signed_distance(v, found.centre) < 0 ? -1 : 1;
+    if (side > 0) return 0;
+  }
+  return std::max(-signed_distance(v, x), 0.0);
+}
+
+}  // namespace drape

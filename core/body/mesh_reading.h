@@ -1,0 +1,10 @@
+// OBJ and STL files as triangles.
+#pragma once
+#include "body/query.h"
+
+namespace drape {
+
+drape_mesh_file* mesh_read(const char* file, char* problem, size_t room);
+void mesh_free(drape_mesh_file* mesh);
+
+}  // namespace drape

@@ -1,0 +1,165 @@
+#include "body/sharp_edges.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/vector3.h"
+#include "math/closest_points.h"
+
+namespace drape {
+namespace {
+
+using namespace vector3;
+
+constexpr double kBucketsMost = 2e5;    // along all ridges
+constexpr double kBucketFar = 1 << 20;  // buckets from the origin, beyond which places share names
+
+// Sets `out` and `sharp`; where a solid's `normal` points the other way, the ridge is a groove.
+bool is_sharp(Ridge& r, double sine, const Vec3* normal) {
+  if (r.fall.empty()) return false;
+  r.out = {0, 0, 0};
+  for (const Vec3& f : r.fall) r.out -= f;
+  r.out = unit(r.out);
+  r.sharp = 1;
+  for (const Vec3& f : r.fall) r.sharp = std::min(r.sharp, -dot(r.out, f));
+  return r.sharp > sine && !(normal && dot(r.out, *normal) <= 0);
+}
+
+// How far a triangle reaches along `into` from an edge through `from`.
+double height_over(const BodySurface& s, const Vec3& from, int triangle, const Vec3& into) {
+  double most = 0;
+  for (int c : s.corner[std::size_t(triangle)])
+    most = std::max(most, dot(s.point[std::size_t(c)] - from, into));
+  return most;
+}
+
+void edges_add(const BodySurface& s, double sine, Ridges& to) {
+  for (std::size_t k = 0; k < s.edges.size(); ++k) {
+    const SurfaceEdge& e = s.edges[k];
+    if (s.solid && e.triangle.size() != 2) continue;  // a bad edge
+    Ridge r{s.point[std::size_t(e.corner[0])],
+            s.point[std::size_t(e.corner[1])],
+            false,
+            int(k),
+            e.into,
+            {},
+            {},
+            0};
+    for (std::size_t f = 0; f < e.triangle.size(); ++f)
+      r.length.push_back(height_over(s, r.from, e.triangle[f], e.into[f]));
+    if (is_sharp(r, sine, s.solid ? &e.normal : nullptr)) to.ridge.push_back(r);
+  }
+}
+
+void tips_add(const BodySurface& s, double sine, Ridges& to) {
+  for (std::size_t p = 0; p < s.point.size(); ++p) {
+    Ridge r{s.point[p], s.point[p], true, int(p), {}, {}, {}, 0};
+    for (int k : s.edges_at[p]) {
+      const SurfaceEdge& e = s.edges[std::size_t(k)];
+      const int other = e.corner[0] == int(p) ? e.corner[1] : e.corner[0];
+      r.fall.push_back(unit(s.point[std::size_t(other)] - s.point[p]));
+      r.length.push_back(norm(s.point[std::size_t(other)] - s.point[p]));
+    }
+    if (is_sharp(r, sine, s.solid ? &s.normal_at[p] : nullptr)) to.ridge.push_back(r);
+  }
+}
+
+using Bucket = std::array<std::int64_t, 3>;
+Bucket bucket_of(const Vec3& x, double size) {
+  Bucket at;
+  for (std::size_t k = 0; k < 3; ++k)
+    at[k] = std::int64_t(std::clamp(std::floor(x[k] / size), -kBucketFar, kBucketFar - 1));
+  return at;
+}
+std::uint64_t bucket_name(std::int64_t i, std::int64_t j, std::int64_t k) {
+  const auto part = [](std::int64_t v) { return std::uint64_t(v + std::int64_t(kBucketFar)); };
+  return (part(i) << 21 | part(j)) << 21 | part(k);
+}
+
+template <class Visit>
+void each_bucket(const Vec3& low, const Vec3& high, double size, Visit visit) {
+  const Bucket a = bucket_of(low, size), b = bucket_of(high, size);
+  for (std::int64_t i = a[0]; i <= b[0]; ++i)
+    for (std::int64_t j = a[1]; j <= b[1]; ++j)
+      for (std::int64_t k = a[2]; k <= b[2]; ++k) visit(bucket_name(i, j, k));
+}
+
+constexpr std::uint64_t kNoBucket = ~std::uint64_t(0);
+
+// Where a bucket is in the table, or would be.
+std::size_t table_place(const Ridges& ridges, std::uint64_t name) {
+  const std::size_t mask = ridges.table.size() - 1;
+  std::size_t at = std::size_t((name * 0x9e3779b97f4a7c15u) >> 32) & mask;
+  while (ridges.table[at].first != name && ridges.table[at].first != kNoBucket) at = (at + 1) & mask;
+  return at;
+}
+
+// A ridge piece by piece, none longer than a bucket.
+void buckets_fill(Ridges& to) {
+  for (std::size_t r = 0; r < to.ridge.size(); ++r) {
+    const Vec3 &a = to.ridge[r].from, way = to.ridge[r].to - a;
+    const int pieces = std::max(1, int(std::ceil(norm(way) / to.bucket)));
+    for (int p = 0; p < pieces; ++p) {
+      const Vec3 from = a + (double(p) / pieces) * way, on = a + (double(p + 1) / pieces) * way;
+      Vec3 low = from, high = from;
+      for (std::size_t k = 0; k < 3; ++k)
+        low[k] = std::min(from[k], on[k]), high[k] = std::max(from[k], on[k]);
+      each_bucket(low, high, to.bucket,
+                  [&](std::uint64_t name) { to.entry.push_back({name, std::uint32_t(r)}); });
+    }
+  }
+  std::sort(to.entry.begin(), to.entry.end());
+  to.entry.erase(std::unique(to.entry.begin(), to.entry.end()), to.entry.end());
+  std::size_t size = 16;
+  while (size < 2 * to.entry.size()) size *= 2;
+  to.table.assign(size, {kNoBucket, 0});
+  for (std::size_t k = 0; k < to.entry.size(); ++k) {
+    const std::uint64_t name = to.entry[k].first;
+    if (k > 0 && to.entry[k - 1].first == name) continue;
+    to.table[table_place(to, name)] = {name, std::uint32_t(k)};
+  }
+}
+
+}  // namespace
+
+Ridges ridges_make(const BodySurface& surface, double sine, double bucket) {
+  Ridges to;
+  edges_add(surface, sine, to);
+  tips_add(surface, sine, to);
+  double length = 0;
+  for (const Ridge& r : to.ridge) {
+    length += norm(r.to - r.from);
+    for (const Vec3& p : {r.from, r.to})
+      for (std::size_t k = 0; k < 3; ++k)
+        to.low[k] = std::min(to.low[k], p[k]), to.high[k] = std::max(to.high[k], p[k]);
+  }
+  to.bucket = std::max(bucket, length / kBucketsMost);
+  buckets_fill(to);
+  return to;
+}
+
+void ridges_in(const Ridges& ridges, const Vec3& low, const Vec3& high, std::vector<std::uint32_t>& found) {
+  found.clear();
+  each_bucket(low, high, ridges.bucket, [&](std::uint64_t name) {
+    const auto [known, first] = ridges.table[table_place(ridges, name)];
+    if (known != name) return;
+    for (std::size_t k = first; k < ridges.entry.size() && ridges.entry[k].first == name; ++k)
+      found.push_back(ridges.entry[k].second);
+  });
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+}
+
+double ridges_distance(const Ridges& ridges, const Vec3& x, double most) {
+  static thread_local std::vector<std::uint32_t> found;
+  const Vec3 way{most, most, most};
+  for (std::size_t k = 0; k < 3; ++k)
+    if (x[k] + most < ridges.low[k] || x[k] - most > ridges.high[k]) return most;
+  ridges_in(ridges, x - way, x + way, found);
+  double least2 = most * most;
+  for (std::uint32_t r : found)
+    least2 = std::min(least2, segment_distance2(x, ridges.ridge[r].from, ridges.ridge[r].to));
+  return std::sqrt(least2);
+}
+
+}  // namespace drape

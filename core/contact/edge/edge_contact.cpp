@@ -1,0 +1,256 @@
+// What ridges do to links and cells: the law of particles (contact/particle/response.h) on the gap of a pair. With
+// K = sum W_k^2/m_k, an impulse J on the gap's velocity sum W_k v_k gives the nodes W_k J/m_k and the gap K
+// J.
+//
+// The stiffness k = min(m_k) W^2/2 (in a fit, which has no balance of energy, W^2/(2 K)) does not change as
+// the foot slides along a link, so that the penalty has an energy. With S = sum |W_k|, 1 on a link and up to
+// 2 beyond its end, it is k/S^2: k K/S^2 <= W^2/2.
+#include "contact/edge/edge_contact.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "math/smooth_ramp.h"
+#include "contact/particle/response.h"
+#include "simd/lane_scalar.h"
+#include "contact/edge/pairs.h"
+#include "contact/particle/contact.h"
+
+namespace drape {
+namespace {
+
+using vector3::cross;
+using vector3::dot;
+using vector3::norm;
+using vector3::operator*;
+using vector3::operator+;
+using vector3::operator-;
+using vector3::operator+=;
+using Lane = ScalarLane<false>;
+
+constexpr double kSoft = 0.5;      // of W^2 of a particle
+constexpr double kSettled = 1e-3;  // of the first change of a velocity: sweeps end
+constexpr int kSweeps = 10;
+constexpr double kAsleep = 1e-9;  // m
+
+Vec<Lane> lanes(const Vec3& v) { return {v[0], v[1], v[2]}; }
+Vec3 vector(const Vec<Lane>& v) { return {v.x.v, v.y.v, v.z.v}; }
+
+// What is past a ridge is cut by it where it is in the solid; else it is beyond, as below a plate. Of a sheet
+// only what was out of it before: the rest is in the groove behind a fold.
+bool belongs_out(const Body& body, const RidgePair& pair, const RidgeGap& gap) {
+  if (!gap.over) return false;
+  if (gap.distance > 0) return true;
+  return body.mesh.surface.solid ? -gap.distance < gap.inside : pair.outside;
+}
+
+RidgeTouch touch_of(const System& system, const State& s, std::size_t b, std::size_t pair,
+                    const RidgePart& part, const RidgeGap& gap) {
+  const Body& body = system.bodies[b];
+  RidgeTouch t{b, pair, &part, gap, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0};
+  double least = INFINITY, lightness = 0;  // kg, 1/kg, of inertia
+  for (int k = 0; k < part.weights(); ++k) {
+    const std::size_t n = part.node[k];
+    const double w = gap.weight[k];
+    t.at += w * Vec3{s.x[n], s.y[n], s.z[n]};
+    t.old += w * Vec3{s.vx[n], s.vy[n], s.vz[n]};
+    const double inertia = inertia_of(system, s, n);
+    least = std::min(least, inertia);
+    lightness += w * w / inertia;
+  }
+  t.gap.n = pose_outward(body, s.body[b], gap.n);
+  t.carried = pose_velocity(body, s.body[b], t.at);
+  t.stiffness = gap.share * kSoft * system.lattices[std::size_t(part.lattice)].touch.omega2 *
+                (system.fit ? 1 / lightness : least);
+  return t;
+}
+
+// J that a pair stores.
+double energy_of(const System& system, const RidgeTouch& t) {
+  const double layer = system.lattices[std::size_t(t.part->lattice)].touch.layer;
+  const double depth = std::min(layer - t.gap.distance, layer);
+  return depth > 0 ? t.stiffness * contact_penalty_energy(kContactBlend * layer, depth) : 0;
+}
+
+// Finds what touches or may within the reach of the step. With `moves`, notes what that tells of each pair.
+// J that pairs have lost since the last step because their share fell, or they are none any more.
+double find(const System& system, const State& s, State* moves, std::vector<RidgeTouch>& touches) {
+  double lost = 0;
+  touches.clear();
+  for (std::size_t b = 0; b < s.body.size(); ++b) {
+    const RidgeContact& c = s.body[b].ridge;
+    for (std::size_t p = 0; p < c.pair.size(); ++p) {
+      if (c.wake[p] > c.way + c.reach + kAsleep) continue;
+      const RidgePair& pair = c.pair[p];
+      const RidgePart& part = system.ridge_cloth.part[pair.part];
+      const Lattice& l = system.lattices[std::size_t(part.lattice)];
+      Vec3 x[6];
+      ridge_places(system, s, b, part, x);
+      const RidgeGap gap = ridge_gap(part, system.bodies[b].ridges.ridge[pair.ridge], x, ridge_sine(l));
+      const double left = gap.clearance - l.touch.layer;
+      const bool asleep = left > c.reach;
+      const bool out = !asleep && belongs_out(system.bodies[b], pair, gap);
+      if (moves) {
+        RidgeContact& to = moves->body[b].ridge;
+        to.wake[p] = asleep ? to.way + left : to.way;
+        to.pair[p].outside = out;
+        if (!out) to.pair[p].grip = 0, to.pair[p].carry = {0, 0, 0};
+      }
+      double stored = 0, kept = pair.stored;  // J: now; and now with the share of before
+      if (out) {
+        touches.push_back(touch_of(system, s, b, p, part, gap));
+        stored = energy_of(system, touches.back());
+        if (gap.share > 0) kept = pair.share / gap.share * stored;
+      }
+      lost += kept - stored;
+      if (moves) {
+        moves->body[b].ridge.pair[p].share = out ? gap.share : 0;
+        moves->body[b].ridge.pair[p].stored = stored;
+      }
+    }
+  }
+  return lost;
+}
+
+// A pair within a pass over all: what a node's velocity gains over J, K, and the law of the gap.
+struct PairLaw {
+  std::array<double, 4> over;  // W_k/m_k, 1/kg, of inertia
+  double lightness;            // K
+  ContactLanes<Lane> lanes;
+};
+
+std::array<double, 4> pair_over(const System& system, const RidgeTouch& t, const RidgeField& f) {
+  std::array<double, 4> over{};
+  for (int k = 0; k < t.part->weights(); ++k) {
+    const std::size_t n = t.part->node[k];
+    over[std::size_t(k)] = t.gap.weight[k] * system.inverse_mass[n] * (f.lightness ? f.lightness[n] : 1);
+  }
+  return over;
+}
+
+PairLaw pair_law(const System& system, const State& s, const RidgeTouch& t, const ContactCoefficients& c,
+                 const RidgeField& f) {
+  const std::array<double, 4> over = pair_over(system, t, f);
+  double lightness = 0;
+  for (std::size_t k = 0; k < 4; ++k) lightness += t.gap.weight[k] * over[k];
+  const Body& body = system.bodies[t.body];
+  ContactLaw law = touch_law_now(system, s, body, system.lattices[std::size_t(t.part->lattice)]);
+  law.omega2 = t.stiffness * lightness;
+  return {over, lightness, ContactLanes<Lane>(law, c, body.damping)};
+}
+
+// Adds what an impulse J on the gap does.
+void push(const RidgeTouch& t, const std::array<double, 4>& over, const ContactCoefficients& c,
+          const RidgeField& f, const Vec3& j) {
+  for (int k = 0; k < t.part->weights(); ++k) {
+    const std::size_t n = t.part->node[k];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double dv = over[std::size_t(k)] * j[i];
+      f.v[i][n] += dv;
+      if (f.r[i]) f.r[i][n] += c.drift * dv;
+    }
+  }
+}
+
+Vec3 gap_velocity(const RidgeTouch& t, const RidgeField& f) {
+  Vec3 v{0, 0, 0};
+  for (int k = 0; k < t.part->weights(); ++k)
+    for (std::size_t i = 0; i < 3; ++i) v[i] += t.gap.weight[k] * f.v[i][t.part->node[k]];
+  return v;
+}
+
+}  // namespace
+
+double ridge_keep(const System& system, State& s, std::vector<RidgeTouch>& touches) {
+  return find(system, s, &s, touches);
+}
+
+double ridge_note(const System& system, State& s, double moved) {
+  static thread_local std::vector<RidgeTouch> touches;
+  for (BodyContact& body : s.body) body.ridge.reach = std::max(body.ridge.reach, moved);
+  return find(system, s, &s, touches);
+}
+
+double ridge_look(const System& system, const State& s, std::vector<RidgeTouch>& touches) {
+  return find(system, s, nullptr, touches);
+}
+
+void ridge_carry(const System& system, const State& s, const std::vector<RidgeTouch>& touches,
+                 const ContactCoefficients& c, const RidgeField& f) {
+  for (const RidgeTouch& t : touches)
+    push(t, pair_over(system, t, f), c, f, c.kick * s.body[t.body].ridge.pair[t.pair].carry);
+}
+
+namespace {
+
+// What a pair gives in a pass.
+struct Given {
+  Vec3 impulse{0, 0, 0};  // J, N s over what is taken out of v after the kick
+  double stored = 0;      // of it along n, what the penalty's potential gives
+  double stop = 0;        // likewise the stop
+  double grip = 0;
+};
+
+// J of a pair, given what all others do; how much it changes the gap's velocity. What is past the ridge is
+// pushed as from the ridge itself, by 1/50 of the layer a step: faster, it would be thrown.
+double pair_respond(const State& s, const RidgeTouch& t, const PairLaw& law, const ContactCoefficients& c,
+                    const RidgeField& f, Given& given) {
+  const double k = law.lightness;
+  push(t, law.over, c, f, -1.0 * given.impulse);
+  const Vec3 free = gap_velocity(t, f), old = c.old_time > 0 || c.new_time > 0 ? t.old : free;
+  const ContactHit<Lane> hit =
+      contact_hit(law.lanes, lanes(t.gap.n), Lane(std::max(t.gap.distance, 0.0)), lanes(free - t.carried),
+                  lanes(old - t.carried), Lane(s.body[t.body].ridge.pair[t.pair].grip), Lane(1.0));
+  const Vec3 impulse = (1 / k) * vector(hit.dv);
+  const double change = k * norm(impulse - given.impulse);
+  given = {impulse, hit.stored.v / k, hit.stop.v / k, hit.grip.v};
+  push(t, law.over, c, f, impulse);
+  return change;
+}
+
+void sums_add(const State& s, const RidgeTouch& t, const ContactCoefficients& c, const RidgeField& f,
+              const Given& given, RidgeSums& sums) {
+  const Vec3 now = gap_velocity(t, f), impulse = -c.impulse * given.impulse;
+  const Vec3 old = c.old_time > 0 || c.new_time > 0 ? t.old : now, middle = 0.5 * (old + now) - t.carried;
+  sums.load[t.body].force += impulse;
+  sums.load[t.body].torque += cross(t.at - s.body[t.body].frame.position, impulse);
+  sums.dissipated += dot(impulse, middle) + c.impulse * given.stored * dot(t.gap.n, middle);
+  sums.input -= dot(impulse, t.carried);
+}
+
+}  // namespace
+
+void ridge_respond(const System& system, const State& s, const std::vector<RidgeTouch>& touches,
+                   const ContactCoefficients& c, const RidgeField& f, State* moves, RidgeSums& sums) {
+  static thread_local std::vector<Given> given;
+  static thread_local std::vector<PairLaw> laws;
+  sums.load.assign(s.body.size(), PinLoad{});
+  sums.dissipated = sums.input = 0;
+  given.assign(touches.size(), Given{});
+  laws.clear();
+  for (const RidgeTouch& t : touches) laws.push_back(pair_law(system, s, t, c, f));
+  for (std::size_t k = 0; k < touches.size(); ++k)
+    given[k].impulse = c.kick * s.body[touches[k].body].ridge.pair[touches[k].pair].carry;
+  double first = 0;
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    double most = 0;
+    for (std::size_t k = 0; k < touches.size(); ++k) {
+      most = std::max(most, pair_respond(s, touches[k], laws[k], c, f, given[k]));
+      if (sweep == 0) first = std::max(first, laws[k].lightness * norm(given[k].impulse));
+    }
+    if (!(most > kSettled * first)) break;
+  }
+  sums.stop.assign(touches.size(), 0.0);
+  for (std::size_t k = 0; k < touches.size(); ++k) {
+    const RidgeTouch& t = touches[k];
+    sums.stop[k] = given[k].stop;
+    sums_add(s, t, c, f, given[k], sums);
+    if (!moves) continue;
+    RidgePair& to = moves->body[t.body].ridge.pair[t.pair];
+    to.grip = given[k].grip;
+    to.carry = 1 / c.kick * (given[k].impulse - given[k].stop * t.gap.n);  // stops would swing
+  }
+}
+
+}  // namespace drape

@@ -1,0 +1,100 @@
+// Links and cells of cloth on ridges and tips of bodies within a step. core/README.md, section 7.
+#pragma once
+#include <algorithm>
+
+#include "contact/particle/contact_pass.h"
+#include "math/smooth_ramp.h"
+#include "contact/edge/gap.h"
+#include "model/system.h"
+
+namespace drape {
+
+// What a pair does at t_n.
+struct RidgeTouch {
+  std::size_t body, pair;
+  const RidgePart* part;
+  RidgeGap gap;       // n in space
+  Vec3 at;            // m, of the cloth: sum W_k r_k
+  Vec3 carried;       // m/s, of the body there
+  Vec3 old{0, 0, 0};  // m/s, of the cloth there at t_{n-1/2}
+  double stiffness;   // N/m
+};
+
+inline bool ridge_any(const State& s) {  // a pair is near
+  for (const BodyContact& c : s.body)
+    if (!c.ridge.pair.empty()) return true;
+  return false;
+}
+
+// For a new state, before its surroundings are looked at, and after: what is at rest sticks.
+void ridge_begin(const System& system, State& state);
+void ridge_stick(const System& system, State& state);
+
+// After particles and bodies have moved, and their surroundings were looked at: which pairs may touch in the
+// next step, of `ahead` s.
+void ridge_watch(const System& system, State& state, std::size_t body, double ahead);
+
+// Before places change otherwise than in a step, by as much as `moved` (m): notes which pairs are out of the
+// bodies, since a jump may take them through. Gives J as ridge_keep.
+double ridge_note(const System& system, State& state, double moved);
+
+// The longest step (s) in which nodes near a ridge move by no more than a quarter of the layer.
+double ridge_step_most(const System& system, const State& state);
+
+// Before a step: finds what touches at t_n, and keeps its velocities. Gives J that penalties have lost since
+// the step before otherwise than by their work: as their share fell, or as pairs opened.
+double ridge_keep(const System& system, State& state, std::vector<RidgeTouch>& touches);
+
+// The same of a state that does not change.
+double ridge_look(const System& system, const State& state, std::vector<RidgeTouch>& touches);
+
+// Velocities, and in a step places, that touching changes. Inertia is mass over lightness.
+struct RidgeField {
+  double* v[3];
+  double* r[3];             // null: nothing moves
+  const double* lightness;  // or null
+};
+
+// Gives in advance what pairs got in the step before.
+void ridge_carry(const System& system, const State& state, const std::vector<RidgeTouch>& touches,
+                 const ContactCoefficients& c, const RidgeField& field);
+
+// What touching does to a free motion. `moves`: writes into it what goes on with it, or null. Adds the
+// impulses to load [bodies], J to dissipated and input.
+struct RidgeSums {
+  std::vector<PinLoad> load;
+  std::vector<double> stop;  // [touches] N s along n
+  double dissipated, input;
+};
+void ridge_respond(const System& system, const State& state, const std::vector<RidgeTouch>& touches,
+                   const ContactCoefficients& c, const RidgeField& field, State* moves, RidgeSums& sums);
+
+// Links and cells of a lattice that are cut by a ridge of a body, or deeper in its layer than anything is to
+// be.
+struct RidgeDeep {
+  std::size_t count = 0;
+  double depth = 0;  // m, of the deepest, and where it is
+  Vec3 at{0, 0, 0};
+};
+struct Voxels;
+RidgeDeep ridge_deepest(const System& system, const State& state, std::size_t body, const Lattice& lattice,
+                        Voxels& voxels);
+
+// Visits (touch, its place in ridge_look, depth in m, force of the penalty in N) where links and cells are
+// within their layer.
+template <class Visit>
+void ridge_each(const System& system, const State& s, Visit visit) {
+  if (!ridge_any(s)) return;
+  std::vector<RidgeTouch> touches;
+  ridge_look(system, s, touches);
+  for (const RidgeTouch& t : touches) {
+    const double layer = system.lattices[std::size_t(t.part->lattice)].touch.layer;
+    const double depth = layer - t.gap.distance;
+    const double pressed = std::min(depth, layer);  // past the ridge it is pushed as from the ridge itself
+    if (depth > 0)
+      visit(t, std::size_t(&t - touches.data()), depth,
+            t.stiffness * contact_penalty(kContactBlend * layer, pressed));
+  }
+}
+
+}  // namespace drape

@@ -1,0 +1,83 @@
+// A straight link between two particles at the layer's distance L from both faces of a ridge is
+// d = L cos a - x sin a from it, x from the ridge to its end along it, a its angle with the face there. Where
+// sin a <= s for one of the faces, it sinks by no more than b s: with s = L/(8 b), by L/8, and is left to its
+// particles. So is a ridge of turn T where not even the symmetric link, a = T/2, x = b/2, sinks by more than
+// that: (b/2) sin(T/2) <= L/8.
+#include "model/edge_contact.h"
+
+#include <algorithm>
+#include <map>
+
+#include "model/elements.h"
+
+namespace drape {
+namespace {
+
+constexpr double kSink = 0.125;   // of the layer
+constexpr double kMargin = 0.25;  // of a cell
+constexpr double kStretched = 1;  // of a cell: how far the nearer end of a link may be from what it meets
+constexpr double kBucket = 2;     // of what is near
+
+void cell_add(const std::size_t* corner, int lattice,
+              std::map<std::array<std::uint32_t, 2>, std::size_t>& links, RidgeCloth& cloth) {
+  constexpr int kSide[4][4] = {{0, 1, 2, 3}, {2, 3, 0, 1}, {0, 2, 1, 3}, {1, 3, 0, 2}};  // and across
+  RidgePart cell{{}, 4, true, lattice};
+  for (int k = 0; k < 4; ++k) cell.node[k] = std::uint32_t(corner[k]);
+  cloth.part.push_back(cell);
+  for (const auto& side : kSide) {
+    std::uint32_t n[4];
+    for (int k = 0; k < 4; ++k) n[k] = cell.node[side[k]];
+    if (n[0] > n[1]) std::swap(n[0], n[1]), std::swap(n[2], n[3]);
+    const auto [at, is_new] = links.try_emplace({n[0], n[1]}, cloth.part.size());
+    if (is_new) {
+      cloth.part.push_back({{n[0], n[1], n[2], n[3], 0, 0}, 4, false, lattice});
+      continue;
+    }
+    RidgePart& link = cloth.part[at->second];
+    if (link.nodes == 6) continue;  // of cells in three leaves
+    link.node[4] = n[2], link.node[5] = n[3];
+    link.nodes = 6;
+  }
+}
+
+void nodes_number(std::size_t nodes, RidgeCloth& cloth) {
+  cloth.first.assign(nodes + 1, 0);
+  const auto each = [&](auto visit) {
+    for (std::size_t p = 0; p < cloth.part.size(); ++p)
+      for (int k = 0; k < cloth.part[p].weights(); ++k) visit(cloth.part[p].node[k], std::uint32_t(p));
+  };
+  each([&](std::uint32_t n, std::uint32_t) { ++cloth.first[n + 1]; });
+  for (std::size_t n = 0; n < nodes; ++n) cloth.first[n + 1] += cloth.first[n];
+  cloth.of_node.resize(cloth.first[nodes]);
+  std::vector<std::uint32_t> next = cloth.first;
+  each([&](std::uint32_t n, std::uint32_t p) { cloth.of_node[next[n]++] = p; });
+}
+
+}  // namespace
+
+double ridge_sine(const Lattice& l) { return kSink * l.touch.layer / l.cell; }
+double ridge_margin(const Lattice& l) { return kMargin * l.cell; }
+double ridge_near(const Lattice& l) { return kStretched * l.cell + l.touch.layer + ridge_margin(l); }
+
+void ridges_find(System& system) {
+  double sine = INFINITY, near = 0;
+  for (const Lattice& l : system.lattices) {
+    sine = std::min(sine, 2 * ridge_sine(l));
+    near = std::max(near, ridge_near(l));
+  }
+  bool any = false;
+  for (Body& body : system.bodies) {
+    body.ridges = ridges_make(body.mesh.surface, std::max(sine, system.fit ? kRidgeSineFit : kRidgeSine),
+                              kBucket * near);
+    any = any || !body.ridges.ridge.empty();
+  }
+  if (!any) return;
+  std::map<std::array<std::uint32_t, 2>, std::size_t> links;
+  for (const Lattice& l : system.lattices)
+    each_cell(system, l, [&](const std::size_t* corner, double) {
+      cell_add(corner, l.piece, links, system.ridge_cloth);
+    });
+  nodes_number(system.nodes, system.ridge_cloth);
+}
+
+}  // namespace drape

@@ -1,0 +1,229 @@
+// Which links and cells are near ridges. A pair sleeps until the way that its nodes can have gone is what it
+// was apart; all pairs are listed anew when that may be more than a listing saw.
+#include <algorithm>
+#include <cmath>
+
+#include "math/vector3.h"
+#include "model/body_pose.h"
+#include "contact/edge/pairs.h"
+#include "math/closest_points.h"
+
+namespace drape {
+namespace {
+
+using namespace vector3;
+
+constexpr double kReachSteps = 2;    // at the present speed, for which pairs are looked at before they touch
+constexpr double kReachLayer = 0.1;  // of the layer, likewise
+constexpr double kAheadSteps = 1.5;  // that a node is looked ahead
+constexpr double kListSteps = 6;     // that parts are listed for beyond the margin
+constexpr double kUsed = 0.5;        // of what a node may go: what has gone farther is listed with others
+constexpr std::size_t kWatchedMost = 3, kWatchedLeast = 64;  // nodes, times those near, and beyond it
+constexpr double kWay = 0.25;  // of the layer: the most a step may move what is near
+
+Vec3 place(const State& s, std::size_t n) { return {s.x[n], s.y[n], s.z[n]}; }
+
+bool before(const RidgePair& a, const RidgePair& b) {
+  return a.part != b.part ? a.part < b.part : a.ridge < b.ridge;
+}
+
+// The parts that have one of the nodes.
+void parts_of(const RidgeCloth& cloth, const std::vector<std::uint32_t>& nodes,
+              std::vector<std::uint32_t>& parts) {
+  parts.clear();
+  for (std::uint32_t n : nodes)
+    parts.insert(parts.end(), cloth.of_node.begin() + cloth.first[n],
+                 cloth.of_node.begin() + cloth.first[n + 1]);
+  std::sort(parts.begin(), parts.end());
+  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+}
+
+double speed_of(const System& system, const State& s, std::size_t b, std::size_t n) {
+  return norm(Vec3{s.vx[n], s.vy[n], s.vz[n]} - pose_velocity(system.bodies[b], s.body[b], place(s, n)));
+}
+
+// Lists the pairs of these parts, in order.
+void pairs_find(const System& system, const State& s, std::size_t b, const std::vector<std::uint32_t>& parts,
+                double ahead, std::vector<RidgePair>& found) {
+  static thread_local std::vector<std::uint32_t> ridges;
+  const Ridges& of = system.bodies[b].ridges;
+  found.clear();
+  for (std::uint32_t p : parts) {
+    const RidgePart& part = system.ridge_cloth.part[p];
+    const Lattice& l = system.lattices[std::size_t(part.lattice)];
+    Vec3 x[6], middle{0, 0, 0};
+    ridge_places(system, s, b, part, x);
+    double fastest = 0, around = 0;
+    for (int k = 0; k < part.weights(); ++k) {
+      fastest = std::max(fastest, speed_of(system, s, b, part.node[k]));
+      middle += (1.0 / part.weights()) * x[k];
+    }
+    for (int k = 0; k < part.weights(); ++k) around = std::max(around, norm(x[k] - middle));
+    const double reach = l.touch.layer + ridge_margin(l) + kListSteps * fastest * ahead;
+    const Vec3 box = (around + reach) * Vec3{1, 1, 1};
+    ridges_in(of, middle - box, middle + box, ridges);
+    for (std::uint32_t r : ridges) {
+      const Ridge& ridge = of.ridge[r];
+      if (part.cell && !ridge.tip) continue;
+      if (segment_distance2(middle, ridge.from, ridge.to) > (around + reach) * (around + reach)) continue;
+      if (ridge_gap(part, ridge, x, ridge_sine(l)).clearance <= reach) found.push_back({p, r});
+    }
+  }
+}
+
+// The nodes of the parts that have one of `nodes` join those that are watched; those are watched from here.
+void nodes_watch(const System& system, const State& s, std::size_t b, const std::vector<std::uint32_t>& nodes,
+                 const std::vector<std::uint32_t>& parts, RidgeContact& c) {
+  static thread_local std::vector<std::uint32_t> joined;
+  static thread_local std::vector<Vec3> from;
+  joined = c.node;
+  for (std::uint32_t p : parts) {
+    const RidgePart& part = system.ridge_cloth.part[p];
+    joined.insert(joined.end(), part.node, part.node + part.nodes);
+  }
+  std::sort(joined.begin(), joined.end());
+  joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
+  from.resize(joined.size());
+  c.last.resize(joined.size());
+  std::size_t known = 0;
+  for (std::size_t k = 0; k < joined.size(); ++k) {
+    c.last[k] = pose_inward(system.bodies[b], s.body[b], place(s, joined[k]));
+    while (known < c.node.size() && c.node[known] < joined[k]) ++known;
+    const bool old = known < c.node.size() && c.node[known] == joined[k] &&
+                     !std::binary_search(nodes.begin(), nodes.end(), joined[k]);
+    from[k] = old ? c.from[known] : c.last[k];
+  }
+  c.node = joined;
+  c.from = from;
+}
+
+// `found` takes the place of the pairs of `parts`, or of all; what they remember goes on.
+void pairs_join(const std::vector<std::uint32_t>& parts, const std::vector<RidgePair>& found, bool all,
+                RidgeContact& c) {
+  static thread_local std::vector<RidgePair> pair;
+  static thread_local std::vector<double> wake;
+  pair.clear();
+  wake.clear();
+  std::size_t part = 0, old = 0;
+  const auto take = [&](std::size_t k) { pair.push_back(c.pair[k]), wake.push_back(c.wake[k]); };
+  for (const RidgePair& p : found) {
+    for (; old < c.pair.size() && before(c.pair[old], p); ++old) {
+      while (part < parts.size() && parts[part] < c.pair[old].part) ++part;
+      if (!all && (part == parts.size() || parts[part] != c.pair[old].part)) take(old);
+    }
+    if (old < c.pair.size() && !before(p, c.pair[old])) take(old++);
+    else pair.push_back(p), wake.push_back(c.way);
+  }
+  for (; old < c.pair.size(); ++old) {
+    while (part < parts.size() && parts[part] < c.pair[old].part) ++part;
+    if (!all && (part == parts.size() || parts[part] != c.pair[old].part)) take(old);
+  }
+  c.pair = pair;
+  c.wake = wake;
+}
+
+// Lists the parts of `nodes`, sorted; `all`: no others are left.
+void list(const System& system, State& s, std::size_t b, const std::vector<std::uint32_t>& nodes, bool all,
+          double ahead) {
+  static thread_local std::vector<std::uint32_t> parts;
+  static thread_local std::vector<RidgePair> found;
+  RidgeContact& c = s.body[b].ridge;
+  parts_of(system.ridge_cloth, nodes, parts);
+  pairs_find(system, s, b, parts, ahead, found);
+  nodes_watch(system, s, b, nodes, parts, c);
+  pairs_join(parts, found, all, c);
+}
+
+// How far and how fast the nodes have gone against the body. Whether one may by the next step have gone so
+// far from where its parts were listed that they must be anew.
+bool way_add(const System& system, State& s, std::size_t b, double ahead, double margin) {
+  BodyContact& body = s.body[b];
+  RidgeContact& c = body.ridge;
+  double way2 = 0, speed2 = 0, layer = 0;
+  bool due = false;
+  for (const Lattice& l : system.lattices) layer = std::max(layer, l.touch.layer);
+  for (std::size_t k = 0; k < c.node.size(); ++k) {
+    const std::size_t n = c.node[k];
+    const Vec3 at = place(s, n), x = pose_inward(system.bodies[b], body, at), moved = x - c.last[k];
+    const Vec3 v = Vec3{s.vx[n], s.vy[n], s.vz[n]} - pose_velocity(system.bodies[b], body, at);
+    const Vec3 away = x - c.from[k];
+    const double v2 = dot(v, v), ahead2 = kAheadSteps * kAheadSteps * ahead * ahead * v2;
+    way2 = std::max(way2, dot(moved, moved));
+    speed2 = std::max(speed2, v2);
+    due = due || 2 * (dot(away, away) + ahead2) > margin * margin;
+    c.last[k] = x;
+  }
+  c.way += std::sqrt(way2);
+  c.reach = kReachSteps * std::sqrt(speed2) * ahead + kReachLayer * layer;
+  return due;
+}
+
+double margin_least(const System& system) {
+  double least = INFINITY;
+  for (const Lattice& l : system.lattices) least = std::min(least, ridge_margin(l));
+  return least;
+}
+
+}  // namespace
+
+void ridge_begin(const System& system, State& s) {
+  for (std::size_t b = 0; b < s.body.size(); ++b) {
+    s.body[b].ridge = RidgeContact{};
+    if (!system.bodies[b].ridges.ridge.empty()) s.body[b].ridge.near.assign(system.nodes, 0);
+  }
+}
+
+// A part is listed with what is within its layer and a margin M of it. Each of its nodes may have gone M/2
+// since then: one that has not gone M/2 from where its own parts were listed before is no farther from where
+// it was. Where one is to be listed anew, so are all that have used up half of that.
+void ridge_watch(const System& system, State& s, std::size_t b, double ahead) {
+  static thread_local std::vector<std::uint32_t> nodes;
+  RidgeContact& c = s.body[b].ridge;
+  if (c.fresh.empty() && c.node.empty()) return;
+  const double half = margin_least(system) / 2;
+  const bool due = way_add(system, s, b, ahead, half);
+  if (!due && c.fresh.empty()) return;
+  nodes = c.fresh;
+  c.fresh.clear();
+  for (std::size_t k = 0; due && k < c.node.size(); ++k) {
+    const Vec3 away = c.last[k] - c.from[k];
+    const double step = kAheadSteps * ahead * speed_of(system, s, b, c.node[k]);
+    if (2 * (dot(away, away) + step * step) > kUsed * kUsed * half * half) nodes.push_back(c.node[k]);
+  }
+  const auto near = std::size_t(
+      std::count_if(c.node.begin(), c.node.end(), [&](std::uint32_t n) { return c.near[n] != 0; }));
+  const bool all = c.node.size() > kWatchedMost * near + kWatchedLeast;
+  if (all) {
+    for (std::uint32_t n : c.node)
+      if (c.near[n]) nodes.push_back(n);
+    c.node.clear();
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  list(system, s, b, nodes, all, ahead);
+}
+
+void ridge_stick(const System& system, State& s) {
+  for (std::size_t b = 0; b < s.body.size(); ++b) {
+    if (system.bodies[b].moves) continue;
+    for (RidgePair& pair : s.body[b].ridge.pair) {
+      const RidgePart& part = system.ridge_cloth.part[pair.part];
+      pair.grip = 1;
+      for (int k = 0; k < part.weights(); ++k) {
+        const std::size_t n = part.node[k];
+        if (s.vx[n] != 0 || s.vy[n] != 0 || s.vz[n] != 0) pair.grip = 0;
+      }
+    }
+  }
+}
+
+double ridge_step_most(const System& system, const State& s) {
+  double longest = INFINITY;
+  for (std::size_t b = 0; b < s.body.size(); ++b)
+    for (std::uint32_t n : s.body[b].ridge.node)
+      longest =
+          std::min(longest, kWay * system_lattice_of(system, n).touch.layer / speed_of(system, s, b, n));
+  return longest;
+}
+
+}  // namespace drape

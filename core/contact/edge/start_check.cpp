@@ -1,0 +1,60 @@
+// What of the cloth is cut by a ridge, or deep in its layer, at the start.
+#include "body/distance_grid.h"
+#include "contact/edge/pairs.h"
+
+namespace drape {
+namespace {
+
+using namespace vector3;
+
+// Whether a segment goes through a triangle: its ends on both sides of the plane, and the corners around it.
+bool goes_through(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q, const Vec3& r) {
+  const Vec3 normal = cross(q - p, r - p), way = b - a;
+  if (!(dot(a - p, normal) * dot(b - p, normal) < 0)) return false;
+  const double u = dot(way, cross(p - a, q - a)), v = dot(way, cross(q - a, r - a)),
+               w = dot(way, cross(r - a, p - a));
+  return (u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0);
+}
+
+bool is_cut(const BodySurface& surface, const Ridge& ridge, const RidgePart& part, const Vec3* x) {
+  if (part.cell || ridge.tip) return false;
+  for (int t : surface.edges[std::size_t(ridge.edge)].triangle) {
+    const std::array<int, 3>& c = surface.corner[std::size_t(t)];
+    if (goes_through(x[0], x[1], surface.point[std::size_t(c[0])], surface.point[std::size_t(c[1])],
+                     surface.point[std::size_t(c[2])]))
+      return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+RidgeDeep ridge_deepest(const System& system, const State& s, std::size_t b, const Lattice& l,
+                        Voxels& voxels) {
+  RidgeDeep deep;
+  const Body& body = system.bodies[b];
+  std::uint32_t last = 0xffffffff;  // a part over several ridges counts once
+  for (const RidgePair& pair : s.body[b].ridge.pair) {
+    const RidgePart& part = system.ridge_cloth.part[pair.part];
+    if (part.lattice != l.piece) continue;
+    const Ridge& ridge = body.ridges.ridge[pair.ridge];
+    Vec3 x[6], foot{0, 0, 0}, at{0, 0, 0};
+    ridge_places(system, s, b, part, x);
+    const RidgeGap gap = ridge_gap(part, ridge, x, ridge_sine(l));
+    if (!gap.over || !(gap.distance < (1 - kContactDeepest) * l.touch.layer)) continue;
+    for (int k = 0; k < part.weights(); ++k) {
+      const std::size_t n = part.node[k];
+      foot += gap.weight[k] * x[k];
+      at += gap.weight[k] * Vec3{s.x[n], s.y[n], s.z[n]};
+    }
+    if (gap.distance < 0 && !is_cut(body.mesh.surface, ridge, part, x) && !(voxels_depth(voxels, foot) > 0))
+      continue;  // beyond the body
+    const double depth = l.touch.layer - gap.distance;
+    deep.count += pair.part != last;
+    last = pair.part;
+    if (depth > deep.depth) deep.depth = depth, deep.at = at;
+  }
+  return deep;
+}
+
+}  // namespace drape

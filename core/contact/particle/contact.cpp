@@ -1,0 +1,386 @@
+#include "contact/particle/contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/vector3.h"
+#include "model/body_pose.h"
+#include "contact/particle/update_neighbours.h"
+#include "dynamics/kernel/kernel.h"
+#include "contact/self/self_contact.h"
+
+namespace drape {
+namespace {
+
+using vector3::cross;
+using vector3::dot;
+using vector3::operator*;
+using vector3::operator+;
+using vector3::operator-;
+using vector3::operator+=;
+
+double layer_most(const System& system) {
+  double most = 0;
+  for (const Lattice& l : system.lattices) most = std::max(most, l.touch.layer);
+  return most;
+}
+
+void block_renew(const System& system, TouchRoom& room, State& s, std::size_t b, std::size_t node,
+                 double ahead) {
+  const Body& body = system.bodies[b];
+  const Lattice& l = system_lattice_of(system, node);
+  const Frame& frame = s.body[b].frame;
+  Vec3 x[kRowUnit], step[kRowUnit];
+  for (std::size_t i = 0; i < std::size_t(kRowUnit); ++i) {
+    const std::size_t n = node + i;
+    const Vec3 at{s.x[n], s.y[n], s.z[n]}, arm = at - frame.position;
+    Vec3 v{s.vx[n], s.vy[n], s.vz[n]};
+    if (body.moves) v = v - frame.velocity - cross(frame.spin, arm);
+    x[i] = pose_inward(body, s.body[b], at);
+    step[i] = pose_inward(body, s.body[b], at + ahead * v) - x[i];
+  }
+  contact_renew(body.mesh.surface, room.voxels[b], s.body[b], node, l.piece, l.touch.layer,
+                {body.ridges, ridge_near(l), ridge_margin(l)}, x, step);
+}
+
+ContactJob job_of(const System& system, TouchRoom& room, const State& s, std::size_t b, double* sum) {
+  ContactJob job{};
+  room.law.clear();
+  for (const Lattice& l : system.lattices) room.law.push_back(touch_law_now(system, s, system.bodies[b], l));
+  job.body = const_cast<BodyContact*>(&s.body[b]);  // its grips are written by passes that move
+  job.old = room.old[b].data();
+  job.mass = system.mass.data();
+  if (!room.tied.empty()) job.tied = room.tied.data(), job.hit = room.hit.data();
+  job.law = room.law.data();
+  job.damping = system.bodies[b].damping;
+  job.energy = system.energy;
+  job.sum = sum;
+  return job;
+}
+
+PinLoad load_of(const double* sum) { return {{sum[0], sum[1], sum[2]}, {sum[3], sum[4], sum[5]}}; }
+
+double rate_of(double time) { return time > 0 ? 1 / time : kContactUnbound; }
+
+}  // namespace
+
+ContactLaw touch_law_now(const System& system, const State& s, const Body& body, const Lattice& l) {
+  ContactLaw law = l.touch;
+  if (body.has_friction) law.friction = body.friction;
+  if (system.fit && (s.fit.sewing || s.fit.settling > 0)) law.friction = {0, 0};
+  return law;
+}
+
+ContactCoefficients touch_kick(const TouchStep& step) {
+  ContactCoefficients c;
+  c.drift = step.drift;
+  c.kick = step.kick;
+  c.old_time = step.half_old / step.centred;
+  c.new_time = step.half_new / step.centred;
+  c.stop_rate = rate_of(step.drift);
+  c.push_rate = kContactPush * c.stop_rate;
+  c.reach_time = step.drift;
+  c.impulse = step.centred;
+  c.keep = step.keep;
+  c.told_share = step.half_old / step.kick;
+  c.told_centred = step.told_centred;
+  return c;
+}
+
+ContactCoefficients touch_last_kick(double half, double centred) {
+  ContactCoefficients c;
+  c.kick = half / centred;
+  c.new_time = half / centred;
+  c.stop_rate = rate_of(2 * half);
+  c.push_rate = kContactPush * c.stop_rate;
+  c.reach_time = 2 * half;
+  c.impulse = centred;
+  return c;
+}
+
+ContactCoefficients touch_force(const System& system, const State& s) {
+  const double h = s.h_old > 0 ? s.h_old : step_next(system, s);
+  ContactCoefficients c;
+  c.kick = 1;
+  c.stop_rate = rate_of(h * h);
+  return c;
+}
+
+TouchRoom touch_make(const System& system) {
+  TouchRoom room;
+  const double layer = layer_most(system);
+  for (const Body& body : system.bodies)
+    room.voxels.push_back(voxels_make(*body.mesh.library, *body.mesh.query, body.mesh.surface,
+                                      contact_reach(body.mesh.surface, layer)));
+  room.old.resize(system.bodies.size());
+  room.load.resize(system.bodies.size());
+  if (!system.bodies.empty()) room.due.resize(system.nodes / kRowUnit);
+  return room;
+}
+
+void touch_begin(const System& system, const Kernel& kernel, TouchRoom& room, State& s) {
+  ridge_begin(system, s);
+  for (BodyContact& c : s.body) {
+    c.blocks = ContactBlocks{};
+    c.x = s.x, c.y = s.y, c.z = s.z;
+    c.budget2.assign(system.nodes, INFINITY);
+    for (std::size_t n : system.particle) c.budget2[n] = 0;
+    c.ease.assign(system.nodes / kRowUnit, 0.0);
+  }
+  touch_watch(system, kernel, room, s, 0, step_next(system, s));
+  for (std::size_t b = 0; b < s.body.size(); ++b) {  // what is at rest on a body sticks to it
+    if (system.bodies[b].moves) continue;
+    for (ContactBlock& block : s.body[b].blocks.pool)
+      for (std::size_t i = 0; i < std::size_t(kRowUnit); ++i) {
+        const std::size_t n = block.node + i;
+        if (s.vx[n] == 0 && s.vy[n] == 0 && s.vz[n] == 0) block.grip[i] = 1;
+      }
+  }
+  ridge_stick(system, s);
+}
+
+namespace {
+
+void old_keep(TouchRoom& room, const State& s) {
+  for (std::size_t b = 0; b < s.body.size(); ++b) {
+    const ContactBlocks& blocks = s.body[b].blocks;
+    room.old[b].resize(3 * kRowUnit * blocks.order.size());
+    double* to = room.old[b].data();
+    for (const ContactPlace& place : blocks.order)
+      for (const Array* v : {&s.vx, &s.vy, &s.vz})
+        to = std::copy_n(v->data() + std::size_t(place.node) * kRowUnit, kRowUnit, to);
+  }
+}
+
+}  // namespace
+
+void touch_keep(const System& system, TouchRoom& room, State& s) {
+  old_keep(room, s);
+  const double lost = ridge_keep(system, s, room.ridge);
+  if (system.energy) s.dissipated += lost;
+}
+
+void touch_tie(const System& system, const Constraints& constraints, TouchRoom& room) {
+  room.tied.clear();
+  room.hit.clear();
+  if (system.bodies.empty() || constraints.rows.empty()) return;
+  room.tied.assign(system.nodes, 0.0);
+  room.hit.assign(system.nodes / kRowUnit, 0);
+  for (const HeldRow& row : constraints.rows)
+    for (std::size_t n : row.on.node) room.tied[n] = 1;
+  for (const RigidLink& link : constraints.rigid.link)
+    for (std::size_t n : link.node) room.tied[n] = 1;
+}
+
+namespace {
+
+// Gives particles that are not alone in advance what they got in the step before.
+void carry_give(const State& s, double kick, const double* lightness, double* v[3], double* r[3],
+                double drift) {
+  for (const BodyContact& body : s.body)
+    for (const ContactPlace& place : body.blocks.order) {
+      const ContactBlock& b = body.blocks.pool[place.block];
+      if (!b.carries) continue;
+      for (std::size_t i = 0; i < std::size_t(kRowUnit); ++i) {
+        const std::size_t n = b.node + i;
+        const double given = kick * (lightness ? lightness[n] : 1);
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double dv = b.carry[k][i] * given;
+          v[k][n] += dv;
+          if (r) r[k][n] += dv * drift;
+        }
+      }
+    }
+}
+
+}  // namespace
+
+void touch_carry(const System& system, const TouchRoom& room, const TouchStep& step, State& s) {
+  double* v[] = {s.vx.data(), s.vy.data(), s.vz.data()};
+  double* r[] = {s.x.data(), s.y.data(), s.z.data()};
+  const double* lightness = s.lightness.empty() ? nullptr : s.lightness.data();
+  carry_give(s, step.kick, lightness, v, r, step.drift);
+  ridge_carry(system, s, room.ridge, touch_kick(step), {{v[0], v[1], v[2]}, {r[0], r[1], r[2]}, lightness});
+}
+
+void touch_carry_synchronous(const System& system, TouchRoom& room, const State& s, double half,
+                             double centred, double* vx, double* vy, double* vz) {
+  double* v[] = {vx, vy, vz};
+  ContactCoefficients c;
+  c.kick = half > 0 ? half / centred : 1;
+  carry_give(s, c.kick, nullptr, v, nullptr, 0);
+  room.ridge_lost = ridge_look(system, s, room.ridge);
+  ridge_carry(system, s, room.ridge, c, {{vx, vy, vz}, {}, nullptr});
+}
+
+void touch_apply(const System& system, const Kernel& kernel, TouchRoom& room, const TouchStep& step,
+                 State& s) {
+  std::fill(room.hit.begin(), room.hit.end(), char(0));
+  for (std::size_t b = 0; b < s.body.size(); ++b) {
+    BodyContact& body = s.body[b];
+    if (body.blocks.order.empty()) continue;
+    double sum[8]{};
+    ContactJob job = job_of(system, room, s, b, sum);
+    job.r[0] = s.x.data(), job.r[1] = s.y.data(), job.r[2] = s.z.data();
+    job.v[0] = s.vx.data(), job.v[1] = s.vy.data(), job.v[2] = s.vz.data();
+    if (!s.lightness.empty()) job.lightness = s.lightness.data();
+    job.c = touch_kick(step);
+    job.told = touch_last_kick(step.half_old, step.told_centred);
+    job.begins = step.begins && step.half_old > 0;
+    job.moves = true;
+    kernel.contact.run[system.bodies[b].moves](job);
+    body.impulse.force += load_of(sum).force;
+    body.impulse.torque += load_of(sum).torque;
+    s.dissipated += sum[6];
+    s.input += sum[7];
+  }
+  if (room.ridge.empty()) return;
+  for (const RidgeTouch& t : room.ridge)
+    for (int k = 0; !room.hit.empty() && k < t.part->weights(); ++k) room.hit[t.part->node[k] / kRowUnit] = 1;
+  ridge_respond(system, s, room.ridge, touch_kick(step),
+                {{s.vx.data(), s.vy.data(), s.vz.data()},
+                 {s.x.data(), s.y.data(), s.z.data()},
+                 s.lightness.empty() ? nullptr : s.lightness.data()},
+                &s, room.ridge_sums);
+  for (std::size_t b = 0; b < s.body.size(); ++b) {
+    s.body[b].impulse.force += room.ridge_sums.load[b].force;
+    s.body[b].impulse.torque += room.ridge_sums.load[b].torque;
+  }
+  if (!system.energy) return;
+  s.dissipated += room.ridge_sums.dissipated;
+  s.input += room.ridge_sums.input;
+}
+
+namespace {
+
+constexpr double kWay = 0.5;    // of what triangles are listed for beyond the layer
+constexpr double kLeft = 0.25;  // of a budget
+
+// What a step may move a particle by, whatever its budget (m), and the speed of a body's fastest point (m/s).
+struct StepBound {
+  double listed, carried;
+};
+StepBound step_bound(const System& system, const State& s, std::size_t b) {
+  const BodySurface& surface = system.bodies[b].mesh.surface;
+  const double layer = layer_most(system);
+  const Frame& frame = s.body[b].frame;
+  return {kWay * (contact_reach(surface, layer) - layer),
+          vector3::norm(frame.velocity) + vector3::norm(frame.spin) * surface.size};
+}
+
+double way2_of(const StepBound& bound, const BodyContact& c, std::size_t n) {
+  return std::max(bound.listed * bound.listed, c.budget2.empty() ? 0 : kLeft * kLeft * c.budget2[n]);
+}
+
+double speed2_of(const State& s, std::size_t n) {
+  return s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n];
+}
+
+// Whether a particle of the block, looked at anew, would go farther in a step than the last look at the step
+// limit could know.
+bool outruns(const System& system, const State& s, std::size_t b, const StepBound& bound, std::size_t node,
+             double step) {
+  for (std::size_t n = node; n < node + std::size_t(kRowUnit); ++n)
+    if (system.mass[n] > 0 &&
+        step * (std::sqrt(speed2_of(s, n)) + bound.carried) > std::sqrt(way2_of(bound, s.body[b], n)))
+      return true;
+  return false;
+}
+
+}  // namespace
+
+void touch_hurry(State& s) {
+  for (BodyContact& c : s.body) std::fill(c.ease.begin(), c.ease.end(), 0.0);
+}
+
+void touch_watch(const System& system, const Kernel& kernel, TouchRoom& room, State& s, double drift,
+                 double ahead) {
+  for (std::size_t b = 0; b < s.body.size(); ++b) {
+    std::size_t count = 0;
+    for (const Lattice& l : system.lattices) {
+      ContactWatch watch{&s.body[b],
+                         {s.x.data(), s.y.data(), s.z.data()},
+                         {s.vx.data(), s.vy.data(), s.vz.data()},
+                         drift,
+                         ahead,
+                         l.first,
+                         l.first + std::size_t(l.rows) * std::size_t(l.stride)};
+      count += kernel.contact.watch[system.bodies[b].moves](watch, room.due.data() + count);
+      watch.begin = l.twin_first, watch.end = l.end();
+      count += kernel.contact.watch[system.bodies[b].moves](watch, room.due.data() + count);
+    }
+    const bool chosen = count > 0 && system.step_given == 0 && !system.fit;
+    const StepBound bound = chosen ? step_bound(system, s, b) : StepBound{};
+    for (std::size_t k = 0; k < count; ++k) {
+      block_renew(system, room, s, b, room.due[k], ahead);
+      if (chosen && outruns(system, s, b, bound, room.due[k], std::max(ahead, step_next(system, s))))
+        s.watch_wait = 0;
+    }
+    ridge_watch(system, s, b, ahead);
+  }
+}
+
+void touch_synchronous(const System& system, const Kernel& kernel, TouchRoom& room, const State& s,
+                       double half, double centred, double* vx, double* vy, double* vz) {
+  room.dissipated = half > 0 && system.energy ? room.ridge_lost : 0;
+  room.input = 0;
+  if (half > 0) old_keep(room, s);
+  for (std::size_t b = 0; b < s.body.size(); ++b) {
+    room.load[b] = PinLoad{};
+    if (s.body[b].blocks.order.empty()) continue;
+    double sum[8]{};
+    ContactJob job = job_of(system, room, s, b, sum);
+    const Array* r[] = {&s.x, &s.y, &s.z};
+    for (std::size_t k = 0; k < 3; ++k)
+      job.r[k] = const_cast<double*>(r[k]->data());  // read only: nothing moves
+    job.v[0] = vx, job.v[1] = vy, job.v[2] = vz;
+    job.c = half > 0 ? touch_last_kick(half, centred) : touch_force(system, s);
+    if (half == 0) {
+      if (!s.lightness.empty()) job.stiff = s.lightness.data();
+      job.old = nullptr;
+      job.energy = false;
+    }
+    kernel.contact.run[system.bodies[b].moves](job);
+    room.load[b] = load_of(sum);
+    room.dissipated += sum[6];
+    room.input += sum[7];
+  }
+  if (room.ridge.empty()) return;
+  ridge_respond(system, s, room.ridge, half > 0 ? touch_last_kick(half, centred) : touch_force(system, s),
+                {{vx, vy, vz}, {}, nullptr}, nullptr, room.ridge_sums);
+  for (std::size_t b = 0; b < s.body.size(); ++b) {
+    room.load[b].force += room.ridge_sums.load[b].force;
+    room.load[b].torque += room.ridge_sums.load[b].torque;
+  }
+  if (half == 0 || !system.energy) return;
+  room.dissipated += room.ridge_sums.dissipated;
+  room.input += room.ridge_sums.input;
+}
+
+double touch_step_most(const System& system, const State& s) {
+  double longest = INFINITY;
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const StepBound bound = step_bound(system, s, b);
+    double least2 = INFINITY;  // s^2, of bodies that stay
+    for (std::size_t n : system.particle) {
+      const double way2 = way2_of(bound, s.body[b], n), speed2 = speed2_of(s, n);
+      if (bound.carried > 0)
+        longest = std::min(longest, std::sqrt(way2) / (std::sqrt(speed2) + bound.carried));
+      else least2 = std::min(least2, way2 / speed2);
+    }
+    longest = std::min(longest, std::sqrt(least2));
+  }
+  return std::min(longest, ridge_step_most(system, s));
+}
+
+bool touch_any(const State& s) {
+  return std::any_of(s.body.begin(), s.body.end(),
+                     [](const BodyContact& c) { return !c.blocks.order.empty() || !c.ridge.pair.empty(); });
+}
+
+double touch_omega2(const System& system, const State& s, int lattice) {
+  const double omega2 = system.lattices[std::size_t(lattice)].touch.omega2;
+  return (touch_any(s) ? omega2 : 0) + (ridge_any(s) ? omega2 : 0) + (self_any(s) ? omega2 : 0);
+}
+
+}  // namespace drape

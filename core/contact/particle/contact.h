@@ -1,0 +1,112 @@
+// Contact within a step: what keeps the cloth out of bodies. core/README.md, section 7.
+#pragma once
+#include "contact/particle/contact_pass.h"
+#include "body/distance_grid.h"
+#include "contact/edge/edge_contact.h"
+#include "model/system.h"
+
+namespace drape {
+
+struct Kernel;
+
+// Room for contact; made once per System.
+struct TouchRoom {
+  std::vector<Voxels> voxels;     // [bodies]
+  std::vector<Array> old;         // [bodies][blocks x 3 x kRowUnit] v_{n-1/2}
+  std::vector<std::size_t> due;   // [nodes / kRowUnit] first nodes of blocks to look at anew
+  Array tied;                     // [nodes] 1 where pins and welds tie a particle to others; empty: nowhere
+  std::vector<char> hit;          // [nodes / kRowUnit] where tied nodes have been touched in the present step
+  std::vector<ContactLaw> law;    // [lattices] of the present body
+  std::vector<RidgeTouch> ridge;  // links and cells on ridges, of the present pass
+  RidgeSums ridge_sums;
+  double ridge_lost = 0;  // J, of ridge_look
+  bool told = false;      // what bodies were told of the half step before this advance is taken out already
+  std::vector<PinLoad> load;         // [bodies] of the last synchronous pass
+  double dissipated = 0, input = 0;  // J, likewise
+};
+TouchRoom touch_make(const System& system);
+
+// Looks at all surroundings; for a new state.
+void touch_begin(const System& system, const Kernel& kernel, TouchRoom& room, State& state);
+
+// Pieces that start inside a body, or nearer to one than the cloth's thickness lets them.
+void touch_start_check(const System& system, const Scene& scene, TouchRoom& room, const State& state,
+                       std::vector<Problem>& problems);
+
+// What is on ridges, and the velocities of all that is near, before a step changes them.
+void touch_keep(const System& system, TouchRoom& room, State& state);
+
+// What a step is to contact.
+struct TouchStep {
+  double drift, keep, kick;   // of the step
+  double half_old, half_new;  // s, h_o/2 and h/2
+  double centred;             // 1 + c h/2
+  bool begins;                // an advance, of which the half h_o/2 has been told already
+  double told_centred;        // 1 + c h_o/2
+};
+
+// What the kick of a step, and the last half kick of `half` s, which turns v_{n-1/2} into v_n, do.
+ContactCoefficients touch_kick(const TouchStep& step);
+ContactCoefficients touch_last_kick(double half, double centred);
+
+// The same of accelerations, with stops as in the last step; before the first and at the rest of a fit, in
+// the next.
+ContactCoefficients touch_force(const System& system, const State& state);
+
+// How a lattice touches a body now: in a fit nothing rubs while seams are to be closed, and until what has
+// been sewn has settled.
+ContactLaw touch_law_now(const System& system, const State& state, const Body& body, const Lattice& lattice);
+
+// Notes which particles are tied to others; for new constraints.
+void touch_tie(const System& system, const Constraints& constraints, TouchRoom& room);
+
+// Before pins and welds: gives particles that are not alone what the bodies did to them in the step before.
+void touch_carry(const System& system, const TouchRoom& room, const TouchStep& step, State& state);
+void touch_carry_synchronous(const System& system, TouchRoom& room, const State& state, double half,
+                             double centred, double* vx, double* vy, double* vz);
+
+// Adds to a free step what the bodies do. Needs touch_keep.
+void touch_apply(const System& system, const Kernel& kernel, TouchRoom& room, const TouchStep& step,
+                 State& state);
+
+// After the particles and bodies have moved, or velocities have jumped: looks at the surroundings of those
+// that may have come near something else, or will. `drift`: how long they moved since the last watch, s;
+// `ahead`: the next step.
+void touch_watch(const System& system, const Kernel& kernel, TouchRoom& room, State& state, double drift,
+                 double ahead);
+
+// After particles have been put elsewhere: all are compared with their budgets at the next watch.
+void touch_hurry(State& state);
+
+// What contact does to synchronous velocities [nodes] in the last half kick of `half` s, which is what
+// room.load then holds, as impulses; or to accelerations (half = 0), as forces.
+void touch_synchronous(const System& system, const Kernel& kernel, TouchRoom& room, const State& state,
+                       double half, double centred, double* vx, double* vy, double* vz);
+
+// The longest step (s) in which no particle goes past what its surroundings were searched for.
+double touch_step_most(const System& system, const State& state);
+
+bool touch_any(const State& state);  // a particle is near a body, or a link near a ridge
+
+// omega^2 that contact adds to that of a lattice, 1/s^2.
+double touch_omega2(const System& system, const State& state, int lattice);
+
+// What stops hold now beyond the penalties, N along the normals: of particles that touch and of the pairs of
+// ridge_look, in their order. Empty where nothing is so deep.
+struct TouchStops {
+  std::vector<double> particle, pair;
+};
+bool touch_stopped(const System& system, const State& state);  // something is, nearly
+
+// Of the accelerations a [nodes] that all else leaves, carry given.
+TouchStops touch_stops(const System& system, const State& state, const std::vector<RidgeTouch>& pairs,
+                       double* const a[3]);
+
+// What touches now, and the energy of the penalties, J.
+ContactSummary touch_summary(const System& system, const State& state, const TouchStops& stops);
+double touch_energy(const System& system, const State& state);
+
+// The pressure of bodies on each node, Pa, summed over the surfaces that it touches.
+std::vector<double> touch_pressure(const System& system, const State& state, const TouchStops& stops);
+
+}  // namespace drape

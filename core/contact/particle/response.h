@@ -1,0 +1,347 @@
+// What a surface does to the particles near it, at the kick of t_n.
+//
+//   distance d = D (x - p), signed by the side; depth e = layer - d
+//   normal     F/m = [omega^2 phi(e) - 2 zeta omega phi'(e) v_n]+,  centred damping as in -m c v
+//              phi' = 3 t^2 - 2 t^3,  t = e/blend from 0 to 1;  1 beyond: C2 where they touch
+//   stop       r_{n+1} is not nearer than `least`: what the penalty leaves of the approach is taken away
+//   friction   the tangential velocity that is left, no more than mu of the normal impulse (Coulomb). What
+//   sticks
+//              has no tangential velocity at all: it does not creep.
+//
+// A kernel has moved the particles without this: v is the free v_{n+1/2}, r = r_n + drift v.
+//
+// Pins and welds share what one particle is given among all that they tie together, and several surfaces act
+// on a particle one after the other, so that a single pass leaves a part undone. Such particles are given in
+// advance what they got in the step before (carry); pins, welds and other surfaces leave what it lacks, and
+// the pass takes it back and does it anew. At rest the two are the same. Stops are not carried on: what
+// answers to a place one step late, without bound, swings.
+#pragma once
+#include <algorithm>
+
+#include "contact/particle/contact_pass.h"
+#include "simd/vector_lanes.h"
+
+namespace drape {
+namespace {
+
+template <class L>
+struct ContactLanes {
+  L kick, old_time, new_time, stop_rate, push_rate;
+  L omega2, nu, layer, inverse_blend, blend, least;  // nu = 2 zeta omega
+  L stick, slide;
+
+  DRAPE_INLINE ContactLanes(const ContactLaw& law, const ContactCoefficients& c, double zeta)
+      : kick(c.kick),
+        old_time(c.old_time),
+        new_time(c.new_time),
+        stop_rate(c.stop_rate),
+        push_rate(c.push_rate),
+        omega2(law.omega2),
+        nu(2 * zeta * __builtin_sqrt(law.omega2)),
+        layer(law.layer),
+        inverse_blend(1 / (kContactBlend * law.layer)),
+        blend(kContactBlend * law.layer),
+        least((1 - kContactDeepest) * law.layer),
+        stick(law.friction[0]),
+        slide(law.friction[1]) {}
+
+  struct Normal {
+    L impulse;  // P, what the normal velocity gains, at least 0
+    L stop;     // of it, what the stop gives
+    L stored;   // what the penalty's potential gives
+  };
+  // w_n of the free velocity, before that of v_{n-1/2}; stiff: of the penalty, over omega^2.
+  DRAPE_INLINE Normal normal(L distance, L w, L before, L stiff) const {
+    const L depth = layer - distance, t = min(max(depth * inverse_blend, L(0.0)), L(1.0));
+    const L t2 = t * t, slope = t2 * fma(L(-2.0), t, L(3.0));
+    const L phi = fma(blend, t2 * t * fma(L(-0.5), t, L(1.0)), max(depth - blend, L(0.0)));
+    const L stored = kick * stiff * omega2 * phi, drag = nu * slope;
+    const L after = (w + stored - drag * old_time * before) / fma(drag, new_time, L(1.0));
+    const L room = distance - least;
+    const L wanted = L(0.0) - room * select(ge(room, L(0.0)), stop_rate, push_rate);
+    const L soft = max(after - w, L(0.0)), all = max(soft, wanted - w);
+    return {all, all - soft, stored};
+  }
+};
+
+template <class L>
+struct ContactHit {
+  Vec<L> dv;
+  L grip, stored, stop;  // stored, stop: along n
+};
+
+template <class L>
+DRAPE_INLINE ContactHit<L> contact_hit(const ContactLanes<L>& k, const Vec<L>& n, L distance, const Vec<L>& w,
+                                       const Vec<L>& before, L grip, L stiff) {
+  const L wn = dot(w, n);
+  const typename ContactLanes<L>::Normal normal = k.normal(distance, wn, dot(before, n), stiff);
+  const L p = normal.impulse;
+  const Vec<L> wt = w - n * wn;
+  const L speed = sqrt(dot(wt, wt));
+  const auto touches = gt(p, L(0.0));
+  const L hold = select(gt(grip, L(0.0)), k.stick, k.slide) * p;
+  const auto sticks = ge(hold, speed);
+  const L share = select(sticks, L(1.0), k.slide * p / max(speed, L(1e-300)));
+  const L zero(0.0);
+  return {{select(touches, fma(p, n.x, zero - share * wt.x), zero),
+           select(touches, fma(p, n.y, zero - share * wt.y), zero),
+           select(touches, fma(p, n.z, zero - share * wt.z), zero)},
+          select(touches, select(sticks, L(1.0), zero), zero),
+          select(touches, normal.stored, zero),
+          select(touches, normal.stop, zero)};
+}
+
+// The pose of a body in lanes.
+template <class L, bool kMoves>
+struct PoseLanes {
+  Vec<L> origin, velocity, spin;
+  L r[3][3];
+  DRAPE_INLINE explicit PoseLanes(const BodyContact& b) {
+    const auto lanes = [](const Vec3& v) DRAPE_INLINE_LAMBDA { return Vec<L>{L(v[0]), L(v[1]), L(v[2])}; };
+    origin = lanes(b.frame.position);
+    velocity = lanes(b.frame.velocity);
+    spin = lanes(b.frame.spin);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) r[i][j] = L(b.turn[i][j]);
+  }
+  DRAPE_INLINE Vec<L> inward(const Vec<L>& at) const {  // R^T (r - o)
+    if constexpr (!kMoves) return at;
+    const Vec<L> d = at - origin;
+    return {fma(r[0][0], d.x, fma(r[1][0], d.y, r[2][0] * d.z)),
+            fma(r[0][1], d.x, fma(r[1][1], d.y, r[2][1] * d.z)),
+            fma(r[0][2], d.x, fma(r[1][2], d.y, r[2][2] * d.z))};
+  }
+  DRAPE_INLINE Vec<L> outward(const Vec<L>& n) const {  // R n
+    if constexpr (!kMoves) return n;
+    return {fma(r[0][0], n.x, fma(r[0][1], n.y, r[0][2] * n.z)),
+            fma(r[1][0], n.x, fma(r[1][1], n.y, r[1][2] * n.z)),
+            fma(r[2][0], n.x, fma(r[2][1], n.y, r[2][2] * n.z))};
+  }
+  DRAPE_INLINE Vec<L> velocity_at(const Vec<L>& arm) const {  // V + w x (r - o)
+    if constexpr (!kMoves) return {L(0.0), L(0.0), L(0.0)};
+    return velocity + cross(spin, arm);
+  }
+};
+
+// d and the unit vector along it, in the body's frame.
+template <class L>
+struct Gap {
+  L distance;
+  Vec<L> n;
+};
+template <class L>
+DRAPE_INLINE Gap<L> contact_gap(const ContactBlock& b, int i, const Vec<L>& x, L s) {
+  if (b.flat) return {s, {L::load(b.side[0] + i), L::load(b.side[1] + i), L::load(b.side[2] + i)}};
+  const auto at = [&](const double* row) DRAPE_INLINE_LAMBDA { return L::load(row + i); };
+  const Vec<L> e = x - Vec<L>{at(b.point[0]), at(b.point[1]), at(b.point[2])};
+  const L xx = at(b.shape[0]), xy = at(b.shape[1]), xz = at(b.shape[2]), yy = at(b.shape[3]),
+          yz = at(b.shape[4]), zz = at(b.shape[5]);
+  const Vec<L> u{fma(xx, e.x, fma(xy, e.y, xz * e.z)), fma(xy, e.x, fma(yy, e.y, yz * e.z)),
+                 fma(xz, e.x, fma(yz, e.y, zz * e.z))};
+  const L length = sqrt(dot(u, u)), sign = select(ge(s, L(0.0)), L(1.0), L(-1.0));
+  const L inverse = sign / max(length, L(1e-300));
+  const auto clear = gt(length, L(1e-12));  // on the surface itself only the side is known
+  const auto none = gt(s, L(kFar / 2));     // a lane without a surface
+  return {select(none, s, sign * length),
+          {select(clear, u.x * inverse, at(b.side[0])), select(clear, u.y * inverse, at(b.side[1])),
+           select(clear, u.z * inverse, at(b.side[2]))}};
+}
+
+// What a particle that is not alone is given in advance in the next step: all but stops, which would swing.
+template <class L>
+DRAPE_INLINE Vec<L> carry_of(const ContactCoefficients& c, const Vec<L>& n, const ContactHit<L>& hit,
+                             L shares, L light) {
+  return (hit.dv - n * hit.stop) * select(gt(light, L(0.0)), shares / (L(c.kick) * light), L(0.0));
+}
+template <class L>
+DRAPE_INLINE void carry_store(ContactBlock& b, int i, const Vec<L>& carry) {
+  L::store(b.carry[0] + i, carry.x);
+  L::store(b.carry[1] + i, carry.y);
+  L::store(b.carry[2] + i, carry.z);
+  b.carries = b.carries || any(gt(abs(carry.x) + abs(carry.y) + abs(carry.z), L(0.0)));
+}
+
+// Sums over the blocks, one for each place of a block: the same bits for every width of a lane.
+template <class L>
+struct ContactSums {
+  static constexpr int kParts = kRowUnit / L::kWidth;
+  L sum[8][kParts];  // force x y z, torque x y z, dissipated, input
+  DRAPE_INLINE ContactSums() {
+    for (auto& row : sum)
+      for (L& v : row) v = L(0.0);
+  }
+  DRAPE_INLINE void add(int part, const Vec<L>& impulse, const Vec<L>& arm) {
+    const Vec<L> torque = cross(arm, impulse);
+    const L v[6] = {impulse.x, impulse.y, impulse.z, torque.x, torque.y, torque.z};
+    for (int k = 0; k < 6; ++k) sum[k][part] = sum[k][part] + v[k];
+  }
+  void give(double* to) const {
+    alignas(kLine) double lane[kRowUnit];
+    for (int k = 0; k < 8; ++k) {
+      for (int p = 0; p < kParts; ++p) L::store(lane + p * L::kWidth, sum[k][p]);
+      for (double v : lane) to[k] += v;
+    }
+  }
+};
+
+// What a pass reads of every block.
+DRAPE_INLINE void block_fetch(const ContactBlock& b) {
+  for (const double* row : {b.side[0], b.side[1], b.side[2], b.offset, b.grip}) __builtin_prefetch(row);
+  __builtin_prefetch(&b.node);
+}
+
+template <class L, bool kMoves>
+void contact_run(const ContactJob& job) {
+  const PoseLanes<L, kMoves> pose(*job.body);
+  const ContactCoefficients& c = job.c;
+  ContactSums<L> sums;
+  int lattice = 0;  // of the laws
+  ContactLanes<L> law(job.law[0], c, job.damping), told(job.law[0], job.told, job.damping);
+  const ContactBlocks& blocks = job.body->blocks;
+  for (std::size_t k = 0; k < blocks.order.size(); ++k) {
+    ContactBlock& b = job.body->blocks.pool[blocks.order[k].block];
+    if (k + 1 < blocks.order.size()) block_fetch(blocks.pool[blocks.order[k + 1].block]);
+    if (b.lattice != lattice) {
+      lattice = b.lattice;
+      law = ContactLanes<L>(job.law[lattice], c, job.damping);
+      told = ContactLanes<L>(job.law[lattice], job.told, job.damping);
+    }
+    const bool given = b.carries;  // in advance
+    if (job.moves) b.carries = false;
+    for (int i = 0, part = 0; i < kRowUnit; i += L::kWidth, ++part) {
+      const std::size_t n = b.node + std::size_t(i);
+      const Row r{job.r[0] + n, job.r[1] + n, job.r[2] + n}, v{job.v[0] + n, job.v[1] + n, job.v[2] + n};
+      const L light = job.lightness ? L::load(job.lightness + n) : L(1.0);
+      Vec<L> free = vec_load<L>(v, 0), moved = vec_load<L>(r, 0);
+      if (given) {
+        const Vec<L> carried_on =
+            Vec<L>{L::load(b.carry[0] + i), L::load(b.carry[1] + i), L::load(b.carry[2] + i)} *
+            (L(c.kick) * light);
+        free = free - carried_on;
+        moved = moved - carried_on * L(c.drift);
+      }
+      const Vec<L> at = moved - free * L(c.drift);
+      const Vec<L> x = pose.inward(at), arm = at - pose.origin, carried = pose.velocity_at(arm),
+                   w = free - carried;
+      const L s =
+          fma(L::load(b.side[0] + i), x.x,
+              fma(L::load(b.side[1] + i), x.y, fms(L::load(b.side[2] + i), x.z, L::load(b.offset + i))));
+      const L nearer = L(c.reach_time) * (abs(w.x) + abs(w.y) + abs(w.z));
+      if (!any(gt(law.layer, s - nearer))) {
+        if (job.moves) L::store(b.grip + i, L(0.0));
+        if (given) {
+          vec_store(v, 0, free);
+          if (job.moves) vec_store(r, 0, moved);
+          if (job.moves && job.hit) job.hit[b.node / kRowUnit] = 1;
+          if (job.moves) carry_store(b, i, Vec<L>{L(0.0), L(0.0), L(0.0)});
+        }
+        continue;
+      }
+      const Gap<L> gap = contact_gap(b, i, x, s);
+      const Vec<L> normal = pose.outward(gap.n);
+      const L grip = L::load(b.grip + i);
+      const L stiff = job.stiff ? L(1.0) / max(L::load(job.stiff + n), L(1e-300)) : L(1.0);
+      const double* kept = job.old ? job.old + 3 * kRowUnit * k + std::size_t(i) : nullptr;
+      const Vec<L> old =
+          kept ? Vec<L>{L::load(kept), L::load(kept + kRowUnit), L::load(kept + 2 * kRowUnit)} : free;
+      const ContactHit<L> hit = contact_hit(law, normal, gap.distance, w, old - carried, grip, stiff);
+      const L inertia = select(gt(light, L(0.0)), L::load(job.mass + n) / light, L(0.0)) * L(c.impulse);
+      Vec<L> impulse = hit.dv * (L(0.0) - inertia);
+      if (job.moves) L::store(b.grip + i, hit.grip);
+      const Vec<L> now = free + hit.dv;
+      vec_store(v, 0, now);
+      if (job.moves) vec_store(r, 0, moved + hit.dv * L(c.drift));
+      if (job.moves && (given || job.tied || b.shares)) {
+        const L tied = job.tied ? L::load(job.tied + n) : L(0.0);
+        if (job.hit && (given || any(gt(tied * (abs(hit.dv.x) + abs(hit.dv.y) + abs(hit.dv.z)), L(0.0)))))
+          job.hit[b.node / kRowUnit] = 1;
+        carry_store(b, i, carry_of(c, normal, hit, max(tied, L::load(b.shared + i)), light));
+      }
+      if (job.energy) {
+        // J of the rest moves against v_mid - v_b, all of J with v_b
+        const Vec<L> middle = (old + now) * L(0.5) - carried;
+        const L rest = dot(impulse, middle) + inertia * hit.stored * dot(normal, middle);
+        sums.sum[6][part] = sums.sum[6][part] + rest;
+        sums.sum[7][part] = sums.sum[7][part] - dot(impulse, carried);
+      }
+      if (job.begins) {
+        // the advance before has been told what turned its last half kick into v_n
+        const Vec<L> kicked = free - old * L(c.keep);
+        const Vec<L> half = (old + kicked * L(c.told_share)) * L(1 / c.told_centred) - carried;
+        const ContactHit<L> was = contact_hit(told, normal, gap.distance, half, half, grip, stiff);
+        impulse = impulse + was.dv * (inertia * L(c.told_centred / c.impulse));
+      }
+      sums.add(part, impulse, arm);
+    }
+  }
+  sums.give(job.sum);
+}
+
+// Over the lanes.
+template <class L>
+double largest(L a) {
+  alignas(kLine) double lane[L::kWidth];
+  L::store(lane, a);
+  return *std::max_element(lane, lane + L::kWidth);
+}
+template <class L>
+double smallest(L a) {
+  alignas(kLine) double lane[L::kWidth];
+  L::store(lane, a);
+  return *std::min_element(lane, lane + L::kWidth);
+}
+
+// The largest speed of nodes.
+template <class L>
+DRAPE_INLINE double contact_speed(const ContactWatch& job, std::size_t begin, std::size_t end) {
+  L most(0.0);
+  for (std::size_t i = begin; i < end; i += L::kWidth) {
+    const L x = L::load(job.v[0] + i), y = L::load(job.v[1] + i), z = L::load(job.v[2] + i);
+    most = max(most, fma(x, x, fma(y, y, z * z)));
+  }
+  return __builtin_sqrt(largest(most));
+}
+
+// Blocks of nodes of which one has moved as far as it may, or will in the next step. Against a body that
+// stays a group is not looked at as long as its fastest node could not have.
+template <class L, bool kMoves>
+std::size_t contact_watch(const ContactWatch& job, std::size_t* due) {
+  constexpr double kRounding = 1 - 1e-9;
+  const PoseLanes<L, kMoves> pose(*job.body);
+  BodyContact& b = *job.body;
+  std::size_t count = 0;
+  for (std::size_t begin = job.begin; begin < job.end; begin += kWatchGroup) {
+    const std::size_t end = begin + kWatchGroup < job.end ? begin + kWatchGroup : job.end;
+    if constexpr (!kMoves) {
+      const double speed = contact_speed<L>(job, begin, end);
+      double& ease = b.ease[begin / kRowUnit];
+      ease -= __builtin_fabs(job.drift) * speed;  // stages of order 4 and 6 go partly back
+      if (ease > job.ahead * speed) continue;
+    }
+    L left(kFar);
+    for (std::size_t n = begin; n < end; n += kRowUnit) {
+      bool moved = false;
+      for (std::size_t i = n; i < n + kRowUnit; i += L::kWidth) {
+        const Vec<L> from{L::load(b.x.data() + i), L::load(b.y.data() + i), L::load(b.z.data() + i)};
+        const Vec<L> at{L::load(job.r[0] + i), L::load(job.r[1] + i), L::load(job.r[2] + i)};
+        const Vec<L> v{L::load(job.v[0] + i), L::load(job.v[1] + i), L::load(job.v[2] + i)};
+        const Vec<L> along = v - pose.velocity_at(at - pose.origin);
+        const Vec<L> d = pose.inward(at + along * L(job.ahead)) - from;
+        const L budget2 = L::load(b.budget2.data() + i);
+        moved = moved || any(ge(dot(d, d), budget2));
+        if constexpr (!kMoves) left = min(left, sqrt(budget2) - sqrt(dot(at - from, at - from)));
+      }
+      if (moved) due[count++] = n, left = L(0.0);
+    }
+    if constexpr (!kMoves) b.ease[begin / kRowUnit] = kRounding * smallest(left);
+  }
+  return count;
+}
+
+template <class L>
+constexpr ContactKernel contact_kernel() {
+  return {{contact_run<L, false>, contact_run<L, true>}, {contact_watch<L, false>, contact_watch<L, true>}};
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,57 @@
+// What starts in a body.
+#include "body/closest_features.h"
+#include "model/body_pose.h"
+#include "contact/particle/contact.h"
+#include "scene/diagnostics.h"
+
+namespace drape {
+namespace {
+
+double depth_at(const System& system, TouchRoom& room, const State& s, std::size_t b, const Lattice& l,
+                std::size_t n) {
+  const Body& body = system.bodies[b];
+  const Vec3 x = pose_inward(body, s.body[b], {s.x[n], s.y[n], s.z[n]});
+  Voxels& voxels = room.voxels[b];
+  if (const Neighbourhood near = voxels_at(voxels, x); near.triangle) {
+    Nearest found;
+    nearest_find(body.mesh.surface, *near.triangle, x, l.touch.layer, voxels.reach, voxels.reach, near.listed,
+                 nullptr, found);
+    if (!found.touch.empty()) return l.touch.layer - found.touch[0].distance;
+  }
+  const double inside = voxels_depth(voxels, x);
+  return inside > 0 ? l.touch.layer + inside : 0;
+}
+
+}  // namespace
+
+void touch_start_check(const System& system, const Scene& scene, TouchRoom& room, const State& s,
+                       std::vector<Problem>& problems) {
+  for (std::size_t b = 0; b < system.bodies.size(); ++b)
+    for (const Lattice& l : system.lattices) {
+      std::size_t count = 0;
+      Vec3 worst{0, 0, 0};
+      double deepest = 0;
+      for (std::size_t n : system.particle) {
+        if (!l.owns(n)) continue;
+        const double depth = depth_at(system, room, s, b, l, n);
+        if (!(depth > kContactDeepest * l.touch.layer)) continue;
+        ++count;
+        if (depth > deepest) deepest = depth, worst = {s.x[n], s.y[n], s.z[n]};
+      }
+      const char* what = " particles inside the body ";
+      if (count == 0) {
+        const RidgeDeep deep = ridge_deepest(system, s, b, l, room.voxels[b]);
+        count = deep.count, deepest = deep.depth, worst = deep.at;
+        what = " links or cells through sharp edges or tips of the body ";
+      }
+      if (count == 0) continue;
+      problems.push_back({"piece." + scene.pieces[std::size_t(l.piece)].name + ".place",
+                          "puts " + std::to_string(count) + what + in_quotes(system.bodies[b].name) +
+                              " or nearer to it than half the thickness, " + number_text(l.touch.layer) +
+                              " m; the deepest by " + number_text(deepest) + " m at (" +
+                              number_text(worst[0]) + ", " + number_text(worst[1]) + ", " +
+                              number_text(worst[2]) + "); wanted: all outside"});
+    }
+}
+
+}  // namespace drape

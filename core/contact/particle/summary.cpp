@@ -1,0 +1,150 @@
+// What touches bodies now: depths, pressures, energy.
+#include <algorithm>
+#include <cmath>
+
+#include "math/smooth_ramp.h"
+#include "model/body_pose.h"
+#include "contact/particle/response.h"
+#include "simd/lane_scalar.h"
+#include "contact/particle/contact.h"
+
+namespace drape {
+namespace {
+
+using Lane = ScalarLane<false>;
+
+constexpr double kNearStop = 0.999;  // of how deep what a stop holds is
+
+struct Touching {
+  std::size_t body, node;
+  const ContactBlock* block;
+  int lane;
+  const ContactLaw* law;
+  Gap<Lane> gap;
+  double depth() const { return law->layer - gap.distance.v; }
+};
+
+// Visits each particle within its layer, by each surface.
+template <class Visit>
+void each_touching(const System& system, const State& s, Visit visit) {
+  for (std::size_t k = 0; k < s.body.size(); ++k)
+    for (const ContactPlace& place : s.body[k].blocks.order) {
+      const ContactBlock& b = s.body[k].blocks.pool[place.block];
+      const ContactLaw& law = system.lattices[std::size_t(b.lattice)].touch;
+      for (int i = 0; i < kRowUnit; ++i) {
+        if (b.offset[i] == -kFar) continue;
+        const std::size_t n = b.node + std::size_t(i);
+        const Vec3 x = pose_inward(system.bodies[k], s.body[k], {s.x[n], s.y[n], s.z[n]});
+        const double height = vector3::dot(Vec3{b.side[0][i], b.side[1][i], b.side[2][i]}, x) - b.offset[i];
+        const Touching t{k, n, &b, i, &law, contact_gap<Lane>(b, i, {x[0], x[1], x[2]}, height)};
+        if (t.depth() > 0) visit(t);
+      }
+    }
+}
+
+// Of a particle, by one surface: (m/a) W^2 phi(e) and what the stop holds, Pa.
+double pressure_of(const System& system, const State& s, const Touching& t, double stop) {
+  return (inertia_of(system, s, t.node) * t.law->omega2 *
+              contact_penalty(kContactBlend * t.law->layer, t.depth()) +
+          stop) /
+         system.area[t.node];
+}
+
+bool is_deep(double layer, double depth) { return depth >= kNearStop * kContactDeepest * layer; }
+
+double stop_of(const std::vector<double>& stops, std::size_t k) { return stops.empty() ? 0 : stops[k]; }
+
+double layer_of(const System& system, const RidgeTouch& t) {
+  return system.lattices[std::size_t(t.part->lattice)].touch.layer;
+}
+
+}  // namespace
+
+bool touch_stopped(const System& system, const State& s) {
+  bool deep = false;
+  each_touching(system, s, [&](const Touching& t) { deep = deep || is_deep(t.law->layer, t.depth()); });
+  ridge_each(system, s, [&](const RidgeTouch& t, std::size_t, double depth, double) {
+    deep = deep || is_deep(layer_of(system, t), depth);
+  });
+  return deep;
+}
+
+TouchStops touch_stops(const System& system, const State& s, const std::vector<RidgeTouch>& pairs,
+                       double* const a[3]) {
+  TouchStops stops;
+  const ContactCoefficients c = touch_force(system, s);
+  each_touching(system, s, [&](const Touching& t) {
+    const Body& body = system.bodies[t.body];
+    const std::size_t n = t.node;
+    const ContactLanes<Lane> law(
+        touch_law_now(system, s, body, system.lattices[std::size_t(t.block->lattice)]), c, body.damping);
+    const Vec3 out = pose_outward(body, s.body[t.body], {t.gap.n.x.v, t.gap.n.y.v, t.gap.n.z.v});
+    const Vec3 carried = pose_acceleration(body, s.body[t.body], {s.x[n], s.y[n], s.z[n]});
+    Vec<Lane> free;  // against the body
+    Lane* to[] = {&free.x, &free.y, &free.z};
+    for (std::size_t k = 0; k < 3; ++k) *to[k] = a[k][n] - t.block->carry[k][t.lane] - carried[k];
+    const ContactHit<Lane> hit =
+        contact_hit(law, Vec<Lane>{out[0], out[1], out[2]}, t.gap.distance, free, free,
+                    Lane(t.block->grip[t.lane]), Lane(s.lightness.empty() ? 1 : 1 / s.lightness[n]));
+    const Lane dv[] = {hit.dv.x, hit.dv.y, hit.dv.z};
+    for (std::size_t k = 0; k < 3; ++k) a[k][n] = (*to[k] + dv[k]).v + carried[k];
+    stops.particle.push_back(system.mass[n] * hit.stop.v);
+  });
+  std::vector<RidgeTouch> accelerated = pairs;
+  for (RidgeTouch& t : accelerated)
+    t.carried = pose_acceleration(system.bodies[t.body], s.body[t.body], t.at);
+  RidgeSums sums;
+  ridge_respond(system, s, accelerated, c, {{a[0], a[1], a[2]}, {}, nullptr}, nullptr, sums);
+  stops.pair = sums.stop;
+  return stops;
+}
+
+ContactSummary touch_summary(const System& system, const State& s, const TouchStops& stops) {
+  ContactSummary sum;
+  std::vector<char> counted(system.nodes, 0);  // a particle in a groove counts once
+  std::size_t k = 0;
+  each_touching(system, s, [&](const Touching& t) {
+    sum.count += counted[t.node] == 0;
+    counted[t.node] = 1;
+    sum.penetration = std::max(sum.penetration, t.depth());
+    sum.pressure = std::max(sum.pressure, pressure_of(system, s, t, stop_of(stops.particle, k++)));
+  });
+  ridge_each(system, s, [&](const RidgeTouch& t, std::size_t pair, double depth, double force) {
+    if (t.gap.share == 0 && !is_deep(layer_of(system, t), depth)) return;  // only a stop would touch it
+    double area = INFINITY;
+    for (int i = 0; i < t.part->weights(); ++i) area = std::min(area, system.area[t.part->node[i]]);
+    ++sum.count;
+    sum.penetration = std::max(sum.penetration, depth);
+    sum.pressure = std::max(sum.pressure, (force + stop_of(stops.pair, pair)) / area);
+  });
+  return sum;
+}
+
+std::vector<double> touch_pressure(const System& system, const State& s, const TouchStops& stops) {
+  std::vector<double> pressure(system.nodes, 0.0);
+  std::size_t k = 0;
+  each_touching(system, s, [&](const Touching& t) {
+    pressure[t.node] += pressure_of(system, s, t, stop_of(stops.particle, k++));
+  });
+  ridge_each(system, s, [&](const RidgeTouch& t, std::size_t pair, double, double force) {
+    for (int i = 0; i < t.part->weights(); ++i)
+      pressure[t.part->node[i]] +=
+          t.gap.weight[i] * (force + stop_of(stops.pair, pair)) / system.area[t.part->node[i]];
+  });
+  return pressure;
+}
+
+double touch_energy(const System& system, const State& s) {
+  double sum = 0;
+  each_touching(system, s, [&](const Touching& t) {
+    sum += inertia_of(system, s, t.node) * t.law->omega2 *
+           contact_penalty_energy(kContactBlend * t.law->layer, t.depth());
+  });
+  ridge_each(system, s, [&](const RidgeTouch& t, std::size_t, double depth, double) {
+    const double layer = layer_of(system, t);
+    sum += t.stiffness * contact_penalty_energy(kContactBlend * layer, std::min(depth, layer));
+  });
+  return sum;
+}
+
+}  // namespace drape

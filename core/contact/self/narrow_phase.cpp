@@ -1,0 +1,182 @@
+// Which pairs touch. A particle may be nearest to a side or corner that several triangles share: it is one
+// place, and counts once, where none of these triangles is nearer still. Two edges count where both stand out
+// of their cloth, for elsewhere a particle is as near: with m from an edge into either of its triangles,
+//
+//   D.m >= s |D| |m| on the first edge, -D.m likewise on the second, s = thickness/(8 b):
+//
+// the middle of an edge of length b is then at most thickness/16 above particles at its ends.
+#include <algorithm>
+#include <cmath>
+
+#include "math/vector3.h"
+#include "contact/self/mesh.h"
+#include "math/closest_points.h"
+#include "contact/self/search.h"
+#include "contact/self/narrow_phase.h"
+
+namespace drape {
+namespace {
+
+using namespace vector3;
+
+SelfTouch touch_of(const NodeIndex* node, bool cross, const Vec3& arm, double distance, double layer) {
+  SelfTouch t{};
+  std::copy(node, node + 4, t.node.begin());
+  t.cross = cross;
+  t.arm = arm;
+  t.distance = distance;
+  t.n = (1 / distance) * arm;
+  t.layer = layer;
+  t.share = 1;
+  return t;
+}
+
+// Every node at which the foot of `a` has weight is one of b's triangle, and b is nearer.
+bool nearer_there(const SelfTouch& b, const SelfTouch& a, bool b_first) {
+  if (!(b.distance < a.distance || (b.distance == a.distance && b_first))) return false;
+  int shared = 0, wanted = 0;
+  for (int k = 1; k < 4; ++k) {
+    if (a.weight[k] == 0) continue;
+    ++wanted;
+    for (int m = 1; m < 4; ++m) shared += a.node[std::size_t(k)] == b.node[std::size_t(m)];
+  }
+  return wanted < 3 && shared == wanted;
+}
+
+// Keeps the local minima among those of one particle, from `first` on.
+void minima_keep(std::vector<SelfTouch>& touch, std::size_t first) {
+  if (touch.size() - first < 2) return;
+  for (std::size_t a = first; a < touch.size(); ++a)
+    for (std::size_t b = first; b < touch.size(); ++b)
+      if (a != b && nearer_there(touch[b], touch[a], b < a)) touch[a].drop = true;
+  const auto from = touch.begin() + std::ptrdiff_t(first);
+  touch.erase(std::remove_if(from, touch.end(), [](const SelfTouch& t) { return t.drop; }), touch.end());
+}
+
+struct Looking {
+  const System& system;
+  const Vec3* place;
+  double reach;
+  SelfTouches& all;
+};
+
+// The directions from an edge into its triangles, of length 1; their number.
+int into_set(const Looking& l, const SelfEdge& e, Vec3* into) {
+  const Vec3 base = l.place[e.node[0]], edge = l.place[e.node[1]] - base;
+  int count = 0;
+  for (NodeIndex n : e.across) {
+    if (n == kNoNode) continue;
+    const Vec3 reach = l.place[n] - base, m = reach - (dot(reach, edge) / dot(edge, edge)) * edge;
+    into[count++] = (1 / norm(m)) * m;
+  }
+  return count;
+}
+
+double sine_of(const Looking& l, NodeIndex edge) {
+  const SelfMesh& mesh = l.system.self;
+  return mesh.stands_out[std::size_t(mesh.lattice_of[mesh.edge[edge].node[0]])];
+}
+
+// Whether an edge may stand out at all: along the middle of both directions their sine is the largest, and
+// sine^2 = (1 + m_1.m_2)/2.
+bool may_stand(const Looking& l, NodeIndex edge) {
+  enum : char { kUnknown, kYes, kNo };
+  char& known = l.all.stands[edge];
+  if (known == kUnknown) {
+    Vec3 into[2];
+    const double sine = sine_of(l, edge);
+    const bool rim = into_set(l, l.system.self.edge[edge], into) < 2;
+    known = rim || (1 + dot(into[0], into[1])) / 2 > sine * sine ? kYes : kNo;
+  }
+  return known == kYes;
+}
+
+// How far an edge stands out of its cloth along `out`, of length 1: the least sine, over that from which it
+// does.
+double stands_out(const Looking& l, NodeIndex edge, const Vec3& out) {
+  Vec3 into[2];
+  const int count = into_set(l, l.system.self.edge[edge], into);
+  double least = 1;
+  for (int k = 0; k < count; ++k) least = std::min(least, dot(out, into[k]));
+  return least / sine_of(l, edge);
+}
+
+// The way left until the pair can touch; 0 where it is within reach, and then it may be one more of the
+// touches.
+double point_look(const Looking& l, const SelfPoint& p) {
+  const TriangleFoot foot =
+      triangle_foot(l.place[p.node[0]], l.place[p.node[1]], l.place[p.node[2]], l.place[p.node[3]]);
+  const double distance = std::sqrt(foot.distance2);
+  if (distance - p.layer > l.reach) return distance - p.layer;
+  if (!(p.layer > 0) || !(distance > 0)) return 0;
+  SelfTouch t = touch_of(p.node, false, foot.arm, distance, p.layer);
+  t.weight[0] = 1;
+  for (int k = 0; k < 3; ++k) t.weight[k + 1] = -foot.weight[k], t.turn[k + 1] = 1;
+  l.all.touch.push_back(t);
+  return 0;
+}
+
+double cross_look(const Looking& l, const SelfCross& p) {
+  if (!may_stand(l, p.edge[0]) || !may_stand(l, p.edge[1])) return 0;
+  const EdgesFoot foot =
+      edges_foot(l.place[p.node[0]], l.place[p.node[1]], l.place[p.node[2]], l.place[p.node[3]]);
+  const double distance = std::sqrt(foot.distance2);
+  if (distance - p.layer > l.reach) return distance - p.layer;
+  if (!foot.crosses || !(p.layer > 0) || !(distance > 0)) return 0;
+  SelfTouch t = touch_of(p.node, true, foot.arm, distance, p.layer);
+  const double out = std::min(stands_out(l, p.edge[0], t.n), stands_out(l, p.edge[1], -1.0 * t.n));
+  if (!(out > 1)) return 0;
+  const double rise = std::min(out - 1, 1.0);
+  t.share = rise * rise * (3 - 2 * rise);
+  const double weight[4] = {1 - foot.share[0], foot.share[0], foot.share[1] - 1, -foot.share[1]};
+  for (int k = 0; k < 4; ++k) t.weight[k] = weight[k], t.turn[k] = 1;
+  l.all.touch.push_back(t);
+  return 0;
+}
+
+void places_take(const SelfMesh& mesh, const State& s, std::vector<Vec3>& place) {
+  place.resize(s.x.size());
+  for (const NodeSpan& span : mesh.span)
+    for (std::size_t n = span.begin; n < span.end; ++n) place[n] = {s.x[n], s.y[n], s.z[n]};
+}
+
+}  // namespace
+
+void self_look(const System& system, const State& s, double reach, SelfTouches& all, SelfState* wake) {
+  all.touch.clear();
+  const std::vector<double>& blocks = s.self.wake_block;
+  const double now = s.self.way;
+  if (std::none_of(blocks.begin(), blocks.end(), [&](double b) { return b <= now + reach; })) return;
+  const SelfPairs& pairs = *s.self.pairs;
+  const std::size_t points = pairs.point.size(), size = pairs.size();
+  places_take(system.self, s, all.place);
+  all.stands.assign(system.self.edge.size(), 0);
+  const Looking looking{system, all.place.data(), reach, all};
+  std::size_t first = 0;  // of the touches of the present particle
+  NodeIndex particle = kNoNode;
+  for (std::size_t begin = 0, block = 0; begin < size; begin += kWakeBlock, ++block) {
+    if (blocks[block] > now + reach) continue;
+    const std::size_t end = std::min(begin + kWakeBlock, size);
+    double soonest = INFINITY;
+    for (std::size_t k = begin; k < end; ++k) {
+      double until = s.self.wake[k];
+      if (until <= now + reach) {
+        const bool point = k < points;
+        if (const NodeIndex n = point ? pairs.point[k].node[0] : kNoNode; n != particle) {
+          minima_keep(all.touch, first);
+          first = all.touch.size();
+          particle = n;
+        }
+        const double left =
+            point ? point_look(looking, pairs.point[k]) : cross_look(looking, pairs.cross[k - points]);
+        until = now + left;
+        if (wake) wake->wake[k] = until;
+      }
+      soonest = std::min(soonest, until);
+    }
+    if (wake) wake->wake_block[block] = soonest;
+  }
+  if (particle != kNoNode) minima_keep(all.touch, first);
+}
+
+}  // namespace drape

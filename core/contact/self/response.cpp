@@ -1,0 +1,234 @@
+// What touching does: the law of contact with bodies (contact/particle/response.h) on pairs, whose impulses are
+// equal and opposite. With K = sum W_k^2/m_k and the depth e = layer - d,
+//
+//   normal     P = [k phi(e) dt - 2 zeta sqrt(k/K) phi'(e) w_n dt]+,   the damping centred
+//   stop       d_{n+1} >= least: what is left of the approach is taken away
+//   friction   J on the tangential w, |J| <= mu P (Coulomb); what sticks has no tangential w at all
+//
+// First all penalties. Then damping, stops and friction in turn, pair by pair, until nothing changes
+// (projected Gauss-Seidel; Jourdan, Alart, Jean 1998). Friction begins with what it held in the step before,
+// so that cloth at rest is done in one sweep, and does not creep.
+#include <algorithm>
+#include <cmath>
+
+#include "math/vector3.h"
+#include "math/smooth_ramp.h"
+#include "contact/self/mesh.h"
+#include "contact/self/narrow_phase.h"
+
+namespace drape {
+namespace {
+
+using namespace vector3;
+
+constexpr double kSoft = 0.25;   // of omega^2 of contact with bodies: a particle is in several pairs
+constexpr double kDamping = 1;   // zeta
+constexpr double kThin = 1e-12;  // of the trace cubed: nodes on one line do not turn
+constexpr double kLeast = 1 - kContactDeepest;
+
+Vec3 times(const double* m, const Vec3& v) {
+  return {m[0] * v[0] + m[1] * v[1] + m[2] * v[2], m[1] * v[0] + m[3] * v[1] + m[4] * v[2],
+          m[2] * v[0] + m[4] * v[1] + m[5] * v[2]};
+}
+
+// I^-1 of a symmetric matrix xx xy xz yy yz zz; 0 where it has none.
+void inverse_set(const double* i, double* to) {
+  const double xx = i[3] * i[5] - i[4] * i[4], xy = i[2] * i[4] - i[1] * i[5], xz = i[1] * i[4] - i[2] * i[3];
+  const double det = i[0] * xx + i[1] * xy + i[2] * xz, trace = i[0] + i[3] + i[5];
+  const double over = det > kThin * trace * trace * trace ? 1 / det : 0;
+  const double minor[6] = {
+      xx, xy, xz, i[0] * i[5] - i[2] * i[2], i[1] * i[2] - i[0] * i[4], i[0] * i[3] - i[1] * i[1]};
+  for (int k = 0; k < 6; ++k) to[k] = over * minor[k];
+}
+
+// p_k and I^-1; only what rubs needs them.
+void levers_set(const SelfTouches& all, SelfTouch& t) {
+  if (t.inverse[0] > 0) return;
+  Vec3 mean{0, 0, 0};
+  double sum = 0;
+  for (int k = 0; k < 4; ++k) {
+    t.lever[k] = all.place[t.node[std::size_t(k)]];
+    mean += t.turn[k] * t.lever[k];
+    sum += t.turn[k];
+  }
+  double inertia[6]{};
+  for (int k = 0; k < 4; ++k) {
+    t.lever[k] -= (1 / sum) * mean;
+    const Vec3& p = t.lever[k];
+    const double p2 = dot(p, p), u = t.turn[k];
+    inertia[0] += u * (p2 - p[0] * p[0]);
+    inertia[1] -= u * p[0] * p[1];
+    inertia[2] -= u * p[0] * p[2];
+    inertia[3] += u * (p2 - p[1] * p[1]);
+    inertia[4] -= u * p[1] * p[2];
+    inertia[5] += u * (p2 - p[2] * p[2]);
+  }
+  inverse_set(inertia, t.inverse);
+}
+
+void law_set(const System& system, const std::vector<SelfNode>& node, SelfTouch& t) {
+  const auto& of = system.self.lattice_of;
+  const ContactLaw &a = system.lattices[std::size_t(of[t.node[0]])].touch,
+                   &b = system.lattices[std::size_t(of[t.node[t.cross ? 2 : 1]])].touch;
+  double least = INFINITY;
+  t.lightness = 0;
+  for (int k = 0; k < 4; ++k) {
+    const SelfNode& n = node[std::size_t(t.at[k])];
+    least = std::min(least, system.mass[n.node]);
+    t.lightness += t.weight[k] * t.weight[k] * n.inverse;
+  }
+  t.stiffness = t.share * kSoft * std::min(a.omega2, b.omega2) * least / 2;
+  t.drag = t.lightness > 0 ? 2 * kDamping * std::sqrt(t.stiffness / t.lightness) : 0;
+  t.stick = (a.friction[0] + b.friction[0]) / 2;
+  t.slide = (a.friction[1] + b.friction[1]) / 2;
+}
+
+// sum W_k of a field of the nodes
+Vec3 gap_rate(const SelfTouches& all, const SelfTouch& t, Vec3 SelfNode::*field) {
+  Vec3 sum{0, 0, 0};
+  for (int k = 0; k < 4; ++k) sum += t.weight[k] * (all.node[std::size_t(t.at[k])].*field);
+  return sum;
+}
+
+// The tangential w.
+Vec3 slip(const SelfTouches& all, SelfTouch& t, Vec3 SelfNode::*field) {
+  levers_set(all, t);
+  Vec3 turning{0, 0, 0};
+  for (int k = 0; k < 4; ++k) turning += t.turn[k] * cross(t.lever[k], all.node[std::size_t(t.at[k])].*field);
+  const Vec3 w = gap_rate(all, t, field) - cross(times(t.inverse, turning), t.arm);
+  return w - dot(w, t.n) * t.n;
+}
+
+void node_push(SelfNode& n, const Vec3& f) {
+  n.v += n.inverse * f;
+  n.impulse += f;
+}
+
+void normal_push(SelfTouches& all, const SelfTouch& t, double p) {
+  for (int k = 0; k < 4; ++k) node_push(all.node[std::size_t(t.at[k])], (t.weight[k] * p) * t.n);
+}
+
+void tangential_push(SelfTouches& all, SelfTouch& t, const Vec3& j) {
+  levers_set(all, t);
+  const Vec3 turned = times(t.inverse, cross(t.arm, j));
+  for (int k = 0; k < 4; ++k)
+    node_push(all.node[std::size_t(t.at[k])], t.weight[k] * j - t.turn[k] * cross(turned, t.lever[k]));
+}
+
+// The penalty; the change of w_n.
+double normal_begin(const ContactCoefficients& c, SelfTouches& all, SelfTouch& t) {
+  const double blend = kSelfBlend * t.layer, depth = t.layer - t.distance;
+  if (!(depth > 0)) return 0;
+  const double u = std::min(depth / blend, 1.0);
+  t.resist = t.lightness * t.drag * u * u * (3 - 2 * u);
+  t.before = dot(t.n, gap_rate(all, t, &SelfNode::old));
+  t.stored = t.normal = c.kick * t.stiffness * contact_penalty(blend, depth);
+  normal_push(all, t, t.normal);
+  return t.lightness * t.normal;
+}
+
+// With damping: what P is to be, given what all others do.
+double normal_sweep(const ContactCoefficients& c, SelfTouches& all, SelfTouch& t) {
+  if (t.stored == 0) return 0;
+  const double rest = dot(t.n, gap_rate(all, t, &SelfNode::v)) - t.lightness * t.normal;
+  const double after =
+      (rest + t.lightness * t.stored - t.resist * c.old_time * t.before) / (1 + t.resist * c.new_time);
+  const double normal = std::max((after - rest) / t.lightness, 0.0), more = normal - t.normal;
+  t.normal = normal;
+  normal_push(all, t, more);
+  return t.lightness * std::abs(more);
+}
+
+double stop_sweep(const ContactCoefficients& c, SelfTouches& all, SelfTouch& t) {
+  const double w = dot(t.n, gap_rate(all, t, &SelfNode::v)), room = t.distance - kLeast * t.layer;
+  const double wanted = -room * (room >= 0 ? c.stop_rate : c.push_rate);
+  const double stop = std::max(t.stop + (wanted - w) / t.lightness, 0.0), more = stop - t.stop;
+  if (more == 0) return 0;
+  t.stop = stop;
+  normal_push(all, t, more);
+  return t.lightness * std::abs(more);
+}
+
+// J no larger than friction allows.
+Vec3 friction_bounded(SelfTouch& t, const Vec3& j) {
+  const double pressed = t.normal + t.stop, size = norm(j);
+  t.slides = size > (t.stuck ? t.stick : t.slide) * pressed;
+  if (!t.slides) return j;
+  return size > 0 ? (t.slide * pressed / size) * j : j;
+}
+
+double friction_change(SelfTouches& all, SelfTouch& t, const Vec3& wanted) {
+  const Vec3 j = friction_bounded(t, wanted), more = j - t.friction;
+  const double size = norm(more);
+  if (size == 0) return 0;
+  t.friction = j;
+  tangential_push(all, t, more);
+  return t.lightness * size;
+}
+
+}  // namespace
+
+void self_prepare(const System& system, const State& s, bool inertia_of_fit, SelfTouches& all) {
+  all.node.clear();
+  all.index.resize(system.nodes, -1);
+  for (SelfTouch& t : all.touch)
+    for (int k = 0; k < 4; ++k) {
+      const NodeIndex n = t.node[std::size_t(k)];
+      int& at = all.index[n];
+      if (at < 0) {
+        at = int(all.node.size());
+        const double light = inertia_of_fit && !s.lightness.empty() ? s.lightness[n] : 1;
+        const bool fixed = system.self.fixed[n];
+        all.node.push_back({n,
+                            fixed,
+                            fixed ? 0 : light * system.inverse_mass[n],
+                            system.mass[n] / light,
+                            {s.vx[n], s.vy[n], s.vz[n]},
+                            {}});
+      }
+      t.at[k] = at;
+    }
+  for (const SelfNode& n : all.node) all.index[n.node] = -1;
+  for (SelfTouch& t : all.touch) law_set(system, all.node, t);
+  std::erase_if(all.touch, [](const SelfTouch& t) { return !(t.lightness > 0); });  // held on both sides
+  auto held = s.self.hold.begin();                                                  // in the same order
+  for (SelfTouch& t : all.touch) {
+    const auto before = [&](const SelfHold& h) { return h.cross != t.cross ? t.cross : h.node < t.node; };
+    while (held != s.self.hold.end() && before(*held)) ++held;
+    if (held == s.self.hold.end() || held->cross != t.cross || held->node != t.node) continue;
+    t.hold = held->force - dot(held->force, t.n) * t.n;
+    t.stuck = held->sticks;
+  }
+}
+
+void self_respond(const ContactCoefficients& c, double settled, int sweeps, SelfTouches& all) {
+  double first = 0;
+  for (SelfTouch& t : all.touch) first = std::max(first, normal_begin(c, all, t));
+  for (SelfTouch& t : all.touch)
+    if (t.normal > 0) friction_change(all, t, c.kick * t.hold);
+  for (int k = 0; k < sweeps; ++k) {
+    double most = 0;
+    for (SelfTouch& t : all.touch) {
+      most = std::max(most, normal_sweep(c, all, t));
+      most = std::max(most, stop_sweep(c, all, t));
+      if (!(t.normal + t.stop > 0) && dot(t.friction, t.friction) == 0) continue;
+      const Vec3 w = slip(all, t, &SelfNode::v);
+      most = std::max(most, friction_change(all, t, t.friction - (1 / t.lightness) * w));
+    }
+    if (k == 0) first = std::max(first, most);
+    if (!(most > settled * first)) break;
+  }
+}
+
+double self_dissipated(const ContactCoefficients& c, SelfTouches& all) {
+  double sum = 0;
+  for (SelfTouch& t : all.touch) {
+    if (!(t.stored + t.stop > 0)) continue;
+    const double w = dot(t.n, gap_rate(all, t, &SelfNode::old) + gap_rate(all, t, &SelfNode::v)) / 2;
+    const Vec3 along = 0.5 * (slip(all, t, &SelfNode::old) + slip(all, t, &SelfNode::v));
+    sum -= c.impulse * ((t.normal + t.stop - (t.normal > 0 ? t.stored : 0)) * w + dot(t.friction, along));
+  }
+  return sum;
+}
+
+}  // namespace drape

@@ -1,0 +1,220 @@
+#include "contact/self/search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/vector3.h"
+#include "contact/self/mesh.h"
+#include "math/closest_points.h"
+
+namespace drape {
+namespace {
+
+using namespace vector3;
+
+constexpr double kFarthest = 1e15;  // buckets
+
+// The ball round a cell, and the bucket of its centre.
+struct Ball {
+  Vec3 centre;
+  double radius;
+  std::array<std::int64_t, 3> bucket;
+};
+
+Vec3 place(const State& s, NodeIndex n) { return {s.x[n], s.y[n], s.z[n]}; }
+
+std::vector<Ball> balls_of(const SelfMesh& mesh, const State& s) {
+  std::vector<Ball> balls;
+  balls.reserve(mesh.cell.size());
+  for (const SelfCell& cell : mesh.cell) {
+    Ball ball{{0, 0, 0}, 0, {}};
+    for (NodeIndex n : cell.node) ball.centre += 0.25 * place(s, n);
+    for (NodeIndex n : cell.node) ball.radius = std::max(ball.radius, norm(place(s, n) - ball.centre));
+    balls.push_back(ball);
+  }
+  return balls;
+}
+
+// Cells by the hash of their bucket: those of hash k are item[start[k]] .. item[start[k + 1]].
+struct Buckets {
+  std::size_t mask = 0;
+  std::vector<std::uint32_t> start, item;
+};
+
+std::size_t bucket_hash(const Buckets& b, const std::array<std::int64_t, 3>& at) {
+  const auto mixed = std::uint64_t(at[0]) * 0x9e3779b97f4a7c15u + std::uint64_t(at[1]) * 0xc2b2ae3d27d4eb4fu +
+                     std::uint64_t(at[2]) * 0x165667b19e3779f9u;
+  return (mixed ^ (mixed >> 29)) & b.mask;
+}
+
+Buckets buckets_fill(std::vector<Ball>& balls, double width) {
+  Buckets b;
+  std::size_t slots = 16;
+  while (slots < 2 * balls.size()) slots *= 2;
+  b.mask = slots - 1;
+  b.start.assign(slots + 1, 0);
+  b.item.resize(balls.size());
+  for (Ball& ball : balls) {
+    for (std::size_t k = 0; k < 3; ++k) ball.bucket[k] = std::int64_t(std::floor(ball.centre[k] / width));
+    ++b.start[bucket_hash(b, ball.bucket) + 1];
+  }
+  for (std::size_t k = 0; k < slots; ++k) b.start[k + 1] += b.start[k];
+  std::vector<std::uint32_t> next(b.start.begin(), b.start.end() - 1);
+  for (std::size_t k = 0; k < balls.size(); ++k)
+    b.item[next[bucket_hash(b, balls[k].bucket)]++] = std::uint32_t(k);
+  return b;
+}
+
+// Visits all pairs of cells in one bucket or in two that adjoin, once.
+template <class Visit>
+void each_near(const Buckets& b, const std::vector<Ball>& balls, Visit visit) {
+  std::vector<std::uint32_t> here, around;
+  const auto take = [&](const std::array<std::int64_t, 3>& at, std::vector<std::uint32_t>& to) {
+    const std::size_t hash = bucket_hash(b, at);
+    for (std::uint32_t k = b.start[hash]; k < b.start[hash + 1]; ++k)
+      if (const auto& of = balls[b.item[k]].bucket; of[0] == at[0] && of[1] == at[1] && of[2] == at[2])
+        to.push_back(b.item[k]);
+  };
+  for (std::size_t a = 0; a < balls.size(); ++a) {
+    const auto& at = balls[a].bucket;
+    here.clear();
+    around.clear();
+    take(at, here);
+    if (here.front() != a) continue;  // its first cell stands for a bucket
+    for (int k = 14; k < 27; ++k)     // half of the 26 around
+      take({at[0] + k / 9 - 1, at[1] + k / 3 % 3 - 1, at[2] + k % 3 - 1}, around);
+    for (std::size_t p = 0; p < here.size(); ++p) {
+      for (std::size_t q = p + 1; q < here.size(); ++q) visit(here[p], here[q]);
+      for (std::uint32_t q : around) visit(here[p], q);
+    }
+  }
+}
+
+struct Search {
+  const System& system;
+  const SelfMesh& mesh;
+  const State& state;
+  double margin;
+};
+
+double layer_of(const Search& s, NodeIndex a, NodeIndex b) {
+  return self_layer(s.system, s.mesh.lattice_of[a], s.mesh.lattice_of[b]);
+}
+
+// Particles of one cell and triangles of another.
+void points_find(const Search& s, const SelfCell& of, const SelfCell& on, SelfPairs& found) {
+  for (int k = of.node_first; k < of.node_end; ++k) {
+    const NodeIndex n = s.mesh.own_node[std::size_t(k)];
+    const Vec3 at = place(s.state, n);
+    for (const auto& t :
+         {std::array{on.node[0], on.node[1], on.node[3]}, std::array{on.node[0], on.node[3], on.node[2]}}) {
+      const SelfPoint pair{{n, t[0], t[1], t[2]}, std::min(layer_of(s, n, t[0]), s.mesh.layer_most[n])};
+      const double reach = pair.layer + s.margin;
+      const TriangleFoot foot =
+          triangle_foot(at, place(s.state, t[0]), place(s.state, t[1]), place(s.state, t[2]));
+      if (foot.distance2 <= reach * reach) found.point.push_back(pair);
+    }
+  }
+}
+
+void crosses_find(const Search& s, const SelfCell& a, const SelfCell& b, SelfPairs& found) {
+  for (int i = a.edge_first; i < a.edge_end; ++i)
+    for (int j = b.edge_first; j < b.edge_end; ++j) {
+      NodeIndex e = NodeIndex(i), f = NodeIndex(j);
+      if (s.mesh.edge[f].node[0] < s.mesh.edge[e].node[0]) std::swap(e, f);
+      const NodeIndex *from = s.mesh.edge[e].node, *to = s.mesh.edge[f].node;
+      SelfCross pair{{from[0], from[1], to[0], to[1]}, {e, f}, layer_of(s, from[0], to[0])};
+      for (NodeIndex n : pair.node) pair.layer = std::min(pair.layer, s.mesh.layer_most[n]);
+      const double reach = pair.layer + s.margin;
+      const Vec3 a0 = place(s.state, pair.node[0]), a1 = place(s.state, pair.node[1]),
+                 b0 = place(s.state, pair.node[2]), b1 = place(s.state, pair.node[3]);
+      const double far = reach + 0.5 * (norm(a1 - a0) + norm(b1 - b0));
+      const Vec3 between = 0.5 * ((a0 + a1) - (b0 + b1));
+      if (dot(between, between) > far * far) continue;
+      if (edges_foot(a0, a1, b0, b1).distance2 <= reach * reach) found.cross.push_back(pair);
+    }
+}
+
+// Whether a slab across the line of centres, wider than `reach`, has one cell on either side.
+bool are_apart(const State& s, const SelfCell& a, const SelfCell& b, const Vec3& between, double reach) {
+  double end = -INFINITY, begin = INFINITY;
+  for (NodeIndex n : a.node) end = std::max(end, dot(place(s, n), between));
+  for (NodeIndex n : b.node) begin = std::min(begin, dot(place(s, n), between));
+  return begin - end > reach * norm(between);
+}
+
+// Visits all cells that do not adjoin and may be nearer than `reach`.
+template <class Visit>
+void each_pair(const SelfMesh& mesh, const State& state, double reach, Visit visit) {
+  std::vector<Ball> balls = balls_of(mesh, state);
+  double most = 0, farthest = 0;
+  for (const Ball& ball : balls) {
+    most = std::max(most, ball.radius);
+    farthest += std::abs(ball.centre[0]) + std::abs(ball.centre[1]) + std::abs(ball.centre[2]);
+  }
+  const double width = 2 * most + reach;
+  if (!(width > 0 && farthest < kFarthest * width)) return;  // a run that leaves the finite numbers
+  const Buckets buckets = buckets_fill(balls, width);
+  each_near(buckets, balls, [&](std::size_t p, std::size_t q) {
+    const std::size_t a = std::min(p, q), b = std::max(p, q);
+    const Vec3 between = balls[b].centre - balls[a].centre;
+    const double far = balls[a].radius + balls[b].radius + reach;
+    if (dot(between, between) > far * far || are_apart(state, mesh.cell[a], mesh.cell[b], between, reach))
+      return;
+    if (!self_cells_adjoin(mesh, mesh.cell[a], mesh.cell[b])) visit(mesh.cell[a], mesh.cell[b]);
+  });
+}
+
+}  // namespace
+
+SelfPairs self_search(const System& system, const SelfMesh& mesh, const State& state, double margin) {
+  const Search search{system, mesh, state, margin};
+  SelfPairs found;
+  each_pair(mesh, state, mesh.layer + margin, [&](const SelfCell& a, const SelfCell& b) {
+    points_find(search, a, b, found);
+    points_find(search, b, a, found);
+    crosses_find(search, a, b, found);
+  });
+  const auto by_nodes = [](const auto& p, const auto& q) {
+    return std::lexicographical_compare(p.node, p.node + 4, q.node, q.node + 4);
+  };
+  std::sort(found.point.begin(), found.point.end(), by_nodes);
+  std::sort(found.cross.begin(), found.cross.end(), by_nodes);
+  return found;
+}
+
+namespace {
+
+// Where p -> q goes through the triangle a b c: both ends on different sides of it, and the triangle's
+// corners around the line.
+bool goes_through(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto volume = [](const Vec3& u, const Vec3& v, const Vec3& w) { return dot(u, cross(v, w)); };
+  const Vec3 n = cross(b - a, c - a);
+  if (!(dot(p - a, n) * dot(q - a, n) < 0)) return false;
+  const Vec3 along = q - p;
+  const double x = volume(along, a - p, b - p), y = volume(along, b - p, c - p),
+               z = volume(along, c - p, a - p);
+  return (x > 0 && y > 0 && z > 0) || (x < 0 && y < 0 && z < 0);
+}
+
+}  // namespace
+
+std::vector<SelfCut> self_cuts(const SelfMesh& mesh, const State& s) {
+  std::vector<SelfCut> cuts;
+  const auto edges_through = [&](const SelfCell& of, const SelfCell& on) {
+    for (int k = of.edge_first; k < of.edge_end; ++k) {
+      const SelfEdge& e = mesh.edge[std::size_t(k)];
+      const Vec3 p = place(s, e.node[0]), q = place(s, e.node[1]), a = place(s, on.node[0]),
+                 d = place(s, on.node[3]);
+      if (goes_through(p, q, a, place(s, on.node[1]), d) || goes_through(p, q, a, d, place(s, on.node[2])))
+        cuts.push_back({of.lattice, on.lattice, 0.5 * (p + q)});
+    }
+  };
+  each_pair(mesh, s, 0, [&](const SelfCell& a, const SelfCell& b) {
+    edges_through(a, b);
+    edges_through(b, a);
+  });
+  return cuts;
+}
+
+}  // namespace drape

@@ -1,0 +1,186 @@
+#include "contact/self/self_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "math/vector3.h"
+#include "math/smooth_ramp.h"
+#include "scene/diagnostics.h"
+#include "contact/self/search.h"
+
+namespace drape {
+namespace {
+
+using namespace vector3;
+
+constexpr double kReachSteps = 2;    // at the present speed, for which pairs are looked at before they touch
+constexpr double kReachLayer = 0.1;  // of the layer, likewise
+constexpr double kSearchSteps = 48;  // at the present speed, which a search is to last
+constexpr double kMarginLeast = 0.25, kMarginMost = 0.5;  // cells, of a search
+constexpr double kMarginReach = 4;                        // reaches, at least
+constexpr double kSettled = 1e-3;                         // of the first change of a velocity: sweeps end
+constexpr int kSweeps = 10;                               // of a step
+constexpr double kSettledRest = 1e-9;
+constexpr int kSweepsRest = 1000;  // of the forces at rest
+
+// What any two particles move against each other, at most: the diagonal of the box of all velocities.
+double speed_of(const System& system, const State& s) {
+  Vec3 range;
+  const Array* v[3] = {&s.vx, &s.vy, &s.vz};
+  for (std::size_t k = 0; k < 3; ++k) {
+    double low[kRowUnit], high[kRowUnit];  // so that the compiler makes vectors of them
+    std::fill_n(low, kRowUnit, INFINITY);
+    std::fill_n(high, kRowUnit, -INFINITY);
+    const auto take = [&](double at, int i) {
+      low[i] = at < low[i] ? at : low[i];
+      high[i] = at > high[i] ? at : high[i];
+    };
+    for (const NodeSpan& span : system.self.span) {
+      const double *at = v[k]->data() + span.begin, *end = v[k]->data() + span.end;
+      for (; at + kRowUnit <= end; at += kRowUnit)
+        for (int i = 0; i < kRowUnit; ++i) take(at[i], i);
+      for (; at < end; ++at) take(*at, 0);
+    }
+    range[k] = *std::max_element(high, high + kRowUnit) - *std::min_element(low, low + kRowUnit);
+  }
+  return norm(range);
+}
+
+double reach_of(const System& system, const State& s, double h) {
+  return kReachSteps * s.self.speed * h + kReachLayer * system.self.layer;
+}
+
+void search(const System& system, State& s, double h) {
+  const double cell = system.self.cell_least;
+  SelfState& self = s.self;
+  self.margin = std::max(kMarginReach * reach_of(system, s, h),
+                         std::clamp(kSearchSteps * self.speed * h, kMarginLeast * cell, kMarginMost * cell));
+  self.searched = self.way;
+  self.pairs = std::make_shared<const SelfPairs>(self_search(system, system.self, s, self.margin));
+  self.wake.assign(self.pairs->size(), self.way);
+  self.wake_block.assign((self.pairs->size() + kWakeBlock - 1) / kWakeBlock, self.way);
+}
+
+void holds_set(const ContactCoefficients& c, const SelfTouches& all, SelfState& self) {
+  self.hold.clear();
+  for (const SelfTouch& t : all.touch)
+    if (t.normal + t.stop > 0) self.hold.push_back({t.node, t.cross, !t.slides, (1 / c.kick) * t.friction});
+}
+
+}  // namespace
+
+void self_begin(const System& system, State& s) {
+  if (!self_touches(system)) return;
+  s.self = SelfState{};
+  s.self.speed = speed_of(system, s);
+  search(system, s, step_next(system, s));
+}
+
+void self_start_check(const System& system, const Scene& scene, const State& s,
+                      std::vector<Problem>& problems) {
+  std::map<std::array<int, 2>, std::vector<Vec3>> found;
+  for (const SelfCut& cut : self_cuts(system.self, s))
+    found[{std::min(cut.lattice[0], cut.lattice[1]), std::max(cut.lattice[0], cut.lattice[1])}].push_back(
+        cut.at);
+  for (const auto& [pieces, cuts] : found) {
+    const auto name = [&](std::size_t k) { return scene.pieces[std::size_t(pieces[k])].name; };
+    const Vec3& at = cuts[0];
+    problems.push_back({"piece." + name(1) + ".place",
+                        "puts it through " +
+                            (pieces[0] == pieces[1] ? "itself" : "the piece " + in_quotes(name(0))) +
+                            " with self_contact = true: " + std::to_string(cuts.size()) +
+                            " edges of cells go through cells, the first near (" + number_text(at[0]) + ", " +
+                            number_text(at[1]) + ", " + number_text(at[2]) + "); wanted: none"});
+  }
+}
+
+void self_hurry(const System& system, State& s, double moved) {
+  if (!self_touches(system)) return;
+  s.self.speed = std::max(s.self.speed, speed_of(system, s));
+  s.self.way += 2 * moved;
+}
+
+void self_keep(const System& system, SelfRoom& room, State& s, double h) {
+  const double reach = reach_of(system, s, h);
+  if (s.self.way + reach > s.self.searched + s.self.margin) search(system, s, h);
+  self_look(system, s, reach, room.touches, &s.self);
+  self_prepare(system, s, true, room.touches);
+}
+
+void self_apply(const System& system, SelfRoom& room, const TouchStep& step, State& s) {
+  SelfTouches& all = room.touches;
+  if (all.touch.empty()) {
+    s.self.hold.clear();
+    return;
+  }
+  const ContactCoefficients c = touch_kick(step);
+  for (SelfNode& n : all.node) n.v = n.fixed ? n.old : Vec3{s.vx[n.node], s.vy[n.node], s.vz[n.node]};
+  self_respond(c, kSettled, kSweeps, all);
+  for (const SelfNode& n : all.node) {
+    const double over = n.fixed ? 1 / n.mass : n.inverse;  // what a held node gets its pin is told
+    const Vec3 dv = over * n.impulse;
+    s.vx[n.node] += dv[0], s.vy[n.node] += dv[1], s.vz[n.node] += dv[2];
+    s.x[n.node] += step.drift * dv[0], s.y[n.node] += step.drift * dv[1], s.z[n.node] += step.drift * dv[2];
+  }
+  holds_set(c, all, s.self);
+  if (system.energy) s.dissipated += self_dissipated(c, all);
+}
+
+void self_watch(const System& system, State& s, double drift) {
+  s.self.speed = speed_of(system, s);
+  s.self.way += s.self.speed * std::abs(drift);
+}
+
+void self_synchronous(const System& system, SelfRoom& room, const State& s, double half, double centred,
+                      double* vx, double* vy, double* vz) {
+  SelfTouches& all = room.touches;
+  room.dissipated = 0;
+  self_look(system, s, 0, all, nullptr);
+  self_prepare(system, s, false, all);
+  const ContactCoefficients c = half > 0 ? touch_last_kick(half, centred) : touch_force(system, s);
+  for (SelfNode& n : all.node) {
+    n.v = {vx[n.node], vy[n.node], vz[n.node]};
+    if (n.fixed) n.v = half > 0 ? n.old : Vec3{0, 0, 0};
+  }
+  self_respond(c, half > 0 ? kSettled : kSettledRest, half > 0 ? kSweeps : kSweepsRest, all);
+  for (const SelfNode& n : all.node) {
+    const Vec3 dv = (n.fixed ? 1 / n.mass : n.inverse) * n.impulse;
+    vx[n.node] += dv[0], vy[n.node] += dv[1], vz[n.node] += dv[2];
+  }
+  if (half > 0 && system.energy) room.dissipated = self_dissipated(c, all);
+}
+
+namespace {
+
+std::vector<SelfTouch> touching(const System& system, const State& s) {
+  SelfTouches all;
+  if (!self_any(s)) return {};
+  self_look(system, s, 0, all, nullptr);
+  self_prepare(system, s, false, all);
+  return all.touch;
+}
+
+}  // namespace
+
+ContactSummary self_summary(const System& system, const State& s) {
+  ContactSummary sum;
+  for (const SelfTouch& t : touching(system, s)) {
+    const double depth = t.layer - t.distance;
+    double area = INFINITY;
+    for (NodeIndex n : t.node) area = std::min(area, system.area[n]);
+    ++sum.count;
+    sum.penetration = std::max(sum.penetration, depth);
+    sum.pressure = std::max(sum.pressure, t.stiffness * contact_penalty(kSelfBlend * t.layer, depth) / area);
+  }
+  return sum;
+}
+
+double self_energy(const System& system, const State& s) {
+  double sum = 0;
+  for (const SelfTouch& t : touching(system, s))
+    sum += t.stiffness * contact_penalty_energy(kSelfBlend * t.layer, t.layer - t.distance);
+  return sum;
+}
+
+}  // namespace drape

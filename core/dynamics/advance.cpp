@@ -1,0 +1,267 @@
+#include "dynamics/advance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "math/vector3.h"
+#include "dynamics/relaxation.h"
+#include "dynamics/step_size/step_limit.h"
+
+namespace drape {
+namespace {
+
+using vector3::operator*;
+
+constexpr int kWatchLongest = 32;    // steps between two looks at the step limit, at most
+constexpr int kWatchGiven = 8;       // the same where the scene gives the step
+constexpr std::int64_t kCalm = 100;  // intervals before the step may grow
+
+// Room for v_{n-3/2} where forces depend on velocity; while it is not known, v_{n-1/2} stands for it.
+void rates_begin(const System& system, State& s) {
+  const bool rates = system_has_rates(system);
+  if (rates != s.wx.empty()) return;
+  const Array none;
+  s.wx = rates ? s.vx : none;
+  s.wy = rates ? s.vy : none;
+  s.wz = rates ? s.vz : none;
+}
+
+std::int64_t subs_for(double length, double h_max) {
+  const double n = std::ceil(length / h_max * (1 - 1e-12));
+  constexpr double kMost = 1e16;  // beyond 1e9 intervals of kSubsMost steps; no number counts as beyond, too
+  return n < 1 ? 1 : std::int64_t(n < kMost ? n : kMost);
+}
+
+// The largest step allowed at the state the last look saw.
+double step_allowed(const System& system, double damping, double omega2) {
+  if (system.step_given > 0) return std::min(system.step_given, system.step_max);
+  return std::min(step_safety(system, damping, omega2) * step_limit_of(system, omega2), system.step_max);
+}
+
+double step_now(const System& system, const State& s, double omega2) {
+  return std::min(step_allowed(system, damping_of(system, s), omega2), s.step_most);
+}
+
+bool all_finite(const System& system, const State& s) {
+  double sum = 0;
+  for (std::size_t n : system.particle)
+    sum += 0 * (s.x[n] + s.y[n] + s.z[n]) + 0 * (s.vx[n] + s.vy[n] + s.vz[n]);
+  return sum == 0;
+}
+
+// Looks at the step limit where the present velocities lead until the next look. A long look that finds the
+// step too large is repeated over fewer steps: in vibrating cloth velocities turn long before.
+void look(const System& system, const Motion& motion, State& s, double h) {
+  if (system.step_given > 0) {
+    s.omega2 = step_limit_omega2(system, *motion.kernel, s);
+    s.watch_wait = kWatchGiven;
+    return;
+  }
+  s.step_most = touch_step_most(system, s);
+  for (;; s.watch_period = std::max(s.watch_period / 4, 1)) {
+    s.omega2 = step_limit_omega2(system, *motion.kernel, s, s.watch_period * h);
+    if (h <= step_now(system, s, s.omega2) || s.watch_period == 1) break;
+  }
+  s.omega2_most = std::max(s.omega2_most, s.omega2);
+  s.watch_wait = s.watch_period;
+  s.watch_period = std::min(2 * s.watch_period, kWatchLongest);
+}
+
+void say_step(std::string& event, const char* verb, double time, double h, const State& s) {
+  char text[120];
+  std::snprintf(text, sizeof text, "at %.9g s the step %s to %.4g s (omega = %.4g 1/s)", time, verb, h,
+                std::sqrt(s.omega2));
+  event = text;
+}
+
+// Fewer steps for the coming interval of q, where the last hundred would have allowed it.
+void subs_relax(const System& system, State& s, std::string& event) {
+  if (s.calm < kCalm || system.fit) return;
+  const double q = system.communication;
+  const std::int64_t wanted = subs_for(q, step_now(system, s, s.omega2_most));
+  s.calm = 0;
+  s.omega2_most = s.omega2;
+  if (wanted >= s.subs) return;
+  s.subs = wanted;
+  s.watch_wait = 0;
+  say_step(event, "grows", state_time(s, q), q / double(wanted), s);
+}
+
+// Looks at the step limit after `done` of the n steps that fill `length`; where it has fallen, n doubles, in
+// a fit the inertia grows.
+Advance watch(const System& system, Motion& motion, State& s, double length, std::int64_t& n,
+              std::int64_t& done, std::string& event) {
+  if (!all_finite(system, s)) return Advance::kNotFinite;
+  const auto h = [&] { return length / double(n); };
+  if (system.fit) {
+    fit_look(system, motion, s, h());
+    return Advance::kDone;
+  }
+  look(system, motion, s, h());
+  if (system.step_given > 0)
+    return h() > step_limit_of(system, s.omega2) ? Advance::kStepAboveLimit : Advance::kDone;
+  while (h() > step_now(system, s, s.omega2)) {
+    if (h() * double(kSubsMost) < system.communication) return Advance::kTooManySteps;
+    n *= 2;
+    done *= 2;
+    s.subs *= 2;
+    s.calm = 0;
+    s.omega2_most = s.omega2;
+    say_step(event, "falls", state_time(s, system.communication) + double(done) * h(), h(), s);
+  }
+  return Advance::kDone;
+}
+
+// n steps that fill `length`; more when the limit falls on the way. None where a fit is at rest.
+Advance interval_run(const System& system, Motion& motion, State& s, double length, std::int64_t n,
+                     std::string& event) {
+  for (std::int64_t done = 0; done < n && !s.fit.at_rest; ++done) {
+    if (s.watch_wait-- <= 0) {
+      if (const Advance how = watch(system, motion, s, length, n, done, event); how != Advance::kDone)
+        return how;
+      --s.watch_wait;
+    }
+    leapfrog_step(system, motion, s, length / double(n), double(done + 1) / double(n), 1 / double(n));
+  }
+  if (system.fit && !s.fit.at_rest && !path_moves(motion.path)) fit_judge(system, motion, s);
+  return Advance::kDone;
+}
+
+void subs_begin(const System& system, const Motion& motion, State& s) {
+  if (system.step_given == 0) s.step_most = touch_step_most(system, s);
+  s.omega2 = s.omega2_most = step_limit_omega2(system, *motion.kernel, s);
+  s.subs = subs_for(system.communication, step_now(system, s, s.omega2));
+  s.watch_wait = 0;
+}
+
+double kinetic_energy(const System& system, const State& s) {
+  double sum = 0;
+  for (std::size_t n : system.particle)
+    sum += system.mass[n] * (s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n]);
+  return sum / 2;
+}
+
+// Links on ridges share nodes with each other and with particles that touch, so that what bodies have been
+// told of the half step before this advance is found as it was then, and taken out of the first step of it.
+void ridges_told(const System& system, Motion& motion, State& s) {
+  motion.touch.told = ridge_any(s) && last_half(system, s) > 0 && !system.fit;
+  if (!motion.touch.told) return;
+  std::vector<PinLoad> pins;
+  leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(), motion.now_z.data(),
+                       pins);
+  for (std::size_t b = 0; b < s.body.size(); ++b)
+    s.body[b].impulse = {-1.0 * motion.touch.load[b].force, -1.0 * motion.touch.load[b].torque};
+}
+
+// Lays the paths of an advance and begins them. Where the velocity of a pin jumps, so do those of the cloth;
+// the impulse is the first of the advance. (The paper's scheme takes it up in its first step.)
+void inputs_begin(const System& system, Motion& motion, State& s, double length) {
+  s.pin_impulse.assign(s.pin_impulse.size(), PinLoad{});
+  for (BodyContact& body : s.body) body.impulse = PinLoad{};
+  motion.path = path_make(system, s, motion.inputs, length);
+  if (system.fit && path_moves(motion.path)) fit_wake(s);
+  const bool jumps = path_jumps(motion.path, s) && system.integrator == Integrator::kLeapfrog;
+  if (jumps) leapfrog_complete(system, motion, s);
+  ridges_told(system, motion, s);
+  path_follow(motion.path, 0, s);
+  bodies_follow(motion.path, 0, s);
+  held_refresh(motion.constraints, s, motion.held);
+  held_rates(motion.constraints, s, Rate::kVelocity, motion.held);
+  if (!jumps) return;
+  const double before = system.energy ? kinetic_energy(system, s) : 0;
+  constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
+                      &s.pin_impulse);
+  if (!s.wx.empty()) s.wx = s.vx, s.wy = s.vy, s.wz = s.vz;
+  if (!s.body.empty()) touch_watch(system, *motion.kernel, motion.touch, s, 0, step_next(system, s));
+  if (system.energy) s.input += kinetic_energy(system, s) - before;
+}
+
+// Lets the system change before an interval; where it has, looks again at what is held.
+void interval_open(Motion& motion, State& s, double intervals, const IntervalBegins& begins) {
+  if (!begins || !begins(intervals)) return;
+  held_refresh(motion.constraints, s, motion.held);
+  held_rates(motion.constraints, s, Rate::kVelocity, motion.held);
+}
+
+}  // namespace
+
+double leapfrog_steps(const System& system, double omega2) {
+  return system.communication / step_allowed(system, system.damping, omega2);
+}
+
+Motion motion_make(const System& system) {
+  Motion m;
+  m.kernel = &kernel_pick();
+  m.workspace = workspace_make(system, threads_wanted(system));
+  m.constraints = system.constraints;
+  m.held = held_make(m.constraints);
+  m.balance = balance_make(system);
+  m.touch = touch_make(system);
+  touch_tie(system, m.constraints, m.touch);
+  m.torque.resize(system.constraints.pins.size());
+  for (Array* a : {&m.now_x, &m.now_y, &m.now_z}) a->assign(system.nodes, 0.0);
+  return m;
+}
+
+void leapfrog_begin(const System& system, Motion& motion, State& s) {
+  motion.inputs = inputs_at(s);
+  motion.path.wind_from = motion.path.wind_to = s.wind;
+  held_refresh(motion.constraints, s, motion.held);
+  held_rates(motion.constraints, s, Rate::kVelocity, motion.held);
+  constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
+                      nullptr);
+  rates_begin(system, s);
+  subs_begin(system, motion, s);
+  if (s.body.empty() && !self_touches(system)) return;
+  touch_begin(system, *motion.kernel, motion.touch, s);
+  self_begin(system, s);
+  subs_begin(system, motion, s);  // with what is near
+}
+
+void leapfrog_retuned(const System& system, Motion& motion, State& s) {
+  rates_begin(system, s);
+  s.watch_wait = 0;
+  s.watch_period = 1;
+  if (system.fit) fit_wake(s), fit_forget(s);
+  if (s.steps == 0) subs_begin(system, motion, s);
+}
+
+Advance leapfrog_advance(const System& system, Motion& motion, State& s, double length, std::string& event,
+                         const IntervalBegins& interval_begins) {
+  const double q = system.communication;
+  const double whole = std::round(length / q);
+  // A master's own clock rounds: the length may be off by some units in the last place of the time.
+  const double rounding =
+      1e-12 * length + 8 * std::numeric_limits<double>::epsilon() * std::abs(state_time(s, q));
+  const bool on_grid = whole >= 1 && std::abs(length - whole * q) <= rounding;
+  s.advance_length = length;
+  s.advance_begins = true;
+  inputs_begin(system, motion, s, length);
+  self_hurry(system, s, 0);
+  motion.path.intervals = on_grid ? std::int64_t(whole) : 1;
+  Advance result = Advance::kDone;
+  if (on_grid) {
+    for (std::int64_t k = 0; k < std::int64_t(whole) && result == Advance::kDone; ++k) {
+      interval_open(motion, s, 1, interval_begins);
+      subs_relax(system, s, event);
+      path_interval(motion.path, s, k, q);
+      result = interval_run(system, motion, s, q, s.subs, event);
+      ++s.tick;
+      ++s.calm;
+    }
+  } else {
+    interval_open(motion, s, length / q, interval_begins);
+    subs_relax(system, s, event);
+    result = interval_run(system, motion, s, length, subs_for(length, q / double(s.subs)), event);
+    s.calm += std::max<std::int64_t>(1, std::int64_t(length / q));
+    s.origin = state_time(s, q) + length;
+    s.tick = 0;
+  }
+  if (result == Advance::kDone && !all_finite(system, s)) result = Advance::kNotFinite;
+  if (result != Advance::kDone) workspace_clear(motion.workspace);
+  return result;
+}
+
+}  // namespace drape

@@ -1,0 +1,149 @@
+// A kick at t_n turns v- = v_{n-1/2} into v+ = v_{n+1/2} by the impulse J of all forces over (h_o + h)/2, and
+// the kinetic energy grows by exactly J.(v- + v+)/2. So each force's part of J times the midpoint velocity is
+// its work:
+//
+//   -m c v      m c (h_o v- + h v+)/2 . (v- + v+)/2 is taken away        (paper scheme: m c h v-)
+//   rates       F the damping along springs and the air, A the air alone, u = v - wind:
+//               -(h_o + h)/2 [F.(v- + v+)/2 - A.wind] is taken away, (h_o + h)/2 A.wind brought in
+//
+// A turning clamp does work on the hinges between R D and its links: E(R', r) - E(R, r) for a turn from R to
+// R', the mean of both ends of the step.
+//
+// Between kicks the potential energy's growth is F.dr, which the kicks meet to O(h^2).
+#include "dynamics/energy_balance.h"
+
+#include "forces/hinge_energy.h"
+#include "forces/seam_closing.h"
+#include "forces/rates.h"
+#include "forces/irregular_elements.h"
+#include "model/seam_rows.h"
+#include "model/elements.h"
+
+namespace drape {
+namespace {
+
+using namespace vector3;
+
+void rates_set(const System& system, Balance& b, const State& s, double lead) {
+  b.air = {0, 0, 0};
+  if (system_has_rates(system)) b.air = rate_forces(system, s, lead, b.fx.data(), b.fy.data(), b.fz.data());
+}
+
+// sum F.v over the particles
+double power(const System& system, const Balance& b, const Array& vx, const Array& vy, const Array& vz) {
+  if (!system_has_rates(system)) return 0;
+  double sum = 0;
+  for (std::size_t n : system.particle) sum += b.fx[n] * vx[n] + b.fy[n] * vy[n] + b.fz[n] * vz[n];
+  return sum;
+}
+
+Vec3 link_now(const SideClamp& c, const State& s) {
+  const std::size_t from = c.node[0], to = c.node[1];
+  return {s.x[to] - s.x[from], s.y[to] - s.y[from], s.z[to] - s.z[from]};
+}
+
+// What turning has brought in since balance_begin.
+double clamps_work(const System& system, const Balance& b, const State& s) {
+  double sum = 0;
+  for (std::size_t k = 0; k < system.side.clamps.size(); ++k) {
+    const SideClamp& c = system.side.clamps[k];
+    const Vec3 held = clamp_direction(c, s), link = link_now(c, s);
+    const double turned = hinge_energy_between(held, link) - hinge_energy_between(b.held[k], link) +
+                          hinge_energy_between(held, b.link[k]) - hinge_energy_between(b.held[k], b.link[k]);
+    sum += law_bending(system.lattices[std::size_t(c.lattice)].law, c.warp) * c.share * turned / 2;
+  }
+  return sum;
+}
+
+}  // namespace
+
+Balance balance_make(const System& system) {
+  Balance b;
+  if (!system.energy) return b;
+  for (Array* a : {&b.vx, &b.vy, &b.vz, &b.fx, &b.fy, &b.fz}) a->assign(system.nodes, 0.0);
+  b.held.resize(system.side.clamps.size());
+  b.link.resize(system.side.clamps.size());
+  b.pull.resize(system.seams.pair.size());
+  b.rate.resize(system.seams.pair.size());
+  return b;
+}
+
+namespace {
+
+void pull_set(const System& system, Balance& b, const State& s, double lead) {
+  for (const Seam& seam : system.seams.seam)
+    for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
+      b.pull[p] = seam_pull(system, seam, p, s, lead);
+      b.rate[p] = row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz);
+    }
+}
+
+// sum F.v of the pulls
+double pull_power(const System& system, const Balance& b, const Array& vx, const Array& vy, const Array& vz) {
+  double sum = 0;
+  for (std::size_t p = 0; p < b.pull.size(); ++p)
+    sum += dot(b.pull[p], row_value(system.seams.pair[p].gap, vx, vy, vz));
+  return sum;
+}
+
+}  // namespace
+
+void balance_begin(const System& system, Balance& b, const State& s, double lead) {
+  b.vx = s.vx;
+  b.vy = s.vy;
+  b.vz = s.vz;
+  rates_set(system, b, s, lead);
+  b.wind = s.wind;
+  pull_set(system, b, s, lead);
+  for (std::size_t k = 0; k < b.held.size(); ++k) {
+    b.held[k] = clamp_direction(system.side.clamps[k], s);
+    b.link[k] = link_now(system.side.clamps[k], s);
+  }
+}
+
+void balance_end(const System& system, const Balance& b, State& s, double h_old, double h) {
+  const bool paper = system.integrator == Integrator::kPaper;
+  const double span = paper ? h : (h_old + h) / 2;
+  const double before = paper ? h : h_old / 2, after = paper ? 0 : h / 2;  // of -m c v
+  double damped = 0;
+  const Array* v0[] = {&b.vx, &b.vy, &b.vz};
+  const Array* v1[] = {&s.vx, &s.vy, &s.vz};
+  if (system.damping > 0)
+    for (int k = 0; k < 3; ++k)
+      for (std::size_t n : system.particle) {
+        const double p = (*v0[k])[n], q = (*v1[k])[n];
+        damped += system.mass[n] * (before * p + after * q) * (p + q) / 2;
+      }
+  const double wind = span * dot(b.air, b.wind);
+  const double rates = span / 2 * (power(system, b, b.vx, b.vy, b.vz) + power(system, b, s.vx, s.vy, s.vz));
+  s.dissipated += system.damping * damped - (rates - wind);
+  double pulled = 0;
+  for (std::size_t p = 0; p < b.pull.size(); ++p)
+    pulled += dot(b.pull[p], b.rate[p] + row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz));
+  s.input += wind + clamps_work(system, b, s) + span / 2 * pulled;
+}
+
+void balance_drifted(const System& system, const Balance& b, State& s, double decay) {
+  double sum = 0;
+  if (system.damping > 0)
+    for (std::size_t n : system.particle)
+      sum += system.mass[n] * (s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n]);
+  s.dissipated += sum * (1 - decay * decay) / 2;
+  s.input += clamps_work(system, b, s);
+}
+
+BalanceNow balance_now(const System& system, Balance& b, const State& s, double lead, const Array& vx,
+                       const Array& vy, const Array& vz) {
+  if (system.integrator == Integrator::kPaper || system.composition) return {s.dissipated, s.input};
+  rates_set(system, b, s, lead);
+  pull_set(system, b, s, lead);
+  double damped = 0;
+  if (system.damping > 0)
+    for (std::size_t n : system.particle)
+      damped += system.mass[n] * (vx[n] * vx[n] + vy[n] * vy[n] + vz[n] * vz[n]);
+  const double half = s.h_old / 2, wind = dot(b.air, s.wind);
+  return {s.dissipated + half * (system.damping * damped - (power(system, b, vx, vy, vz) - wind)),
+          s.input + half * (wind + pull_power(system, b, vx, vy, vz))};
+}
+
+}  // namespace drape

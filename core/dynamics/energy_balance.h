@@ -1,0 +1,35 @@
+// The energy balance (core/README.md, section 4): what forces that depend on velocity take from the cloth and
+// what the wind brings in, kick by kick. Only with System::energy.
+#pragma once
+#include "model/system.h"
+
+namespace drape {
+
+// Room of one step; made once per System.
+struct Balance {
+  Array vx, vy, vz;              // [nodes] m/s, before the kick
+  Array fx, fy, fz;              // [nodes] N, of damping along springs and air
+  Vec3 air{0, 0, 0};             // N, of air alone
+  Vec3 wind{0, 0, 0};            // m/s, before the step
+  std::vector<Vec3> held, link;  // [clamps] R D and the link before the step
+  std::vector<Vec3> pull, rate;  // [pairs of seams] N and m/s, of the gaps, before the step
+};
+Balance balance_make(const System& system);
+
+// Before and after a step of h, the constraints and the turns of the pins included.
+void balance_begin(const System& system, Balance& balance, const State& state, double lead);
+void balance_end(const System& system, const Balance& balance, State& state, double h_old, double h);
+
+// After a stage of a composition, whose drift has left the share `decay` of v: what -m c v took is the loss
+// of kinetic energy, sum m v^2 (1 - decay^2)/2.
+void balance_drifted(const System& system, const Balance& balance, State& state, double decay);
+
+// J since the start until t_n, with the half step that the sums of the state lack; v: the synchronous
+// velocities.
+struct BalanceNow {
+  double dissipated, input;
+};
+BalanceNow balance_now(const System& system, Balance& balance, const State& state, double lead,
+                       const Array& vx, const Array& vy, const Array& vz);
+
+}  // namespace drape

@@ -1,0 +1,103 @@
+// How a row moves once its forces are complete; or, for outputs, where they go.
+#pragma once
+#include "simd/vector_lanes.h"
+#include "dynamics/kernel/kernel.h"
+
+namespace drape {
+namespace {
+
+DRAPE_INLINE ConstRow const_row(const Array& x, const Array& y, const Array& z, std::size_t at) {
+  return {x.data() + at, y.data() + at, z.data() + at};
+}
+DRAPE_INLINE Row row_of(Array& x, Array& y, Array& z, std::size_t at) {
+  return {x.data() + at, y.data() + at, z.data() + at};
+}
+
+struct RowMove {
+  Row r, v, w;                             // null: the row stays; w: room for the old v, or null
+  const double *inverse_mass, *lightness;  // lightness: or null
+  Row force;                               // where the force goes, or null
+};
+
+DRAPE_INLINE RowMove row_move_of(const System& system, const PassTarget& to, std::size_t o) {
+  RowMove m{};
+  if (State* s = to.moved) {
+    m.r = row_of(s->x, s->y, s->z, o);
+    m.v = row_of(s->vx, s->vy, s->vz, o);
+    if (!s->wx.empty()) m.w = row_of(s->wx, s->wy, s->wz, o);
+    m.inverse_mass = system.inverse_mass.data() + o;
+    if (!s->lightness.empty()) m.lightness = s->lightness.data() + o;
+  } else {
+    m.force = {to.fx + o, to.fy + o, to.fz + o};
+  }
+  return m;
+}
+
+// v <- keep v + kick (F/m + g),  r <- r + drift v. A node without mass stays.
+template <class L>
+struct MoveLanes {
+  L keep, kick, drift, gravity[3];
+  L inverse_mass, kick_here;  // at the nodes of begin()
+
+  DRAPE_INLINE explicit MoveLanes(const StepCoefficients& c)
+      : keep(c.keep), kick(c.kick), drift(c.drift), gravity{c.gravity[0], c.gravity[1], c.gravity[2]} {}
+  DRAPE_INLINE void begin(const double* inverse, int i) {
+    inverse_mass = L::load(inverse + i);
+    kick_here = select(gt(inverse_mass, L(0.0)), kick, L(0.0));
+  }
+  DRAPE_INLINE L acceleration(int k, L force) const { return fma(force, inverse_mass, gravity[k]); }
+  DRAPE_INLINE void move(int i, L a, double* r, double* v) const {
+    const L v1 = fma(kick_here, a, keep * L::load(v + i));
+    L::store(v + i, v1);
+    L::store(r + i, fma(drift, v1, L::load(r + i)));
+  }
+};
+
+// What becomes of the forces on a row, coordinate by coordinate at the nodes of begin(). It moves;
+template <class L>
+struct MoveSink {
+  MoveLanes<L> lanes;
+  Row r, v;
+  const double* inverse_mass;
+  DRAPE_INLINE void begin(int i) { lanes.begin(inverse_mass, i); }
+  DRAPE_INLINE void take(int i, int k, L force) const {
+    lanes.move(i, lanes.acceleration(k, force), coordinate(r, k), coordinate(v, k));
+  }
+};
+
+// or they are stored;
+template <class L>
+struct StoreSink {
+  PackedRow force;
+  DRAPE_INLINE void begin(int) {}
+  DRAPE_INLINE void take(int i, int k, L f) const { L::store(force.at<L>(i, k), f); }
+};
+
+// or as the row needs: moved, written out, or nothing. In a fit, inertia is m/lightness.
+template <class L, bool kRates>
+struct AnySink {
+  MoveLanes<L> lanes;
+  RowMove m;
+  DRAPE_INLINE void begin(int i) {
+    if (m.r.x) lanes.begin(m.inverse_mass, i);
+  }
+  DRAPE_INLINE void take(int i, int k, L force) const {
+    if (!m.r.x) {
+      if (double* out = coordinate(m.force, k)) L::store(out + i, force);
+      return;
+    }
+    L a = lanes.acceleration(k, force);
+    if (m.lightness) a = a * L::load(m.lightness + i);
+    if constexpr (kRates) L::store(coordinate(m.w, k) + i, L::load(coordinate(m.v, k) + i));
+    lanes.move(i, a, coordinate(m.r, k), coordinate(m.v, k));
+  }
+};
+
+template <class Sink, class L>
+DRAPE_INLINE void sink_take(Sink& sink, int i, Vec<L> force) {
+  sink.begin(i);
+  for (int k = 0; k < 3; ++k) sink.take(i, k, coordinate(force, k));
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,61 @@
+// The paths that inputs take within an advance: core/README.md, section 4, "Inputs".
+//
+// Both the position and the rotation vector f, R(z) = exp(f(z)) R(0), are cubics in the share z of the
+// advance's length H:  c_1 z + c_2 z^2 + c_3 z^3  from where the pin is.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "math/rigid_motion.h"
+#include "scene/scene.h"
+
+namespace drape {
+
+struct System;
+struct State;
+
+// Where inputs are to be at the end of an advance; of a pin, what its drive names counts.
+struct Inputs {
+  Vec3 wind{0, 0, 0};       // m/s
+  std::vector<Frame> pin;   // [pins]
+  std::vector<Frame> body;  // [bodies]
+};
+Inputs inputs_at(const State& state);  // where they are
+
+struct PinPath {
+  int pin = 0;
+  double length = 0;       // H, s
+  Frame from, to;          // at its ends
+  Vec3 shift[3], turn[3];  // coefficients of z, z^2, z^3
+  bool uniform = false;    // driven by constant velocities
+  bool jumps = false;      // its first velocity is not that of `from`
+};
+
+struct Path {
+  std::vector<PinPath> pins;    // of the driven ones
+  std::vector<PinPath> bodies;  // of those that move; `pin` is the body
+  Vec3 wind_from{0, 0, 0}, wind_to{0, 0, 0};
+  std::int64_t interval = 0, intervals = 1;  // of the advance: the present one, and all
+};
+
+Path path_make(const System& system, const State& state, const Inputs& inputs, double length);
+
+// True where the velocity of a pin at the beginning of its path differs from the present one by more than
+// rounding.
+bool path_jumps(const Path& path, const State& state);
+
+// True where a pin or the wind goes somewhere.
+bool path_moves(const Path& path);
+
+// Begins interval k, of `length`. Uniform motion is cut there, so that it does not depend on how an advance
+// is cut.
+void path_interval(Path& path, const State& state, std::int64_t k, double length);
+
+// The frame at the share z of a path.
+Frame path_frame(const PinPath& path, double z);
+
+// Puts wind and pins of the state, or its bodies, to the share u of the present interval.
+void path_follow(const Path& path, double u, State& state);
+void bodies_follow(const Path& path, double u, State& state);
+
+}  // namespace drape

@@ -1,0 +1,209 @@
+#include "dynamics/relaxation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "dynamics/step_size/step_limit.h"
+#include "dynamics/seam_welding.h"
+#include "model/elements.h"
+
+namespace drape {
+namespace {
+
+constexpr int kScaleEvery = 16;         // steps, at most
+constexpr double kScaleWithin = 0.02;   // of a cell, by which no particle moves until then
+constexpr int kJudgeEvery = 8;          // intervals
+constexpr double kResidualRest = 1e-5;  // of the load
+constexpr double kKineticRest = 1e-9;   // of that times the size of the largest piece
+constexpr int kMeasureEvery = 64;       // steps, at least; the first after a change takes
+constexpr int kMeasureFirst = 16;       // and each one twice as many as the one before
+constexpr double kShrink = 0.01;        // of itself, by which an inertia shrinks from look to look at most
+constexpr double kSettleMost = 1;       // s, for which what has been sewn settles without friction
+constexpr double kSettled = 0.1;        // of the load: then it has settled
+constexpr double kFaded = 1e-4;         // of the most there was, where nothing weighs or pulls
+
+// True where that changes one.
+template <class Nodes>
+bool nodes_even(const Nodes& nodes, State& s) {
+  double least = 1;
+  bool changed = false;
+  for (std::size_t n : nodes) least = std::min(least, s.lightness[n]);
+  for (std::size_t n : nodes) {
+    changed = changed || s.lightness[n] != least;
+    s.lightness[n] = least;
+  }
+  return changed;
+}
+
+// Rows on several nodes and links are projected with the true masses, which is right where the nodes of
+// connected rows have one lightness: the least of theirs. Fixed nodes do not move; theirs is 1, for the force
+// on the pin.
+void rows_even(const Constraints& constraints, State& s) {
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const HeldRow& row : constraints.rows) changed = nodes_even(row.on.node, s) || changed;
+    for (const RigidLink& link : constraints.rigid.link) changed = nodes_even(link.node, s) || changed;
+  }
+  for (const FixedNode& f : constraints.fixed) s.lightness[f.node] = 1;
+}
+
+// Steps until the inertia is scaled anew: what is pulled onto a seam can cross a cell within kScaleEvery.
+int steps_ahead(const System& system, const State& s, double h) {
+  double cell = INFINITY, fastest = 0;
+  for (const Lattice& l : system.lattices) cell = std::min(cell, l.cell);
+  for (std::size_t n : system.particle)
+    fastest = std::max(fastest, s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n]);
+  const double steps = kScaleWithin * cell / (h * std::sqrt(fastest));
+  return steps < kScaleEvery ? std::max(1, int(steps)) : kScaleEvery;
+}
+
+double kinetic(const System& system, const State& s) {
+  double sum = 0;
+  for (std::size_t n : system.particle)
+    sum += inertia_of(system, s, n) * (s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n]);
+  return sum / 2;
+}
+
+void stop(const System& system, State& s) {
+  for (std::size_t n : system.particle) s.vx[n] = s.vy[n] = s.vz[n] = 0;
+  if (!s.wx.empty()) s.wx = s.vx, s.wy = s.vy, s.wz = s.vz;
+  s.h_old = s.h_older = 0;
+}
+
+double norm(const Vec3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+
+}  // namespace
+
+void fit_scale(const System& system, const Constraints& constraints, State& s, double h) {
+  const int steps = steps_ahead(system, s, h);
+  const Array before = std::move(s.lightness);
+  s.lightness.assign(system.nodes, 0.0);  // holds m'/rho at first
+  const double drag = step_limit_drag(system, s);
+  const SeamsBound seams = step_limit_seams(system, s);
+  double most = 0;
+  for (const Lattice& l : system.lattices) {
+    const double clamps = step_limit_clamps(system, l, s, steps * h);
+    const double contact = touch_omega2(system, s, l.piece);
+    each_cell(system, l, [&](const std::size_t* corner, double share) {
+      const double bare = step_limit_cell(l, s, corner, steps * h) + clamps;
+      const double omega2 = step_limit_rated(system, l, bare, drag, seams, contact);
+      const double ratio = h / (kSafetyDamped * step_limit_of(system, omega2));
+      const double quarter = share * l.cell * l.cell / 4 * std::max(1.0, ratio * ratio);
+      for (int k = 0; k < 4; ++k) s.lightness[corner[k]] += quarter;
+      most = std::max(most, std::min(omega2, omega2 / (ratio * ratio)));
+    });
+  }
+  for (std::size_t n : system.particle) {
+    s.lightness[n] = std::min(1.0, system.area[n] / s.lightness[n]);
+    if (!before.empty()) s.lightness[n] = std::min(s.lightness[n], before[n] / (1 - kShrink));
+  }
+  rows_even(constraints, s);
+  s.omega2 = most;
+  s.watch_wait = steps;
+}
+
+namespace {
+
+// omega of the motion since the last time, 1/s: u.[f(r) - f(r + u)]/(u.M' u); 0 where nothing moved or the
+// motion met no stiffness.
+double omega_moved(const System& system, Motion& motion, State& s) {
+  kernel_forces(*motion.kernel, system, s, motion.workspace, motion.now_x.data(), motion.now_y.data(),
+                motion.now_z.data());
+  const Array* r[] = {&s.x, &s.y, &s.z};
+  const Array* f[] = {&motion.now_x, &motion.now_y, &motion.now_z};
+  double stiff = 0, moved = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    Array &place = s.fit.place[k], &force = s.fit.force[k];
+    if (s.fit.measure_every > 0)
+      for (std::size_t n : system.particle) {
+        const double u = (*r[k])[n] - place[n];
+        stiff += u * (force[n] - (*f[k])[n]);
+        moved += inertia_of(system, s, n) * u * u;
+      }
+    place = *r[k];
+    force = *f[k];
+  }
+  return moved > 0 ? std::sqrt(std::max(0.0, stiff / moved)) : 0;
+}
+
+}  // namespace
+
+void fit_look(const System& system, Motion& motion, State& s, double h) {
+  s.fit.sewing = seams_to_close(system, s);
+  fit_scale(system, motion.constraints, s, h);
+  if (s.fit.sewing) s.fit.settling = kSettleMost;
+  else s.fit.settling -= s.watch_wait * h;
+  const bool kept = s.fit.measure_every > 0;
+  if (kept && s.steps < s.fit.measured + s.fit.measure_every) return;
+  const double omega = omega_moved(system, motion, s);
+  if (kept) s.fit.damping = std::min(2 * omega, 1 / h);
+  s.fit.measured = s.steps;
+  s.fit.measure_every = kept ? std::min(2 * s.fit.measure_every, kMeasureEvery) : kMeasureFirst;
+}
+
+// The forces left on particles and those of the pins (N), summed by size.
+namespace {
+struct Left {
+  double sum = 0, pins = 0;
+};
+Left forces_left(const System& system, Motion& motion, const State& s) {
+  kernel_forces(*motion.kernel, system, s, motion.workspace, motion.now_x.data(), motion.now_y.data(),
+                motion.now_z.data());
+  Array* a[] = {&motion.now_x, &motion.now_y, &motion.now_z};
+  const Vec3 g = gravity_of(system, s);
+  for (std::size_t n : system.particle)
+    for (std::size_t k = 0; k < 3; ++k) (*a[k])[n] = (*a[k])[n] * system.inverse_mass[n] + g[k];
+  std::vector<PinLoad> load(s.pin_impulse.size());
+  held_refresh(motion.constraints, s, motion.held);
+  synchronous_meet(system, motion, s, Rate::kAcceleration, 0, 1,
+                   {motion.now_x.data(), motion.now_y.data(), motion.now_z.data()}, &load);
+  Left left;
+  for (const PinLoad& l : load) left.pins += norm(l.force);
+  for (std::size_t n : system.particle)
+    left.sum += system.mass[n] * norm({motion.now_x[n], motion.now_y[n], motion.now_z[n]});
+  return left;
+}
+
+// What the forces on particles owe to the rounding of coordinates, N, summed by size.
+double rounding(const System& system, const State& s) {
+  double far = 0, inertia = 0;
+  for (std::size_t n : system.particle) {
+    far = std::max({far, std::abs(s.x[n]), std::abs(s.y[n]), std::abs(s.z[n])});
+    inertia += inertia_of(system, s, n);
+  }
+  return std::numeric_limits<double>::epsilon() * far * s.omega2 * inertia;
+}
+}  // namespace
+
+void fit_judge(const System& system, Motion& motion, State& s) {
+  if (s.fit.judge_wait-- > 0) return;
+  s.fit.judge_wait = kJudgeEvery - 1;
+  const Left left = forces_left(system, motion, s);
+  double weight = 0, size = 0;
+  for (std::size_t n : system.particle) weight += system.mass[n] * norm(system.gravity);
+  for (const Lattice& l : system.lattices) size = std::max(size, l.cell * std::max(l.columns, l.rows));
+  s.fit.most = std::max(s.fit.most, left.sum + left.pins);
+  s.fit.load = std::max(weight, left.pins);
+  if (weight == 0)
+    s.fit.load = std::max({s.fit.load, kFaded * s.fit.most, rounding(system, s) / kResidualRest});
+  s.fit.residual = left.sum / s.fit.load;
+  const bool sewn = !seams_to_close(system, s);
+  if (sewn && s.fit.residual <= kSettled) s.fit.settling = 0;
+  s.fit.at_rest = sewn && s.fit.settling <= 0 && s.fit.residual <= kResidualRest &&
+                  kinetic(system, s) <= kKineticRest * s.fit.load * size;
+  if (s.fit.at_rest) stop(system, s);
+}
+
+void fit_forget(State& s) { s.fit.measure_every = 0; }
+
+void fit_wake(State& s) {
+  s.fit.most = 0;
+  if (!s.fit.at_rest) return;
+  fit_forget(s);
+  s.fit.at_rest = false;
+  s.fit.judge_wait = 0;
+  s.watch_wait = 0;
+}
+
+}  // namespace drape

@@ -1,0 +1,240 @@
+// With the largest omega^2 of a lattice and d = beta omega^2 + (rho_air/rho) max(C_n, C_t) max|u| of the
+// forces that depend on velocity, leapfrog's limit is that of a lattice without them and with omega' =
+// sqrt(omega^2 + d^2) + d:
+//
+//   h < 2 [sqrt(omega^2 + d^2) - d]/omega^2 = 2/omega'
+//
+// and the paper's scheme takes d beside c: (h omega)^2 + 2 h (c + d) < 4.
+#include "dynamics/step_size/step_limit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "simd/lane_scalar.h"
+#include "forces/seam_closing.h"
+#include "dynamics/step_size/cell_bound.h"
+#include "contact/particle/contact.h"
+#include "model/composition.h"
+#include "model/elements.h"
+
+namespace drape {
+namespace {
+
+// The larger; what is no number stays.
+double most_of(double a, double b) { return a > b || std::isnan(a) ? a : b; }
+
+using Lane = ScalarLane<false>;
+
+Vec<Lane> node_ahead(const State& s, std::size_t n, double ahead) {
+  return {s.x[n] + ahead * s.vx[n], s.y[n] + ahead * s.vy[n], s.z[n] + ahead * s.vz[n]};
+}
+
+double distance(const State& s, std::size_t a, std::size_t b, double ahead) {
+  const Vec<Lane> d = node_ahead(s, b, ahead) - node_ahead(s, a, ahead);
+  return std::sqrt(dot(d, d).v);
+}
+
+// rho b^2 omega^2 of a cell.
+double cell_bound(const Lattice& l, const State& s, const std::size_t* corner, double ahead) {
+  const double inverse_diagonal = 1 / (std::sqrt(2.0) * l.cell);
+  Vec<Lane> r[4];
+  for (int k = 0; k < 4; ++k) r[k] = node_ahead(s, corner[k], ahead);
+  Lane bound = edges_bound(r[0], r[1], r[2], r[3], l);
+  if (l.law.bias.segments)
+    bound = bound + max(diagonal_bound(r[0], r[3], Lane(inverse_diagonal), l.law.bias),
+                        diagonal_bound(r[1], r[2], Lane(inverse_diagonal), l.law.bias));
+  return bound.v;
+}
+
+// The same of the cells beside the rows.
+double side_bound(const System& system, const Lattice& l, const State& s, double ahead) {
+  double most = 0;
+  for (const SideCell& cell : system.side.cells)
+    if (cell.lattice == l.piece) most = most_of(cell_bound(l, s, cell.node, ahead), most);
+  return most;
+}
+
+// What a clamp adds to rho b^2 omega^2.
+double clamp_term(const SideClamp& c, const Law& law, const State& s, double ahead) {
+  return 16 * law_bending(law, c.warp) * c.excess / std::pow(distance(s, c.node[0], c.node[1], ahead), 2);
+}
+double clamps_bound(const System& system, const Lattice& l, const State& s, double ahead) {
+  double most[2] = {0, 0};
+  for (const SideClamp& c : system.side.clamps)
+    if (c.lattice == l.piece && c.excess > 0)
+      most[c.warp] = most_of(clamp_term(c, l.law, s, ahead), most[c.warp]);
+  return most[0] + most[1];
+}
+
+// The largest speed (m/s) of a particle against the wind.
+double speed_against_wind(const System& system, const State& s) {
+  double most = 0;
+  for (std::size_t n : system.particle) {
+    const double x = s.vx[n] - s.wind[0], y = s.vy[n] - s.wind[1], z = s.vz[n] - s.wind[2];
+    most = most_of(x * x + y * y + z * z, most);
+  }
+  return std::sqrt(most);
+}
+
+// The omega^2 that without forces that depend on velocity leads to the limit of omega^2 and d.
+double omega2_with(const System& system, double omega2, double d) {
+  if (d == 0) return omega2;
+  if (system.integrator != Integrator::kPaper) return std::pow(std::sqrt(omega2 + d * d) + d, 2);
+  const double c = system.damping, twice = c + d + std::sqrt((c + d) * (c + d) + 4 * omega2);  // 4/h
+  return twice * (twice - 2 * c) / 4;
+}
+
+struct WorstPart {
+  double bound = 0;  // 1/s^2
+  std::string words = "nothing: no law acts";
+};
+
+void part_offer(WorstPart& worst, const Scene& scene, const Lattice& l, double bound, const char* name,
+                const char* kind, std::size_t node, double strain) {
+  bound /= l.law.areal_density * l.cell * l.cell;
+  if (bound <= worst.bound) return;
+  worst.bound = bound;
+  const auto [column, row] = l.place_of(node);
+  char text[160];
+  std::snprintf(text, sizeof text, "%s %s of piece '%s', column %d, row %d, strain %.3g", name, kind,
+                scene.pieces[std::size_t(l.piece)].name.c_str(), column + 1, row + 1,
+                std::abs(strain) < 1e-12 ? 0.0 : strain);
+  worst.words = text;
+}
+
+// What a link and the hinges across it add to rho b^2 omega^2 of its cell.
+void link_offer(WorstPart& worst, const Scene& scene, const Lattice& l, const State& s, const Link& link,
+                double ahead) {
+  const char* name = link.along == Thread::kWarp ? "warp" : link.along == Thread::kWeft ? "weft" : "bias";
+  const Curve& curve = law_curve(l.law, link.along);
+  const double ratio = distance(s, link.from, link.to, ahead) / link.rest, strain = ratio - 1;
+  const double slope = curve_slope(curve, strain), across = std::max(curve_value(curve, strain) / ratio, 0.0);
+  const bool diagonal = link.along == Thread::kBias;
+  const double stretch =
+      diagonal ? 4 * std::max(slope, across) : 4 * std::max(slope - across, 0.0) + 8 * across;
+  const double rigidity = diagonal ? 0 : law_bending(l.law, link.along == Thread::kWarp);
+  const double bend = 16 * rigidity / std::pow(ratio * link.rest, 2);
+  part_offer(worst, scene, l, stretch + bend, name, bend > stretch ? "hinge" : "link", link.from, strain);
+}
+
+// The seam in the state `sewn` with the largest `stiffness` of its pairs.
+template <class Stiffness>
+std::string seam_words(const System& system, const Scene& scene, const State& s, Sewn sewn,
+                       Stiffness stiffness) {
+  double most = -1;
+  std::string name;
+  for (std::size_t k = 0; k < system.seams.seam.size(); ++k) {
+    const Seam& seam = system.seams.seam[k];
+    for (std::size_t p = seam.first; p < seam.first + seam.count; ++p)
+      if (s.sewn[p] == sewn && stiffness(seam, p) > most)
+        most = stiffness(seam, p), name = scene.seams[k].name;
+  }
+  return "seam '" + name + "'";
+}
+
+void seams_offer(WorstPart& worst, const System& system, const Scene& scene, const State& s) {
+  const SeamsBound bound = step_limit_seams(system, s);
+  const bool pulls = bound.d > 0;
+  const double welded = bound.omega2 - (pulls ? system.seams.omega2_pull * (1 + seams_held(system, s)) : 0);
+  const double pulled = omega2_with(system, bound.omega2 - welded, bound.d);
+  if (pulls && pulled > worst.bound) {
+    worst.bound = pulled;
+    worst.words =
+        "pull of " + seam_words(system, scene, s, Sewn::kPulled, [&](const Seam& seam, std::size_t p) {
+          return seam.pull * seam.pull * (1 + s.gap_hold[p] / seam.gap_tolerance);
+        });
+  }
+  if (welded > worst.bound) {
+    worst.bound = welded;
+    worst.words = "hinges and links of " +
+                  seam_words(system, scene, s, Sewn::kWelded,
+                             [](const Seam& seam, std::size_t) { return seam.link_count + seam.tape; });
+  }
+}
+
+}  // namespace
+
+double step_limit_cell(const Lattice& l, const State& s, const std::size_t* corner, double ahead) {
+  return cell_bound(l, s, corner, ahead) / (l.mass_kept * l.law.areal_density * l.cell * l.cell);
+}
+
+double step_limit_clamps(const System& system, const Lattice& l, const State& s, double ahead) {
+  return clamps_bound(system, l, s, ahead) / (l.mass_kept * l.law.areal_density * l.cell * l.cell);
+}
+
+double step_limit_lattice(const System& system, const Kernel& kernel, const Lattice& l, const State& state,
+                          double ahead) {
+  double most = 0;
+  for (int j = 0; j + 1 < l.rows; ++j) most = most_of(kernel.omega2(system, l, state, j, ahead), most);
+  most = most_of(side_bound(system, l, state, ahead) / (l.law.areal_density * l.cell * l.cell), most);
+  return most / l.mass_kept + step_limit_clamps(system, l, state, ahead);
+}
+
+double step_limit_drag(const System& system, const State& state) {
+  if (!system_has_air(system)) return 0;
+  const Air& air = system.air;
+  return air.density * std::max(air.normal, air.tangential) * speed_against_wind(system, state);
+}
+
+SeamsBound step_limit_seams(const System& system, const State& s) {
+  const auto any = [&](Sewn state) { return std::find(s.sewn.begin(), s.sewn.end(), state) != s.sewn.end(); };
+  SeamsBound bound;
+  if (any(Sewn::kWelded)) bound.omega2 = system.seams.omega2_welded;
+  if (!any(Sewn::kPulled)) return bound;
+  bound.omega2 += system.seams.omega2_pull * (1 + seams_held(system, s));
+  bound.d = system.seams.damping;
+  return bound;
+}
+
+double step_limit_rated(const System& system, const Lattice& l, double omega2, double drag,
+                        const SeamsBound& seams, double contact) {
+  omega2 += contact;
+  const double d = l.law.damping * omega2 + drag / l.law.areal_density;
+  return omega2_with(system, omega2 + seams.omega2, d + seams.d);
+}
+
+double step_limit_omega2(const System& system, const Kernel& kernel, const State& state, double ahead) {
+  const double drag = step_limit_drag(system, state);
+  const SeamsBound seams = step_limit_seams(system, state);
+  double most = 0;
+  for (const Lattice& l : system.lattices) {
+    const double omega2 = step_limit_lattice(system, kernel, l, state, ahead);
+    most =
+        most_of(step_limit_rated(system, l, omega2, drag, seams, touch_omega2(system, state, l.piece)), most);
+  }
+  return most;
+}
+
+double step_limit_angle(const System& system) { return system.composition ? system.composition->limit : 2; }
+
+// Leapfrog with centred damping: h omega < 2. Above order 2: h omega < the method's limit, where c h < 10.
+// The paper's scheme: (h omega)^2 < 4 - 2 h c. Infinite where nothing acts.
+double step_limit_of(const System& system, double omega2) {
+  if (system.composition)
+    return std::min(system.composition->limit / std::sqrt(omega2), kDampedStep / system.damping);
+  const double c = system.integrator == Integrator::kPaper ? system.damping : 0;
+  return 4 / (c + std::sqrt(c * c + 4 * omega2));
+}
+
+double step_safety(const System& system, double damping, double omega2) {
+  constexpr double kDampedShare = 1e-5;  // of omega
+  const bool damped = damping >= kDampedShare * std::sqrt(omega2);
+  return damped || system.fit ? kSafetyDamped : kSafetyUndamped;
+}
+
+std::string step_limit_link(const System& system, const Scene& scene, const State& state, double ahead) {
+  WorstPart worst;
+  for (const Lattice& l : system.lattices)
+    each_link(system, l, [&](const Link& link) { link_offer(worst, scene, l, state, link, ahead); });
+  for (const SideClamp& c : system.side.clamps) {
+    const Lattice& l = system.lattices[std::size_t(c.lattice)];
+    const double strain = distance(state, c.node[0], c.node[1], ahead) / l.cell - 1;
+    part_offer(worst, scene, l, clamp_term(c, l.law, state, ahead), c.warp ? "warp" : "weft", "clamp",
+               c.node[1], strain);
+  }
+  seams_offer(worst, system, scene, state);
+  return worst.words;
+}
+
+}  // namespace drape

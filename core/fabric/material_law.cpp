@@ -1,0 +1,142 @@
+#include "fabric/material_law.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drape {
+namespace {
+
+// Where a trellis' threads meet: 1 + L = sqrt(2), less a margin that keeps l2 away from 0.
+const double kLocked = std::sqrt(2.0) - 1 - 1e-6;
+
+std::vector<double> below_locking(std::vector<double> e) {
+  e.erase(std::lower_bound(e.begin(), e.end(), kLocked), e.end());
+  return e;
+}
+
+// Elongations of a law's points, the diagram's but for what a calibration has stored.
+std::vector<double> law_elongations(const DiagramSpec& diagram) {
+  std::vector<double> e(diagram.elongation);
+  for (std::size_t i = 0; i < diagram.correction_elongation.size(); ++i)
+    e[i] *= diagram.correction_elongation[i];
+  return e;
+}
+
+// Points of a diagram as force per width; the origin included.
+std::vector<double> per_width(const DiagramSpec& diagram, double strip_width, double factor) {
+  std::vector<double> f(diagram.force);
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    f[i] *= factor / strip_width;
+    if (!diagram.correction.empty()) f[i] *= diagram.correction[i];
+  }
+  return f;
+}
+
+// Jaws hold the ends of a 45 degree strip square: its force is K times that of the free trellis, r = gauge /
+// width.
+double jaw_factor(double r) { return r * (r - 1.25) / ((r - 1) * (r - 1)); }
+
+// The odd law: both diagonals of a trellis of inextensible threads work, the short one in compression,
+//
+//   g(L) + g(|e2|) l1/l2 = P(L),   l1 = 1 + L,   l2 = sqrt(2 - l1^2),   e2 = l2 - 1   at every point L of the
+//   diagram,
+//
+// solved for the values g at the points; g(.) between them is the curve through them. Near 0 the left side is
+// 2 g, so a half step of the residual converges at once there and by about 1/3 a sweep at 7 % of elongation.
+// A law does not fall: behind a slack toe, where the short diagonal alone would pull more than P, it stays
+// level.
+Curve odd_law(std::vector<double> e, const std::vector<double>& p, bool& at_rest) {
+  e = below_locking(std::move(e));
+  const std::size_t n = e.size();
+  std::vector<double> g(n), next(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i) g[i] = p[i] / 2;
+
+  const Continuation odd{.odd = true};
+  Curve curve = curve_make(e, g, odd);
+  at_rest = curve.segments == 0;
+  for (int sweep = 0; sweep < 1000 && !at_rest; ++sweep) {
+    double change = 0;
+    for (std::size_t i = 1; i < n; ++i) {
+      const double l1 = 1 + e[i], l2 = std::sqrt(2 - l1 * l1);
+      next[i] = std::max(next[i - 1], g[i] + (p[i] - g[i] - curve_value(curve, 1 - l2) * l1 / l2) / 2);
+      change = std::max(change, std::abs(next[i] - g[i]));
+    }
+    g = next;
+    curve = curve_make(e, g, odd);
+    at_rest = change <= 1e-14 * p[n - 1];
+  }
+  return curve;
+}
+
+Curve bias_law(const FabricSpec& fabric, const LawOptions& options, double cell, const std::string& place,
+               std::vector<Problem>& problems) {
+  const double scale =
+      options.scaling == Scaling::kPaperArea ? std::sqrt(2.0) * cell / fabric.strip_gauge : 1.0;
+  const bool corrected = !fabric.bias.correction.empty();
+  const double k =
+      law_takes_jaws_out(fabric, options) ? jaw_factor(fabric.strip_gauge / fabric.strip_width) : 1.0;
+  const std::vector<double> e = law_elongations(fabric.bias),
+                            p = per_width(fabric.bias, fabric.strip_width, scale / k);
+  switch (options.bias_model) {
+    case BiasModel::kTension:
+      return curve_make(e, p, {.compression = 0, .blend = fabric.compression_blend});
+    case BiasModel::kPaper:
+      return curve_make(e, p, {.compression = fabric.compression, .blend = fabric.compression_blend});
+    case BiasModel::kOdd:
+      break;
+  }
+  if (e.size() > 1 && e[1] >= kLocked) {
+    problems.push_back(
+        {place + ".bias", "its first elongation after 0 is past the trellis' locking at 41.4 percent"});
+    return {};
+  }
+  if (corrected) return curve_make(below_locking(e), p, {.odd = true});
+  bool at_rest = false;
+  Curve curve = odd_law(e, p, at_rest);
+  if (!at_rest)
+    problems.push_back(
+        {place + ".bias",
+         "has no odd law: g(L) + g(|e2|) l1/l2 = P(L) finds no rest in 1000 sweeps; wanted: a diagram whose "
+         "points begin nearer to 0 percent and whose last ones, towards 41.4 percent, rise more gently, or "
+         "end earlier"});
+  return curve;
+}
+
+}  // namespace
+
+namespace {
+
+// A calibration's corrections hold for the laws that it was made with.
+FabricSpec with_its_corrections(FabricSpec fabric, const LawOptions& options) {
+  if (options.bias_model == BiasModel::kOdd && options.scaling == Scaling::kWidth) return fabric;
+  for (DiagramSpec* d : {&fabric.warp, &fabric.weft, &fabric.bias})
+    d->correction.clear(), d->correction_elongation.clear();
+  return fabric;
+}
+
+}  // namespace
+
+bool law_takes_jaws_out(const FabricSpec& f, const LawOptions& options) {
+  return options.clamp_correction && f.bias.jaws && f.bias.correction.empty();
+}
+
+Law law_make(const FabricSpec& stated, const LawOptions& options, double cell, const std::string& place,
+             std::vector<Problem>& problems) {
+  const FabricSpec fabric = with_its_corrections(stated, options);
+  const double scale = options.scaling == Scaling::kPaperArea ? cell / fabric.strip_gauge : 1.0;
+  const Continuation below{.compression = fabric.compression, .blend = fabric.compression_blend};
+  const double plate = 1 / (1 - fabric.poisson * fabric.poisson);
+  Law law;
+  law.areal_density = fabric.areal_density;
+  law.warp =
+      curve_make(law_elongations(fabric.warp), per_width(fabric.warp, fabric.strip_width, scale), below);
+  law.weft =
+      curve_make(law_elongations(fabric.weft), per_width(fabric.weft, fabric.strip_width, scale), below);
+  law.bias = bias_law(fabric, options, cell, place, problems);
+  law.bending_warp = fabric.bending_warp * plate;
+  law.bending_weft = fabric.bending_weft * plate;
+  law.damping = fabric.damping;
+  return law;
+}
+
+}  // namespace drape

@@ -1,0 +1,74 @@
+#include "forces/seam_closing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/seam_rows.h"
+
+namespace drape {
+
+using namespace vector3;
+
+double seam_mass(const System& system, const SeamPair& pair) {
+  const SeamRow& row = pair.gap;
+  double sum = 0;
+  for (const SeamTerm& t : row) sum += t.weight * t.weight * system.inverse_mass[t.node];
+  return sum > 0 ? 1 / sum : 0;
+}
+
+Vec3 seam_pull(const System& system, const Seam& seam, std::size_t p, const State& s, double lead) {
+  if (s.sewn[p] != Sewn::kPulled) return {0, 0, 0};
+  const SeamPair& pair = system.seams.pair[p];
+  const Vec3 gap = row_value(pair.gap, s), now = row_value(pair.gap, s.vx, s.vy, s.vz);
+  const double* before = &s.gap_rate[3 * p];
+  const double w = seam.pull, length = norm(gap);
+  if (length == 0 || w == 0) return {0, 0, 0};
+  const Vec3 rate = now + lead * (now - Vec3{before[0], before[1], before[2]});
+  const double held = s.gap_hold[p] * length / std::hypot(length, seam.gap_tolerance);
+  const double spring = w * w * (std::min(length, 2 * seam.speed / w) + held),
+               damping = 2 * w * dot(rate, gap) / length;
+  return (-seam_mass(system, pair) * (spring + damping) / length) * gap;
+}
+
+void seams_pull(const System& system, const State& s, double lead, SideForces to) {
+  for (const Seam& seam : system.seams.seam)
+    for (std::size_t p = seam.first; p < seam.first + seam.count; ++p)
+      if (s.sewn[p] == Sewn::kPulled)
+        row_force(system.seams.pair[p].gap, seam_pull(system, seam, p, s, lead), to);
+}
+
+double seams_held(const System& system, const State& s) {
+  double most = 0;
+  for (const Seam& seam : system.seams.seam)
+    for (std::size_t p = seam.first; p < seam.first + seam.count; ++p)
+      if (s.sewn[p] == Sewn::kPulled) most = std::max(most, s.gap_hold[p] / seam.gap_tolerance);
+  return most;
+}
+
+void seams_hold(const System& system, State& s, double h) {
+  constexpr double kWait = 20, kStalled = 0.1, kMost = 2000;
+  for (const Seam& seam : system.seams.seam) {
+    const double w = seam.pull, reach = 2 * seam.speed / w;
+    for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
+      if (s.sewn[p] != Sewn::kPulled) continue;
+      s.pulled_for[p] += h;
+      if (s.pulled_for[p] * w < kWait) continue;
+      const SeamRow& row = system.seams.pair[p].gap;
+      const Vec3 rate = row_value(row, s.vx, s.vy, s.vz), gap = row_value(row, s) - (h / 2) * rate;
+      const double length = norm(gap), closing = -dot(rate, gap);
+      if (closing < kStalled * length * std::min(w * length, 2 * seam.speed))
+        s.gap_hold[p] = std::min(s.gap_hold[p] + h * w * std::min(length, reach), kMost * reach);
+    }
+  }
+}
+
+void seams_rates(const System& system, const State& s, Array& rates) {
+  rates.resize(3 * system.seams.pair.size());
+  for (std::size_t p = 0; p < system.seams.pair.size(); ++p) {
+    if (s.sewn[p] != Sewn::kPulled) continue;
+    const Vec3 rate = row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz);
+    std::copy(rate.begin(), rate.end(), &rates[3 * p]);
+  }
+}
+
+}  // namespace drape

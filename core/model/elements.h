@@ -1,0 +1,74 @@
+// The links, hinges and cells of a lattice one by one, those beside its rows included: for outputs, the
+// energy balance and words. Widths: core/README.md, section 1.
+#pragma once
+#include <cmath>
+
+#include "model/system.h"
+
+namespace drape {
+
+struct Link {
+  std::size_t from, to;  // nodes
+  double width, rest;    // m
+  Thread along;
+  bool doubled;  // a further part of the width of a link already visited
+};
+
+inline const Curve& law_curve(const Law& law, Thread along) {
+  return along == Thread::kWarp ? law.warp : along == Thread::kWeft ? law.weft : law.bias;
+}
+inline double law_bending(const Law& law, bool warp) { return warp ? law.bending_warp : law.bending_weft; }
+
+inline double link_strain(const State& s, const Link& link) {
+  const double x = s.x[link.to] - s.x[link.from], y = s.y[link.to] - s.y[link.from],
+               z = s.z[link.to] - s.z[link.from];
+  return std::sqrt(x * x + y * y + z * z) / link.rest - 1;
+}
+
+template <class Visit>
+void each_link(const System& system, const Lattice& l, Visit visit) {
+  const double b = l.cell, diagonal = std::sqrt(2.0) * b;
+  for (int j = 0; j < l.rows; ++j)
+    for (int i = 0; i < l.columns; ++i) {
+      const std::size_t n = l.node(i, j), up = n + std::size_t(l.stride);
+      const double* here = &system.share[n];
+      const double here0 = here[0], left = here[-1], below = here[-l.stride];
+      if (below + here0 > 0) visit(Link{n, n + 1, b / 2 * (below + here0), b, Thread::kWeft, false});
+      if (left + here0 > 0) visit(Link{n, up, b / 2 * (left + here0), b, Thread::kWarp, false});
+      if (here0 > 0) {
+        visit(Link{n, up + 1, b * b / diagonal * here0, diagonal, Thread::kBias, false});
+        visit(Link{n + 1, up, b * b / diagonal * here0, diagonal, Thread::kBias, false});
+      }
+    }
+  for (const SideLink& s : system.side.links)
+    if (s.lattice == l.piece) visit(Link{s.node[0], s.node[1], s.width, s.rest, s.along, s.doubled});
+}
+
+// visit(n0, n1, n2, warp, share): kappa = B share.
+template <class Visit>
+void each_hinge(const System& system, const Lattice& l, Visit visit) {
+  const auto row = std::size_t(l.stride);
+  for (int j = 0; j < l.rows; ++j)
+    for (int i = 0; i < l.columns; ++i) {
+      const std::size_t n = l.node(i, j);
+      if (system.hinge_weft[n] > 0) visit(n - 1, n, n + 1, false, system.hinge_weft[n]);
+      if (system.hinge_warp[n] > 0) visit(n - row, n, n + row, true, system.hinge_warp[n]);
+    }
+  for (const SideHinge& s : system.side.hinges)
+    if (s.lattice == l.piece) visit(s.node[0], s.node[1], s.node[2], s.warp, s.share);
+}
+
+// visit(corners a, b, c, d as size_t[4], share)
+template <class Visit>
+void each_cell(const System& system, const Lattice& l, Visit visit) {
+  const auto row = std::size_t(l.stride);
+  for (int j = 0; j + 1 < l.rows; ++j)
+    for (int i = 0; i + 1 < l.columns; ++i) {
+      const std::size_t n = l.node(i, j), corner[4] = {n, n + 1, n + row, n + row + 1};
+      if (system.share[n] > 0) visit(corner, system.share[n]);
+    }
+  for (const SideCell& s : system.side.cells)
+    if (s.lattice == l.piece) visit(s.node, s.share);
+}
+
+}  // namespace drape

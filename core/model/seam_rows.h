@@ -1,0 +1,52 @@
+// Sums over nodes, and what acts on them.
+#pragma once
+#include "math/vector3.h"
+#include "forces/irregular_elements.h"
+#include "model/system.h"
+
+namespace drape {
+
+// sum_k weight[k] f(node[k])
+inline Vec3 row_value(const SeamRow& row, const Array& x, const Array& y, const Array& z) {
+  Vec3 sum{0, 0, 0};
+  for (const auto& [node, slot, weight] : row) {
+    sum[0] += weight * x[node];
+    sum[1] += weight * y[node];
+    sum[2] += weight * z[node];
+  }
+  return sum;
+}
+inline Vec3 row_value(const SeamRow& row, const State& s) { return row_value(row, s.x, s.y, s.z); }
+
+inline Vec3 point_now(const SeamPoint& point, const State& s) {
+  using namespace vector3;
+  Vec3 sum{0, 0, 0};
+  for (int k = 0; k < 4; ++k)
+    sum += point.weight[k] * Vec3{s.x[point.node[k]], s.y[point.node[k]], s.z[point.node[k]]};
+  return sum;
+}
+
+// A force on the sum is its nodes' by their weights.
+inline void row_force(const SeamRow& row, const Vec3& force, SideForces to) {
+  for (const auto& [node, slot, weight] : row) {
+    to.x[slot] += weight * force[0];
+    to.y[slot] += weight * force[1];
+    to.z[slot] += weight * force[2];
+  }
+}
+
+// A point more.
+inline void row_add(SeamRow& row, const SeamPoint& point, double factor) {
+  for (int k = 0; k < 4; ++k) {
+    if (point.weight[k] == 0) continue;
+    SeamTerm* at = row.begin();
+    while (at != row.end() && at->node != point.node[k]) ++at;
+    if (at == row.end()) {
+      *at = {std::uint32_t(point.node[k]), 0, 0};
+      ++row.count;
+    }
+    at->weight += factor * point.weight[k];
+  }
+}
+
+}  // namespace drape

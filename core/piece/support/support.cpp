@@ -1,0 +1,130 @@
+#include "piece/support/support.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "piece/support/edge_support.h"
+#include "piece/support/region_support.h"
+
+namespace drape {
+namespace {
+
+// The middle of edges by length.
+Vec2 edges_centre(const std::vector<OutlineLoop>& loops, const std::vector<int>& edges) {
+  const OutlineLoop& rim = loops[0];
+  Vec2 sum{0, 0};
+  double length = 0;
+  for (std::size_t k = 0, n = rim.points.size(); k < n; ++k) {
+    if (std::find(edges.begin(), edges.end(), rim.edge[k]) == edges.end()) continue;
+    const Vec2 p = rim.points[k], q = rim.points[(k + 1) % n];
+    const double part = std::hypot(q[0] - p[0], q[1] - p[1]);
+    for (std::size_t a = 0; a < 2; ++a) sum[a] += part * (p[a] + q[a]) / 2;
+    length += part;
+  }
+  return {sum[0] / length, sum[1] / length};
+}
+
+Vec2 mean(const std::vector<Vec2>& points) {
+  Vec2 sum{0, 0};
+  for (const Vec2& p : points)
+    for (std::size_t a = 0; a < 2; ++a) sum[a] += p[a] / double(points.size());
+  return sum;
+}
+
+void points_hold(Hold& hold, const Grid& grid, std::vector<Vec2> at) {  // in cells
+  std::sort(at.begin(), at.end(), [](Vec2 p, Vec2 q) { return p[1] != q[1] ? p[1] < q[1] : p[0] < q[0]; });
+  at.erase(std::unique(at.begin(), at.end()), at.end());
+  for (const Vec2& p : at) {
+    hold.points.push_back(grid_plane(grid, p));
+    hold.at.push_back(grid_locate(grid, hold.points.back()));
+  }
+}
+
+// All links of a node.
+void node_slopes(const Grid& grid, int node, std::vector<HeldSlope>& slopes) {
+  std::map<int, bool> links;  // the other node -> along the warp
+  const auto cell_links = [&](const GridCell& c) {
+    for (int k = 0; k < 4; ++k)
+      if (c.node[k] == node) links.emplace(c.node[k ^ 1], false), links.emplace(c.node[k ^ 2], true);
+  };
+  const auto rows_end = grid.cells.begin() + grid.regular;
+  const auto [column, row] = grid.index(node);
+  for (int j : {row - 1, row}) {
+    auto c = std::lower_bound(grid.cells.begin(), rows_end, std::pair{j, column - 1},
+                              [](const GridCell& a, auto at) { return std::pair{a.j, a.i} < at; });
+    for (; c != rows_end && c->j == j && c->i <= column; ++c) cell_links(*c);
+  }
+  std::for_each(rows_end, grid.cells.end(), cell_links);
+  for (const auto& [to, warp] : links) slopes.push_back({node, to, warp, 1, 1, true});
+}
+
+// The links of the cell that a point lies in, each by its weight.
+void cell_slopes(const Grid& grid, Vec2 point, std::vector<HeldSlope>& slopes) {
+  const GridCell& c = grid.cells[std::size_t(grid_cell_of(grid, point))];
+  const Vec2 at = grid_coordinates(grid, point);
+  const double x = std::clamp(at[0] - c.i, 0.0, 1.0), y = std::clamp(at[1] - c.j, 0.0, 1.0);
+  const HeldSlope links[] = {{c.node[0], c.node[2], true, 1 - x, 1, false},
+                             {c.node[1], c.node[3], true, x, 1, false},
+                             {c.node[0], c.node[1], false, 1 - y, 1, false},
+                             {c.node[2], c.node[3], false, y, 1, false}};
+  for (const HeldSlope& link : links)
+    if (link.clamp > 0) slopes.push_back(link);
+}
+
+void point_slopes(const Grid& grid, const Hold& hold, std::vector<HeldSlope>& slopes) {
+  for (std::size_t k = 0; k < hold.points.size(); ++k) {
+    const double* weight = hold.at[k].weight;
+    const double* whole = std::find(weight, weight + 4, 1.0);
+    if (whole != weight + 4) node_slopes(grid, hold.at[k].node[whole - weight], slopes);
+    else cell_slopes(grid, hold.points[k], slopes);
+  }
+}
+
+// Of the threads that an oblique edge crosses, those that run nearer to its normal are held. Each has two
+// nodes beside the edge, of which one motion stays free; held where the other threads cross too, the edge
+// would leave none, and hold the first row of cloth inside as if it were the jaw's.
+bool thread_held(const EdgeCrossing& crossing) {
+  constexpr double kEqual = 1e-9;  // of the angles at 45 degrees
+  const std::size_t line = std::abs(crossing.along[0]) >= (1 - kEqual) * std::abs(crossing.along[1]) ? 0 : 1;
+  return crossing.at[line] == std::floor(crossing.at[line]);
+}
+
+void edges_hold(Hold& hold, const Grid& grid, const PieceSpec& piece, const PinSpec& pin) {
+  const std::vector<OutlineLoop> loops = outline_flatten(piece);
+  std::vector<Vec2> at;
+  for (int edge : pin.edges) {
+    for (const Vec2& end : edge_ends(grid, piece, edge)) at.push_back(end);
+    for (const EdgeCrossing& crossing : edge_crossings(grid, loops, edge))
+      if (thread_held(crossing)) at.push_back(crossing.at);
+    if (pin.clamp) edge_slopes(grid, loops, edge, hold.slopes);
+  }
+  points_hold(hold, grid, std::move(at));
+  hold.centre = edges_centre(loops, pin.edges);
+}
+
+}  // namespace
+
+Hold hold_make(const Grid& grid, const Scene& scene, const PinSpec& pin) {
+  Hold hold;
+  if (!pin.region.empty()) {
+    RegionHold region = region_hold(grid, pin.region, pin.clamp);
+    for (int n : region.nodes) {
+      hold.points.push_back(grid.place(n));
+      hold.at.push_back({{n, n, n, n}, {1, 0, 0, 0}});
+    }
+    hold.slopes = std::move(region.slopes);
+    hold.centre = polygon_centre(pin.region);
+  } else if (!pin.edges.empty()) {
+    edges_hold(hold, grid, scene.pieces[std::size_t(pin.piece)], pin);
+  } else {
+    std::vector<Vec2> at;
+    for (const Vec2& p : pin.at) at.push_back(grid_coordinates(grid, p));
+    points_hold(hold, grid, std::move(at));
+    if (pin.clamp) point_slopes(grid, hold, hold.slopes);
+    hold.centre = mean(pin.at);
+  }
+  return hold;
+}
+
+}  // namespace drape

@@ -1,0 +1,18 @@
+// Parts of sheet_settle.
+#pragma once
+#include "scene/reader/table_reader.h"
+#include "scene/reader/schema.h"
+#include "scene/datasheet/alternatives.h"
+
+namespace drape {
+
+// Adds the fault of a key that is not there.
+void missing(const Settling& s, FabricText& text, const std::string& key);
+
+// Warp and weft, and the diagrams' other units.
+void tension_settle(const Settling& s, FabricText& text);
+
+// Bias.
+void shear_settle(const Settling& s, FabricText& text);
+
+}  // namespace drape

@@ -1,0 +1,76 @@
+// The rows of the doors, in the units of the sheets.
+#include <iterator>
+
+#include "scene/limits.h"
+#include "scene/reader/schema.h"
+#include "standards/kes.h"
+#include "standards/strip.h"
+
+namespace drape {
+
+namespace {
+
+constexpr const char* kPair = "[warp, weft]";
+constexpr Range kPercents{0.01, 1e3}, kMillimetres{1e-3, 100};
+
+Key strip_key(FabricText& t) {
+  Choice choice;
+  for (const StripStandard& standard : kStripStandards) choice.words.push_back(standard.name);
+  choice.take = [&t](int k) {
+    t.spec.strip_width = kStripStandards[k].width;
+    t.spec.strip_gauge = kStripStandards[k].gauge;
+    t.sheet.strip_by_name = true;
+  };
+  return {"strip", choice};
+}
+
+template <std::size_t N>
+void lists_add(std::vector<Key>& keys, const std::string& name, const OtherUnit (&units)[N],
+               std::vector<double> (&lists)[N]) {
+  for (std::size_t u = 0; u < N; ++u) {
+    const GivenAs& as = units[u].as;
+    keys.push_back({name + "." + as.key, &lists[u], kOptional, {0, units[u].high}, as.unit, as.per_si});
+  }
+}
+
+}  // namespace
+
+std::vector<Key> sheet_keys(FabricText& t) {
+  KesText& kes = t.sheet.kes;
+  FastText& fast = t.sheet.fast;
+  const auto pair = [](Vec2& v) { return Pair{&v, kPair}; };
+  std::vector<Key> keys = {
+      strip_key(t),
+      {"bending.gost_10550.mass_g", pair(t.sheet.gost_mass), kRequired, {1e-3, 1e3}, "g", 1e3},
+      {"bending.gost_10550.deflection_mm", pair(t.sheet.gost_deflection), kRequired, {1, 69}, "mm", 1e3},
+      {"bending.length_mm", pair(t.sheet.bending_length), kOptional, {0.1, 100}, "mm", 1e3},
+      {"bending.overhang_mm", pair(t.sheet.overhang), kOptional, {0.2, 200}, "mm", 1e3},
+      {"kes.W",
+       &kes.W,
+       kOptional,
+       {kArealDensity.low / kKesWeight, kArealDensity.high / kKesWeight},
+       "mg/cm^2"},
+      {"kes.T0", &kes.T0, kOptional, kMillimetres, "mm"},
+      {"kes.Fm", &kes.Fm, kOptional, {1, 1e5}, "gf/cm"},
+      {"kes.EMT", pair(kes.EMT), kOptional, kPercents, "percent"},
+      {"kes.WT", pair(kes.WT), kOptional, {0, 1e6, kAbove}, "gf cm/cm^2"},
+      {"kes.LT", pair(kes.LT), kOptional, {kKesLinearityLow, kKesLinearityHigh}},
+      {"kes.G", pair(kes.G), kOptional, {0, 1e3}, "gf/(cm deg)"},
+      {"kes.B", pair(kes.B), kOptional, {0, 1e3}, "gf cm^2/cm"},
+      {"fast.W", &fast.W, kOptional, {1e3 * kArealDensity.low, 1e3 * kArealDensity.high}, "g/m^2"},
+      {"fast.T2", &fast.T2, kOptional, kMillimetres, "mm"},
+      {"fast.T100", &fast.T100, kOptional, kMillimetres, "mm"},
+      {"fast.C", pair(fast.C), kOptional, {0.1, 100}, "mm"},
+      {"fast.E5", pair(fast.E5), kOptional, kPercents, "percent"},
+      {"fast.E20", pair(fast.E20), kOptional, kPercents, "percent"},
+      {"fast.E100", pair(fast.E100), kOptional, kPercents, "percent"},
+      {"fast.EB5", &fast.EB5, kOptional, {0.1, 41}, "percent"},
+  };
+  for (std::size_t k = 0; k < std::size(kDiagrams); ++k) {
+    lists_add(keys, kDiagrams[k], kExtensions, t.sheet.diagram[k].extension);
+    lists_add(keys, kDiagrams[k], kForces, t.sheet.diagram[k].force);
+  }
+  return keys;
+}
+
+}  // namespace drape

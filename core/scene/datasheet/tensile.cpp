@@ -1,0 +1,195 @@
+// Sheets -> plain keys: warp, weft and bias.
+#include <algorithm>
+#include <cmath>
+
+#include "validation/checks.h"
+#include "scene/datasheet/conversion.h"
+#include "standards/fast.h"
+#include "standards/kes.h"
+#include "standards/trellis.h"
+
+namespace drape {
+
+namespace {
+
+DiagramSpec& spec_of(FabricText& t, std::size_t k) {
+  return k == 0 ? t.spec.warp : k == 1 ? t.spec.weft : t.spec.bias;
+}
+
+toml::array array_of(const std::vector<double>& values) {
+  toml::array list;
+  for (const double value : values) list.push_back(value);
+  return list;
+}
+
+// A diagram that no text shows takes the place of the one that a file may have.
+void diagram_insert(FabricText& t, std::size_t k, const SheetDiagram& d, bool jaws) {
+  std::vector<double> force;
+  for (const double f : d.force_per_width) force.push_back(f * t.spec.strip_width);
+  toml::table diagram{{"elongation_percent", array_of(d.percent)}, {"force", array_of(force)}};
+  if (!jaws) diagram.insert("jaws", false);
+  if (!t.calibration[k].empty()) diagram.insert("correction", array_of(t.calibration[k]));
+  spec_of(t, k) = {};
+  t.sheet.replaced.push_back(kDiagrams[k]);
+  t.sheet.plain.insert_or_assign(kDiagrams[k], diagram);
+}
+
+template <std::size_t N>
+const GivenAs* given_as(const OtherUnit (&units)[N], const std::string& key, std::size_t& u) {
+  for (u = 0; u < N; ++u)
+    if (key == units[u].as.key) return &units[u].as;
+  return nullptr;
+}
+
+toml::array percent_of(const std::vector<double>& extension, double gauge) {
+  toml::array percent;
+  for (const double e : extension) percent.push_back(100 * e / gauge);
+  return percent;
+}
+
+// 1000 percent at most, as elongation_percent.
+bool extension_fits(const Settling& s, const std::string& key, const GivenAs& as,
+                    const std::vector<double>& extension, double gauge) {
+  constexpr double kMost = 10;
+  bool fits = true;
+  for (std::size_t i = 0; i < extension.size(); ++i) {
+    if (100 * extension[i] / gauge <= 100 * kMost) continue;
+    fault_at(s, key, i,
+             "= " + rounded(extension[i] / gauge * as.per_si) + " " + as.unit + "; allowed: from 0 to " +
+                 rounded(kMost * as.per_si) + " " + as.unit + ", ten times the gauge");
+    fits = false;
+  }
+  return fits;
+}
+
+// The diagram's own lists, in whatever unit they are.
+void lists_settle(const Settling& s, FabricText& t, std::size_t k) {
+  const std::string name = kDiagrams[k];
+  if (const toml::node* table = stated(s, name); !table || !table->is_table()) return;
+  std::vector<std::string> ways_e{name + ".elongation_percent"}, ways_f{name + ".force"};
+  for (const OtherUnit& unit : kExtensions) ways_e.push_back(name + "." + unit.as.key);
+  for (const OtherUnit& unit : kForces) ways_f.push_back(name + "." + unit.as.key);
+  if (const std::string own = "calibration." + name; stated(s, own))
+    fault_at(s, own, "belongs to a diagram from a sheet; wanted: " + name + ".correction");
+  const std::string way_e = way_of(s, "elongation", ways_e), way_f = way_of(s, "force", ways_f);
+  if (way_e.empty()) missing(s, t, ways_e[0]);
+  if (way_f.empty()) missing(s, t, ways_f[0]);
+
+  toml::table plain;
+  DiagramSpec& d = spec_of(t, k);
+  std::size_t u;
+  if (const GivenAs* as = given_as(kExtensions, way_e.substr(way_e.find('.') + 1), u)) {
+    d.elongation_as = {as->key, as->unit, as->per_si * t.spec.strip_gauge};
+    const std::vector<double>& extension = t.sheet.diagram[k].extension[u];
+    if (sound(s, way_e) && extension_fits(s, way_e, d.elongation_as, extension, t.spec.strip_gauge))
+      plain.insert("elongation_percent", percent_of(extension, t.spec.strip_gauge));
+  }
+  if (const GivenAs* as = given_as(kForces, way_f.substr(way_f.find('.') + 1), u)) {
+    d.force_as = *as;
+    if (sound(s, way_f)) plain.insert("force", array_of(t.sheet.diagram[k].force[u]));
+  }
+  if (!plain.empty()) t.sheet.plain.insert_or_assign(name, plain);
+}
+
+// WT of direction k from what the sheet has of WT and LT; not a number where that does not fit EMT.
+double kes_energy_of(const Settling& s, const KesText& kes, std::size_t k) {
+  constexpr double kMeans = 0.05;  // a mean of LT is not the LT of means, and both are rounded
+  const double emt = kes.EMT[k], fm = kes.Fm;
+  if (!stated(s, "kes.WT")) return kes_energy(emt, kes.LT[k], fm);
+  const double wt = kes.WT[k], lt = kes_linearity(emt, wt, fm);
+  if (!(lt >= kKesLinearityLow && lt <= kKesLinearityHigh)) {
+    const auto at = [&](double limit) { return rounded(kes_energy(emt, limit, fm)); };
+    fault_at(s, "kes.WT", k,
+             "= " + number_text(wt) + " gf cm/cm^2 does not go with EMT = " + number_text(emt) +
+                 " percent at " + number_text(fm) + " gf/cm; allowed: from " + at(kKesLinearityLow) + " to " +
+                 at(kKesLinearityHigh) + " gf cm/cm^2, for LT = 2 WT/(Fm EMT) from 0.2 to 1.8");
+    return kNotStated;
+  }
+  if (stated(s, "kes.LT") && !(std::abs(kes.LT[k] / lt - 1) <= kMeans))
+    fault_at(s, "kes.LT", k,
+             "= " + number_text(kes.LT[k]) +
+                 " does not go with WT and EMT, which give LT = 2 WT/(Fm EMT) = " + rounded(lt) +
+                 "; allowed: within 5 percent of it");
+  return wt;
+}
+
+void kes_settle(const Settling& s, FabricText& t, std::size_t k) {
+  for (const char* key : {"kes.EMT", "kes.WT", "kes.LT", "kes.Fm"})
+    if (stated(s, key) && !sound(s, key)) return;
+  if (!stated(s, "kes.WT") && !stated(s, "kes.LT")) return;
+  const KesText& kes = t.sheet.kes;
+  const double wt = kes_energy_of(s, kes, k);
+  if (!std::isnan(wt)) diagram_insert(t, k, kes_tension(kes.EMT[k], wt, kes.Fm), true);
+}
+
+void fast_settle(const Settling& s, FabricText& t, std::size_t k) {
+  for (const char* key : {"fast.E5", "fast.E20", "fast.E100"})
+    if (!sound(s, key)) return;
+  const FastText& fast = t.sheet.fast;
+  const double e5 = fast.E5[k], e20 = fast.E20[k], e100 = fast.E100[k];
+  const auto rises = [&](const char* key, double e, const char* before, double less) {
+    if (e - less >= 1e-6) return true;
+    fault_at(s, key, k,
+             "= " + number_text(e) + " percent after " + before + " = " + number_text(less) +
+                 " percent; wanted: a rise of at least 1e-06 percent");
+    return false;
+  };
+  const bool first = rises("fast.E20", e20, "E5", e5), second = rises("fast.E100", e100, "E20", e20);
+  if (first && second)
+    diagram_insert(t, k, {{0, e5, e20, e100}, {std::begin(kFastForce), std::end(kFastForce)}}, true);
+}
+
+// Keys of a diagram that stand over a sheet without one; told, and left to the sheet.
+bool stray_tell(const Settling& s, const std::string& name, const std::vector<std::string>& sheets) {
+  const toml::node* node = stated(s, name);
+  const auto sheet =
+      std::find_if(sheets.begin(), sheets.end(), [&](const auto& key) { return stated(s, key); });
+  if (!node || !node->is_table() || sheet == sheets.end()) return false;
+  std::vector<std::string> strays;
+  for (auto&& [key, value] : *node->as_table()) {
+    const std::string k(key.str());
+    if (k != "jaws" && k != "correction" && k != "correction_elongation") return false;
+    strays.push_back(k);
+  }
+  for (const std::string& key : strays)
+    fault_at(s, name + "." + key,
+             "belongs to a diagram, but the " + name + " comes from " + *sheet + "; wanted: " + name +
+                 ".elongation_percent and " + name + ".force beside it, or neither");
+  return !strays.empty();
+}
+
+// Figures of tension that do not stand alone.
+void companions_check(const Settling& s, FabricText& t) {
+  const bool work = stated(s, "kes.WT") || stated(s, "kes.LT");
+  if (work && !stated(s, "kes.EMT")) missing(s, t, "kes.EMT");
+  if (stated(s, "kes.EMT") && !work) missing(s, t, "kes.WT");
+  if (stated(s, "fast.E5") || stated(s, "fast.E20") || stated(s, "fast.E100"))
+    for (const char* key : {"fast.E5", "fast.E20", "fast.E100"})
+      if (!stated(s, key)) missing(s, t, key);
+}
+
+}  // namespace
+
+void tension_settle(const Settling& s, FabricText& t) {
+  companions_check(s, t);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::string name = kDiagrams[k];
+    if (stray_tell(s, name, {"kes.EMT", "fast.E100"})) continue;
+    const std::string way = way_of(s, name + " tension", {name, "kes.EMT", "fast.E100"});
+    if (way == name) lists_settle(s, t, k);
+    else if (way == "kes.EMT") kes_settle(s, t, k);
+    else if (way == "fast.E100") fast_settle(s, t, k);
+  }
+}
+
+void shear_settle(const Settling& s, FabricText& t) {
+  if (stray_tell(s, "bias", {"kes.G", "fast.EB5"})) return;
+  const std::string way = way_of(s, "shear", {"bias", "kes.G", "fast.EB5"});
+  if (way == "bias") return lists_settle(s, t, 2);
+  if (!sound(s, way)) return;
+  const Vec2& g = t.sheet.kes.G;
+  const double shear = way == "kes.G" ? (g[0] + g[1]) / 2 * kKesShear : fast_shear(t.sheet.fast.EB5);
+  diagram_insert(t, 2, trellis_bias(shear), false);
+}
+
+}  // namespace drape

@@ -1,0 +1,75 @@
+#include "scene/diagnostics.h"
+
+#include <algorithm>
+#include <charconv>
+#include <tuple>
+
+namespace drape {
+
+namespace {
+
+// A message is one line, whatever the text that it quotes.
+std::string one_line(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  return text;
+}
+
+Place place_find(const Faults& faults, std::string path) {
+  while (!path.empty()) {
+    if (const auto it = faults.places.find(path); it != faults.places.end()) return it->second;
+    const std::size_t end = path.find_last_of(".[");
+    path.resize(end == std::string::npos ? 0 : end);
+  }
+  return {faults.file, 0};
+}
+
+}  // namespace
+
+std::string fault_place(const Faults& faults, const std::string& path) {
+  const Place at = place_find(faults, path);
+  std::string place = at.file;
+  if (at.line) place += ":" + std::to_string(at.line);
+  return place + (path.empty() ? ":" : ": " + path);
+}
+
+void fault_add(Faults& faults, const std::string& path, const std::string& message) {
+  fault_add_at(faults, place_find(faults, path), fault_place(faults, path), message);
+  faults.found.back().path = path;
+}
+
+bool fault_within(const Faults& faults, const std::string& path) {
+  return std::any_of(faults.found.begin(), faults.found.end(), [&](const Faults::Found& f) {
+    return f.path.compare(0, path.size(), path) == 0 &&
+           (f.path.size() == path.size() || f.path[path.size()] == '.' || f.path[path.size()] == '[');
+  });
+}
+
+void fault_add_at(Faults& faults, const Place& at, const std::string& place, const std::string& message) {
+  faults.found.push_back({at, {one_line(place), one_line(message)}, ""});
+}
+
+void faults_report(const Faults& faults, std::vector<Problem>& problems) {
+  std::vector<Faults::Found> sorted = faults.found;
+  std::stable_sort(sorted.begin(), sorted.end(), [&](const Faults::Found& a, const Faults::Found& b) {
+    const auto key = [&](const Place& p) { return std::tuple(p.file != faults.file, p.file, p.line); };
+    return key(a.place) < key(b.place);
+  });
+  for (const Faults::Found& f : sorted) problems.push_back(f.problem);
+}
+
+std::string number_text(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general).ptr};
+}
+
+std::string in_quotes(const std::string& text) {
+  constexpr std::size_t kLongest = 80;
+  return '"' + text.substr(0, kLongest) + (text.size() > kLongest ? "...\"" : "\"");
+}
+
+std::string entries_text(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " entry" : " entries");
+}
+
+}  // namespace drape

@@ -1,0 +1,149 @@
+#include "scene/reader/document.h"
+
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "standards/strip.h"
+
+namespace drape {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kLargestFile = 64 << 20;  // bytes
+
+// The text of a file, or what hinders reading it.
+std::string file_text(const fs::path& file, std::string& hindrance) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::exists(status)) return hindrance = "there is no such file", "";
+  if (fs::is_directory(status)) return hindrance = "is a folder, not a file", "";
+  if (!fs::is_regular_file(status)) return hindrance = "is not a regular file", "";
+  if (fs::file_size(file, error) > kLargestFile || error) return hindrance = "is larger than 64 MB", "";
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return hindrance = "cannot be opened", "";
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (text.empty()) hindrance = "is empty";
+  return text;
+}
+
+// The table of a TOML text; a fault otherwise.
+std::optional<toml::table> text_parse(const std::string& text, const std::string& file, Faults& faults) {
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    const toml::source_position at = error.source().begin;
+    const Place place{file, at.line};
+    const std::string where = file + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) + ":";
+    fault_add_at(faults, place, where, "is not valid TOML: " + std::string(error.description()));
+    return std::nullopt;
+  }
+}
+
+// Adds to `over` what only `base` has; tables that both have are merged the same way. Nodes are moved: a copy
+// would not know its line.
+void table_underlay(toml::table& over, toml::table&& base) {
+  for (auto&& [key, node] : base) {
+    toml::node* own = over.get(key);
+    if (own && own->is_table() && node.is_table())
+      table_underlay(*own->as_table(), std::move(*node.as_table()));
+    else if (!own) node.visit([&, &name = key](auto& value) { over.insert(name, std::move(value)); });
+  }
+}
+
+// Corrections belong to the points that they were found for: a diagram with elongations of its own, or from a
+// sheet or on a strip of the scene's, does not take those of the file.
+void corrections_drop(const toml::table& own, toml::table& base) {
+  toml::table* calibration = base["calibration"].as_table();
+  for (const char* diagram : {"warp", "weft", "bias"}) {
+    if (calibration && (own.contains("kes") || own.contains("fast") || own.contains(diagram)))
+      calibration->erase(diagram);
+    toml::table* table = base[diagram].as_table();
+    const auto has = [&](const char* key) { return bool(own[diagram][key]); };
+    const bool elsewhere = own.contains("strip") || has("jaws");
+    if (!table || !(elsewhere || has("elongation_percent") || has("extension_mm") || has("extension_in")))
+      continue;
+    table->erase("correction");
+    table->erase("correction_elongation");
+  }
+}
+
+// A strip that the file names by its standard is spelled out under a table of the scene's, which may hold one
+// of its two figures.
+void strip_spell(const toml::table& own, toml::table& base) {
+  const toml::node* strip = base.get("strip");
+  if (!own["strip"].is_table() || !strip || !strip->is_string()) return;
+  for (const StripStandard& standard : kStripStandards)
+    if (strip->as_string()->get() == standard.name)
+      return void(
+          base.insert_or_assign("strip", toml::table{{"width", standard.width}, {"gauge", standard.gauge}}));
+}
+
+// Folds the file that a fabric names into its table; false if that cannot be done.
+bool fabric_fold(toml::table& fabric, const std::string& path, const fs::path& folder, Faults& faults,
+                 std::vector<fs::path>& files) {
+  const toml::node* named = fabric.get("file");
+  if (!named || !named->is_string()) return true;
+  const std::string& name = named->as_string()->get();
+  const std::string key = path + ".file";
+  faults.places[key] = {faults.file, named->source().begin.line};
+
+  const fs::path file = (folder / name).lexically_normal();
+  files.push_back(file);
+  std::string hindrance;
+  const std::string text = file_text(file, hindrance);
+  if (!hindrance.empty()) {
+    fault_add(faults, key, "= " + in_quotes(name) + ": " + hindrance + " (looked for " + file.string() + ")");
+    return false;
+  }
+  std::optional<toml::table> base = text_parse(text, file.string(), faults);
+  if (!base) return false;
+  if (const toml::node* another = base->get("file")) {
+    faults.places[key] = {file.string(), another->source().begin.line};
+    fault_add(faults, key, "stands in a fabric file; a fabric file cannot name another one");
+  }
+  corrections_drop(fabric, *base);
+  strip_spell(fabric, *base);
+  table_underlay(fabric, std::move(*base));
+  return true;
+}
+
+}  // namespace
+
+void calibration_drop(toml::table& fabric) {
+  fabric.erase("calibration");
+  for (const char* diagram : {"warp", "weft", "bias"})
+    if (toml::table* table = fabric[diagram].as_table())
+      table->erase("correction"), table->erase("correction_elongation");
+}
+
+Document document_load_file(const std::filesystem::path& file, Faults& faults) {
+  Document document;
+  faults.file = file.string();
+  document.files.push_back(file);
+  std::string hindrance;
+  const std::string text = file_text(file, hindrance);
+  if (!hindrance.empty()) return fault_add(faults, "", hindrance), document;
+  std::optional<toml::table> root = text_parse(text, faults.file, faults);
+  if (!root) return document;
+  if (root->empty()) return fault_add(faults, "", "holds no keys"), document;
+
+  document.root = std::move(*root);
+  document.loaded = true;
+  return document;
+}
+
+Document document_load(const std::filesystem::path& file, Faults& faults) {
+  Document document = document_load_file(file, faults);
+  if (toml::table* fabrics = document.root["fabric"].as_table())
+    for (auto&& [name, node] : *fabrics)
+      if (toml::table* fabric = node.as_table())
+        if (!fabric_fold(*fabric, "fabric." + std::string(name.str()), file.parent_path(), faults,
+                         document.files))
+          document.unread.emplace(name.str());
+  return document;
+}
+
+}  // namespace drape

@@ -1,0 +1,35 @@
+#include <sstream>
+
+#include "scene/reader/document.h"
+#include "scene/reader/read.h"
+#include "scene/reader/schema.h"
+
+namespace drape {
+
+std::string body_file(const std::string& name, const std::string& mesh) {
+  return "body_" + name + std::filesystem::path(mesh).extension().string();
+}
+
+// Sheets become plain keys. Doubles are printed as the shortest decimal that gives the same double, so that
+// nothing is lost on the way.
+std::string scene_resolve(const std::filesystem::path& file, std::vector<Problem>& problems) {
+  Faults faults;
+  Document document = document_load(file, faults);
+  faults_report(faults, problems);
+  if (!faults.found.empty()) return "";
+  if (toml::table* fabrics = document.root["fabric"].as_table())
+    for (auto&& [name, node] : *fabrics)
+      if (toml::table* fabric = node.as_table()) {
+        fabric->erase("file");
+        fabric_flatten(*fabric, fabric_read(faults, *fabric, "fabric"));
+      }
+  if (toml::array* bodies = document.root["body"].as_array())
+    for (toml::node& node : *bodies)
+      if (toml::table* body = node.as_table())
+        body->insert_or_assign("mesh", body_file((*body)["name"].value_or(""), (*body)["mesh"].value_or("")));
+  std::ostringstream text;
+  text << document.root << '\n';
+  return text.str();
+}
+
+}  // namespace drape

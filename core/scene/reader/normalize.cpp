@@ -1,0 +1,134 @@
+#include "scene/reader/normalize.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drape {
+
+namespace {
+
+constexpr double kTolerance = 1e-6;  // directions as typed have six digits or so
+constexpr double kFlattest = 20;     // of an elliptic cylinder: one radius over the other
+
+double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// a, without what lies along the unit vector u.
+void remove(Vec3& a, const Vec3& u) {
+  const double along = dot(a, u);
+  for (std::size_t k = 0; k < 3; ++k) a[k] -= along * u[k];
+}
+
+void normalise(Vec3& a) {
+  const double length = std::sqrt(dot(a, a));
+  for (double& v : a) v /= length;
+}
+
+void length_check(Faults& faults, const Vec3& a, const std::string& path) {
+  const double length = std::sqrt(dot(a, a));
+  if (!(std::abs(length - 1) <= kTolerance))
+    fault_add(faults, path,
+              "has length " + number_text(length) + "; wanted: 1, within " + number_text(kTolerance));
+}
+
+// Within the tolerance axes are made exactly orthonormal: x keeps its direction.
+void axes_settle(Faults& faults, const toml::table& table, const std::string& path, PlaceSpec& place) {
+  const bool x_given(table["place"]["axis_x"]), y_given(table["place"]["axis_y"]);
+  if (x_given != y_given)
+    return fault_add(faults, path, "has only one of axis_x and axis_y; wanted: both or neither");
+  Vec3 &x = place.axis_x, &y = place.axis_y;
+  length_check(faults, x, path + ".axis_x");
+  length_check(faults, y, path + ".axis_y");
+  if (!(std::abs(dot(x, y)) <= kTolerance))
+    fault_add(faults, path,
+              "has axis_x . axis_y = " + number_text(dot(x, y)) + "; wanted: 0, a right angle, within " +
+                  number_text(kTolerance));
+  normalise(x);
+  remove(y, x);
+  normalise(y);
+}
+
+// Likewise the cylinder's axis becomes exactly parallel to the plane.
+void cylinder_settle(Faults& faults, const std::string& path, PlaceSpec& place) {
+  length_check(faults, place.axis, path + ".axis");
+  const Vec3 normal = cross(place.axis_x, place.axis_y);
+  const double out = dot(place.axis, normal);
+  if (!(std::abs(out) <= kTolerance))
+    fault_add(faults, path + ".axis",
+              "has " + number_text(out) +
+                  " across the plane of axis_x and axis_y; wanted: 0, an axis parallel to " +
+                  "the plane, within " + number_text(kTolerance));
+  remove(place.axis, normal);
+  normalise(place.axis);
+  const auto [a, b] = place.radius;
+  if (!(std::max(a, b) <= kFlattest * std::min(a, b)))
+    fault_add(faults, path + ".radius",
+              "= [" + number_text(a) + ", " + number_text(b) + "] m; allowed: neither above " +
+                  number_text(kFlattest) + " times the other");
+}
+
+void curves_settle(Faults& faults, const toml::table& table, const std::string& path) {
+  const toml::array* curves = table["curves"].as_array();
+  for (std::size_t i = 0; curves && i < curves->size(); ++i) {
+    const toml::table* curve = (*curves)[i].as_table();
+    if (!curve) continue;
+    const std::string at = path + ".curves[" + std::to_string(i) + "]";
+    const bool bezier = curve->contains("bezier"), arc = curve->contains("arc");
+    if (bezier == arc)
+      fault_add(
+          faults, at,
+          bezier ? "has both bezier and arc; wanted: one of them" : "is no curve; wanted: bezier or arc");
+    for (const char* key : {"large", "right"})
+      if (bezier && !arc && curve->contains(key))
+        fault_add(faults, at + "." + key, "belongs to an arc, not to a Bezier curve");
+  }
+}
+
+}  // namespace
+
+void piece_settle(Faults& faults, const toml::table& table, const std::string& path, PieceSpec& piece) {
+  const std::string place = path + ".place";
+  const auto sound = [&](const std::string& key) { return !fault_within(faults, path + "." + key); };
+  if (sound("place.axis_x") && sound("place.axis_y")) axes_settle(faults, table, place, piece.place);
+  if (table["place"]["cylinder"].is_table() && sound("place"))
+    cylinder_settle(faults, place + ".cylinder", piece.place);
+  curves_settle(faults, table, path);
+  if (!sound("curves") || !sound("holes")) piece.outline.clear();
+}
+
+void seam_settle(Faults& faults, const toml::table& table, const std::string& path) {
+  for (const char* side : {"a", "b"})
+    if (!table.contains(side))
+      fault_add(faults, path + "." + side, "is missing; wanted: a table { piece, edges }");
+}
+
+void body_settle(Faults& faults, const std::string& path, const std::filesystem::path& folder,
+                 const BodyText& text, BodySpec& body) {
+  const std::filesystem::path file = (folder / text.mesh).lexically_normal();
+  body.mesh = file.string();
+  std::error_code error;
+  if (!text.mesh.empty() && !std::filesystem::is_regular_file(file, error))
+    fault_add(faults, path + ".mesh",
+              "= " + in_quotes(text.mesh) + ": there is no such file (looked for " + file.string() + ")");
+  if (text.orientation.empty() || fault_within(faults, path + ".orientation")) return;
+  if (text.orientation.size() != 4)
+    return fault_add(faults, path + ".orientation",
+                     "has " + entries_text(text.orientation.size()) + "; wanted: 4 numbers, w, x, y, z");
+  std::copy(text.orientation.begin(), text.orientation.end(), body.orientation.begin());
+  const auto& q = body.orientation;
+  if (q[0] == 0 && q[1] == 0 && q[2] == 0 && q[3] == 0)
+    fault_add(faults, path + ".orientation", "has length 0; allowed: any length above 0");
+}
+
+void pin_settle(Faults& faults, const toml::table& table, const std::string& path) {
+  const int ways = table.contains("at") + table.contains("edges") + table.contains("region");
+  if (ways != 1)
+    fault_add(faults, path,
+              ways ? "has more than one of at, edges and region; wanted: one of them"
+                   : "holds nothing; wanted: at, edges or region");
+}
+
+}  // namespace drape

@@ -1,0 +1,154 @@
+#include "scene/reader/read.h"
+
+#include <algorithm>
+
+#include "validation/checks.h"
+#include "scene/reader/table_reader.h"
+#include "scene/reader/schema.h"
+#include "scene/reader/normalize.h"
+
+namespace drape {
+
+namespace {
+
+std::vector<FabricSpec> fabrics_read(Faults& faults, const Document& document) {
+  std::vector<FabricSpec> fabrics;
+  const toml::node* node = document.root.get("fabric");
+  if (!node) return fabrics;
+  if (!node->is_table())
+    return fault_add(faults, "fabric",
+                     std::string("is ") + node_kind(*node) + "; wanted: tables [fabric.<name>]"),
+           fabrics;
+  for (auto&& [key, entry] : *node->as_table()) {
+    const std::string name(key.str()), path = "fabric." + name;
+    place_note(faults, path, entry);
+    FabricSpec& fabric = fabrics.emplace_back();
+    if (!name_fits(name)) fault_add(faults, path, kNameRule);
+    if (!entry.is_table())
+      fault_add(faults, path, std::string("is ") + node_kind(entry) + "; wanted: a table [" + path + "]");
+    else if (!document.unread.count(name)) fabric = fabric_read(faults, *entry.as_table(), path).spec;
+    fabric.name = name;
+  }
+  return fabrics;
+}
+
+// Reads every table of [[kind]]. `rows` gives the rows of one, `settle` sees to what they leave open.
+template <class Spec, class Rows, class Settle>
+std::vector<Spec> specs_read(Faults& faults, const toml::table& root, const std::string& kind, Rows rows,
+                             Settle settle) {
+  std::vector<Spec> specs;
+  const toml::node* node = root.get(kind);
+  if (!node) return specs;
+  const toml::array* list = node->as_array();
+  if (!list || !list->is_array_of_tables())
+    return fault_add(faults, kind,
+                     std::string("is ") + node_kind(*node) + "; wanted: tables [[" + kind + "]]"),
+           specs;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const toml::table& table = *(*list)[i].as_table();
+    const std::string name = table["name"].value_or(std::string());
+    const bool again = std::any_of(specs.begin(), specs.end(), [&](const Spec& s) { return s.name == name; });
+    const std::string path =
+        name_fits(name) && !again ? kind + "." + name : kind + "[" + std::to_string(i) + "]";
+    place_note(faults, path, table);
+    Spec& spec = specs.emplace_back();
+    keys_read(faults, table, path, rows(spec));
+    settle(table, path, spec);
+    if (again && name_fits(name))
+      fault_add(faults, path + ".name",
+                "= " + in_quotes(name) + " is taken by another " + kind + "; names differ within a kind");
+  }
+  return specs;
+}
+
+template <class Spec>
+std::vector<std::string> names_of(const std::vector<Spec>& specs) {
+  std::vector<std::string> names;
+  for (const Spec& spec : specs) names.push_back(spec.name);
+  return names;
+}
+
+void document_read(Faults& faults, const Document& document, Scene& scene) {
+  const toml::table& root = document.root;
+  keys_read(faults, root, "", scene_keys(scene));
+  scene.has_air = root["air"]["normal"] || root["air"]["tangential"];
+  if (!root.contains("scene"))
+    fault_add(faults, "scene.name", "is missing; wanted: a table [scene] with a name");
+
+  scene.fabrics = fabrics_read(faults, document);
+  const std::vector<std::string> fabrics = names_of(scene.fabrics);
+  scene.pieces = specs_read<PieceSpec>(
+      faults, root, "piece", [&](PieceSpec& p) { return piece_keys(p, fabrics); },
+      [&](const toml::table& t, const std::string& path, PieceSpec& p) { piece_settle(faults, t, path, p); });
+  if (!root.contains("piece")) fault_add(faults, "piece", "is missing; wanted: at least one [[piece]]");
+
+  const std::vector<std::string> pieces = names_of(scene.pieces);
+  scene.pins = specs_read<PinSpec>(
+      faults, root, "pin", [&](PinSpec& p) { return pin_keys(p, pieces); },
+      [&](const toml::table& t, const std::string& path, PinSpec&) { pin_settle(faults, t, path); });
+  scene.seams = specs_read<SeamSpec>(
+      faults, root, "seam", [&](SeamSpec& s) { return seam_keys(s, pieces); },
+      [&](const toml::table& t, const std::string& path, SeamSpec&) { seam_settle(faults, t, path); });
+  const std::filesystem::path folder = std::filesystem::path(faults.file).parent_path();
+  BodyText text;
+  scene.bodies = specs_read<BodySpec>(
+      faults, root, "body", [&](BodySpec& b) { return body_keys(b, text = BodyText{}); },
+      [&](const toml::table&, const std::string& path, BodySpec& b) {
+        body_settle(faults, path, folder, text, b);
+      });
+  scene.probes = specs_read<ProbeSpec>(
+      faults, root, "probe", [&](ProbeSpec& p) { return probe_keys(p, pieces); },
+      [](const toml::table&, const std::string&, ProbeSpec&) {});
+}
+
+}  // namespace
+
+Scene scene_read(const std::filesystem::path& file, std::vector<Problem>& problems) {
+  Scene scene;
+  Faults faults;
+  const Document document = document_load(file, faults);
+  if (document.loaded) {
+    document_read(faults, document, scene);
+    std::vector<Problem> found;
+    scene_check(scene, found);
+    if (found.empty() && faults.found.empty()) scene_check_layout(scene, found);
+    for (const Problem& p : found) fault_add(faults, p.place, p.message);
+  }
+  faults_report(faults, problems);
+  return scene;
+}
+
+FabricSpec fabric_read(const std::filesystem::path& file, std::vector<Problem>& problems,
+                       Corrections corrections) {
+  FabricSpec fabric;
+  Faults faults;
+  Document document = document_load_file(file, faults);
+  if (document.loaded) {
+    if (corrections == Corrections::kDropped) calibration_drop(document.root);
+    const std::string name = file.stem().string(), path = "fabric." + name;
+    fabric = fabric_read(faults, document.root, path).spec;
+    fabric.name = name;
+    if (document.root.contains("file"))
+      fault_add(faults, path + ".file", "stands in a fabric file; a fabric file cannot name another one");
+    std::vector<Problem> found;
+    fabric_check({}, fabric, found);
+    for (const Problem& p : found) fault_add(faults, p.place, p.message);
+  }
+  faults_report(faults, problems);
+  return fabric;
+}
+
+std::string scene_place(const std::filesystem::path& file, const std::string& path) {
+  Scene scene;
+  Faults faults;
+  const Document document = document_load(file, faults);
+  if (document.loaded) document_read(faults, document, scene);
+  return fault_place(faults, path);
+}
+
+std::vector<std::filesystem::path> scene_files(const std::filesystem::path& file) {
+  Faults faults;
+  return document_load(file, faults).files;
+}
+
+}  // namespace drape

@@ -1,0 +1,40 @@
+// The keys of a scene file: every name, range, unit and default in one place. The rows point into the struct
+// they fill; the struct's own initial values are the defaults. List entries count from 0, as the outline's
+// edges do.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "scene/reader/value_reader.h"
+#include "scene/scene.h"
+#include "scene/datasheet/datasheet.h"
+
+namespace drape {
+
+// A fabric with what its text says in other terms.
+struct FabricText {
+  FabricSpec spec;
+  Vec2 rigidity{0, 0};  // N m^2, EI of the bending specimen, warp and weft
+  double bending_width = 0.03;
+  std::string file, description, source;
+  double calibration_cell = 0, calibration_residual = 0;
+  std::string calibration_date;
+  std::vector<double> calibration[3];  // corrections of diagrams from sheets, by kDiagrams
+  SheetText sheet;
+};
+
+std::vector<Key> scene_keys(Scene& scene);  // of the whole file; tables of their own have the rows below
+std::vector<Key> fabric_keys(FabricText& text);
+std::vector<Key> piece_keys(PieceSpec& piece, const std::vector<std::string>& fabrics);
+std::vector<Key> curve_keys(CurveSpec& curve);
+std::vector<Key> pin_keys(PinSpec& pin, const std::vector<std::string>& pieces);
+std::vector<Key> seam_keys(SeamSpec& seam, const std::vector<std::string>& pieces);
+// The file of the mesh as it stands in the scene, and the four numbers of its orientation.
+struct BodyText {
+  std::string mesh;
+  std::vector<double> orientation;
+};
+std::vector<Key> body_keys(BodySpec& body, BodyText& text);
+std::vector<Key> probe_keys(ProbeSpec& probe, const std::vector<std::string>& pieces);
+
+}  // namespace drape

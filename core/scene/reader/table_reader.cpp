@@ -1,0 +1,75 @@
+#include "scene/reader/table_reader.h"
+
+#include <algorithm>
+
+#include "scene/spelling.h"
+
+namespace drape {
+
+namespace {
+
+// A key that holds a dot had to be quoted, and stays so.
+std::string joined(const std::string& path, const std::string& key) {
+  const std::string shown = key.find('.') == std::string::npos ? key : '"' + key + '"';
+  return path.empty() ? shown : path + "." + shown;
+}
+
+// The part of a row's name that stands directly in the table `prefix`; "" if the row belongs elsewhere.
+std::string key_within(const Key& key, const std::string& prefix) {
+  if (key.name.compare(0, prefix.size(), prefix) != 0) return "";
+  return key.name.substr(prefix.size(), key.name.find('.', prefix.size()) - prefix.size());
+}
+
+void unknown_key(Faults& faults, const std::string& path, const std::string& name, const std::string& prefix,
+                 const std::vector<Key>& keys) {
+  std::vector<std::string> known;
+  std::string all;
+  for (const Key& key : keys) {
+    const std::string name_known = key_within(key, prefix);
+    if (name_known.empty()) continue;
+    if (std::find(known.begin(), known.end(), name_known) != known.end()) continue;
+    known.push_back(name_known);
+    all += (all.empty() ? "" : ", ") + name_known;
+  }
+  const std::string nearest = name_nearest(name, known);
+  fault_add(
+      faults, path,
+      "is no known key; " + (nearest.empty() ? "known: " + all : "the nearest is " + in_quotes(nearest)));
+}
+
+void level_read(Faults& faults, const toml::table& table, const std::string& path, const std::string& prefix,
+                const std::vector<Key>& keys) {
+  for (auto&& [toml_key, node] : table) {
+    const std::string name(toml_key.str()), at = joined(path, name);
+    if (toml_key.source().path) faults.places[at] = {*toml_key.source().path, toml_key.source().begin.line};
+    const bool plain = name.find('.') == std::string::npos;  // a row's dotted name is no key
+    const auto row =
+        std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == prefix + name; });
+    const bool is_table = std::any_of(keys.begin(), keys.end(), [&](const Key& k) {
+      return k.name != prefix + name && key_within(k, prefix) == name;
+    });
+    const bool lands =
+        plain && row != keys.end() && (!is_table || node.is_string());  // text: the table's name
+    if (lands) value_land(faults, at, *row, node);
+    else if (!is_table) unknown_key(faults, at, name, prefix, keys);
+    else if (node.is_table()) level_read(faults, *node.as_table(), at, prefix + name + ".", keys);
+    else
+      fault_add(faults, at,
+                std::string("is ") + node_kind(node) + "; wanted: a table" +
+                    (row != keys.end() ? " or " + key_wanted(*row) : ""));
+  }
+  for (const Key& key : keys)
+    if (key.required && key.name == prefix + key_within(key, prefix) &&
+        !table.contains(key.name.substr(prefix.size())))
+      fault_add(faults, joined(path, key.name.substr(prefix.size())),
+                "is missing; wanted: " + key_wanted(key));
+}
+
+}  // namespace
+
+void keys_read(Faults& faults, const toml::table& table, const std::string& path,
+               const std::vector<Key>& keys) {
+  level_read(faults, table, path, "", keys);
+}
+
+}  // namespace drape

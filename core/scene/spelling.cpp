@@ -1,0 +1,43 @@
+#include "scene/spelling.h"
+
+#include <algorithm>
+
+namespace drape {
+
+namespace {
+
+// Edits that turn a into b: insert, delete or replace a letter, or exchange two neighbours (optimal string
+// alignment). d(i, j) of the first i and j letters is the least of
+//
+//   d(i-1, j) + 1,  d(i, j-1) + 1,  d(i-1, j-1) + [a_i != b_j],  d(i-2, j-2) + 1 where a_i a_{i-1} = b_{j-1}
+//   b_j.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> last(b.size() + 1), row(b.size() + 1), next(b.size() + 1);  // d(i-2), d(i-1), d(i)
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    next[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      next[j] = std::min({row[j] + 1, next[j - 1] + 1, row[j - 1] + (a[i - 1] != b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        next[j] = std::min(next[j], last[j - 2] + 1);
+    }
+    last.swap(row);
+    row.swap(next);
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::string name_nearest(std::string_view word, const std::vector<std::string>& known) {
+  std::string nearest;
+  std::size_t least = std::string::npos;
+  for (const std::string& name : known) {
+    const std::size_t distance = edit_distance(word, name);
+    if (distance < least && 3 * distance <= std::max(word.size(), name.size()))
+      least = distance, nearest = name;
+  }
+  return nearest;
+}
+
+}  // namespace drape

@@ -1,0 +1,47 @@
+#include "standards/kes.h"
+
+#include <cmath>
+
+#include "math/monotone_curve.h"
+#include "math/bisection.h"
+
+namespace drape {
+
+namespace {
+
+constexpr int kSegments = 10;
+constexpr double kBend = 12;  // of a; LT from 0.17 to 1.83
+
+// (exp(a x) - 1)/(exp(a) - 1)
+double share(double a, double x) { return a == 0 ? x : std::expm1(a * x) / std::expm1(a); }
+
+SheetDiagram diagram_of(double a, double emt, double force) {
+  SheetDiagram d;
+  for (int i = 0; i <= kSegments; ++i) {
+    d.percent.push_back(emt * i / kSegments);
+    d.force_per_width.push_back(force * share(a, double(i) / kSegments));
+  }
+  return d;
+}
+
+// The area under the curve through the points, N/m.
+double energy_of(const SheetDiagram& d) {
+  std::vector<double> e;
+  for (const double percent : d.percent) e.push_back(percent / 100);
+  return curve_energy(curve_make(e, d.force_per_width, {}), e.back());
+}
+
+}  // namespace
+
+double kes_linearity(double emt, double wt, double fm) { return wt / (fm * emt / 100 / 2); }
+
+double kes_energy(double emt, double lt, double fm) { return lt * fm * emt / 100 / 2; }
+
+SheetDiagram kes_tension(double emt, double wt, double fm) {
+  const double force = fm * kGramForcePerCm, energy = wt * kGramForcePerCm;
+  // The area falls as a rises.
+  const auto less = [&](double minus_a) { return energy_of(diagram_of(-minus_a, emt, force)); };
+  return diagram_of(-rising_root(less, energy, -kBend, kBend), emt, force);
+}
+
+}  // namespace drape

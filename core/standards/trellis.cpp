@@ -1,0 +1,18 @@
+#include "standards/trellis.h"
+
+#include <cmath>
+
+namespace drape {
+
+// Up to 10 %, 12 degrees of shear.
+SheetDiagram trellis_bias(double shear) {
+  SheetDiagram d;
+  for (int percent = 0; percent <= 10; ++percent) {
+    const double l1 = 1 + percent / 100.0, g = std::asin(l1 * l1 - 1), l2 = std::sqrt(2 - l1 * l1);
+    d.percent.push_back(percent);
+    d.force_per_width.push_back(2 * shear * g / l2);
+  }
+  return d;
+}
+
+}  // namespace drape

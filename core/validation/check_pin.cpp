@@ -1,0 +1,174 @@
+// Pins and probes: on their pieces, and no point of the cloth held by two pins.
+#include <algorithm>
+#include <cmath>
+
+#include "piece/outline/outline.h"
+#include "validation/checks.h"
+#include "scene/diagnostics.h"
+
+namespace drape {
+
+namespace {
+
+struct Box {
+  Vec2 low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+};
+
+// A closed set of points: one point, a chain of segments, or all that loops enclose.
+struct Held {
+  enum Kind { kPoint, kChain, kArea } kind;
+  std::vector<OutlineLoop> loops;  // of a point and a chain: one, its points in order
+  Box box;
+};
+
+Held held_make(Held::Kind kind, std::vector<OutlineLoop> loops) {
+  Held held{kind, std::move(loops), {}};
+  for (const Vec2& p : held.loops[0].points)
+    for (std::size_t k = 0; k < 2; ++k)
+      held.box.low[k] = std::min(held.box.low[k], p[k]), held.box.high[k] = std::max(held.box.high[k], p[k]);
+  return held;
+}
+
+Held held_make(Held::Kind kind, std::vector<Vec2> points) {
+  return held_make(kind, std::vector<OutlineLoop>{{std::move(points), {}}});
+}
+
+// Calls `take` with each segment until it is true.
+template <class Take>
+bool any_segment(const Held& h, Take take) {
+  for (const OutlineLoop& loop : h.loops) {
+    const std::size_t n = loop.points.size(), segments = h.kind == Held::kArea ? n : n - 1;
+    for (std::size_t k = 0; k < segments; ++k)
+      if (take(loop.points[k], loop.points[(k + 1) % n])) return true;
+  }
+  return false;
+}
+
+double segment_distance(Vec2 a, Vec2 b, Vec2 p) {
+  const double x = b[0] - a[0], y = b[1] - a[1], length2 = x * x + y * y;
+  const double t = length2 > 0 ? std::clamp(((p[0] - a[0]) * x + (p[1] - a[1]) * y) / length2, 0.0, 1.0) : 0;
+  return std::hypot(p[0] - a[0] - t * x, p[1] - a[1] - t * y);
+}
+
+bool holds(const Held& h, Vec2 p, double touch) {
+  for (std::size_t k = 0; k < 2; ++k)
+    if (p[k] < h.box.low[k] - touch || p[k] > h.box.high[k] + touch) return false;
+  if (h.kind == Held::kArea) return outline_distance(h.loops, p) <= touch;
+  const Vec2 first = h.loops[0].points[0];
+  return std::hypot(p[0] - first[0], p[1] - first[1]) <= touch ||
+         any_segment(h, [&](Vec2 a, Vec2 b) { return segment_distance(a, b, p) <= touch; });
+}
+
+// Where the lines through a b and c d meet, if within both segments.
+bool crossing(Vec2 a, Vec2 b, Vec2 c, Vec2 d, Vec2& at) {
+  const double x = b[0] - a[0], y = b[1] - a[1], u = d[0] - c[0], v = d[1] - c[1], det = x * v - y * u;
+  if (det == 0) return false;  // parallel: if they meet, an end of one lies on the other
+  const double s = ((c[0] - a[0]) * v - (c[1] - a[1]) * u) / det;
+  const double t = ((c[0] - a[0]) * y - (c[1] - a[1]) * x) / det;
+  at = {a[0] + s * x, a[1] + s * y};
+  return s >= 0 && s <= 1 && t >= 0 && t <= 1;
+}
+
+// A point common to all the sets. If there is one, then one that is a vertex of a set or a crossing of two.
+bool common_point(const std::vector<const Held*>& sets, double touch, Vec2& at) {
+  const auto in_all = [&](Vec2 p) {
+    const bool all =
+        std::all_of(sets.begin(), sets.end(), [&](const Held* h) { return holds(*h, p, touch); });
+    if (all) at = p;
+    return all;
+  };
+  for (const Held* h : sets)
+    for (const OutlineLoop& loop : h->loops)
+      if (std::any_of(loop.points.begin(), loop.points.end(), in_all)) return true;
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (any_segment(*sets[i], [&](Vec2 a, Vec2 b) {
+            return any_segment(*sets[j], [&](Vec2 c, Vec2 d) {
+              Vec2 p;
+              return crossing(a, b, c, d, p) && in_all(p);
+            });
+          }))
+        return true;
+  return false;
+}
+
+std::vector<Held> pin_held(const PieceSpec& piece, const PinSpec& pin) {
+  std::vector<Held> held;
+  for (const Vec2& p : pin.at) held.push_back(held_make(Held::kPoint, {p}));
+  for (int e : pin.edges)
+    if (e >= 0 && e < int(piece.outline.size()))
+      held.push_back(held_make(Held::kChain, outline_edge(piece, e)));
+  if (!pin.region.empty()) held.push_back(held_make(Held::kArea, pin.region));
+  return held;
+}
+
+// Two pins on one point could pull it two ways. One message for each pair of pins.
+void clash_check(const Scene& scene, const PinSpec& a, const PinSpec& b, const Held& cloth,
+                 Problems& problems) {
+  const PieceSpec& piece = scene.pieces[std::size_t(a.piece)];
+  const double touch = outline_touch(piece);
+  for (const Held& p : pin_held(piece, a))
+    for (const Held& q : pin_held(piece, b)) {
+      bool apart = false;
+      for (std::size_t k = 0; k < 2; ++k)
+        apart = apart || p.box.low[k] > q.box.high[k] + touch || q.box.low[k] > p.box.high[k] + touch;
+      std::vector<const Held*> sets{&p, &q};
+      if (p.kind == Held::kArea && q.kind == Held::kArea) sets.push_back(&cloth);
+      Vec2 at;
+      if (apart || !common_point(sets, touch, at)) continue;
+      return problems.push_back(
+          {"pin." + b.name, "and pin." + a.name + " both hold the point " + point_text(at) +
+                                " of the piece " + in_quotes(piece.name) + "; a point belongs to one pin"});
+    }
+}
+
+void point_check(const PieceSpec& piece, const Held& cloth, Vec2 p, const std::string& path,
+                 Problems& problems) {
+  const double distance = outline_distance(cloth.loops, p);
+  if (distance <= outline_touch(piece)) return;
+  std::string where = " m off the piece " + in_quotes(piece.name);
+  for (std::size_t h = 1; h < cloth.loops.size(); ++h)
+    if (outline_contains({cloth.loops[h]}, p))
+      where = " m inside " + entry("holes", h - 1) + " of the piece " + in_quotes(piece.name);
+  problems.push_back({path, "= " + point_text(p) + " lies " + rounded(distance) + where});
+}
+
+void edges_check(const PieceSpec& piece, const PinSpec& pin, const std::string& path, Problems& problems) {
+  const int count = static_cast<int>(piece.outline.size());
+  for (std::size_t i = 0; i < pin.edges.size(); ++i)
+    if (pin.edges[i] < 0 || pin.edges[i] >= count)
+      problems.push_back(
+          {entry(path + ".edges", i), "= " + std::to_string(pin.edges[i]) + "; allowed: 0 to " +
+                                          std::to_string(count - 1) +
+                                          " (edge i runs from point i of the outline to the next)"});
+}
+
+}  // namespace
+
+void pins_check(const Scene& scene, const std::vector<bool>& sound, Problems& problems) {
+  std::vector<Held> cloths;  // of the pieces; empty where there is none to judge by
+  for (std::size_t p = 0; p < scene.pieces.size(); ++p)
+    cloths.push_back(sound[p] ? held_make(Held::kArea, outline_flatten(scene.pieces[p])) : Held{});
+  std::vector<const PinSpec*> pins;
+  for (const PinSpec& pin : scene.pins) {
+    const std::string path = "pin." + pin.name;
+    const std::size_t before = problems.size();
+    polygon_problems(pin.region, path + ".region", problems);
+    if (pin.piece < 0 || !sound[std::size_t(pin.piece)]) continue;
+    const PieceSpec& piece = scene.pieces[std::size_t(pin.piece)];
+    const Held& cloth = cloths[std::size_t(pin.piece)];
+    for (std::size_t i = 0; i < pin.at.size(); ++i)
+      point_check(piece, cloth, pin.at[i], entry(path + ".at", i), problems);
+    edges_check(piece, pin, path, problems);
+    if (problems.size() > before && !pin.region.empty()) continue;
+    for (const PinSpec* other : pins)
+      if (other->piece == pin.piece) clash_check(scene, *other, pin, cloth, problems);
+    pins.push_back(&pin);
+  }
+  for (const ProbeSpec& probe : scene.probes)
+    if (probe.piece >= 0 && sound[std::size_t(probe.piece)])
+      point_check(scene.pieces[std::size_t(probe.piece)], cloths[std::size_t(probe.piece)], probe.at,
+                  "probe." + probe.name + ".at", problems);
+}
+
+}  // namespace drape

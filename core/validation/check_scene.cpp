@@ -1,0 +1,105 @@
+// What no single key can show. Values that the reader could not land are empty, 0 or -1; they have been
+// reported, and are passed over here.
+#include "validation/checks.h"
+
+#include <algorithm>
+
+#include "piece/support/support.h"
+#include "piece/outline/outline.h"
+#include "scene/diagnostics.h"
+#include "scene/reader/read.h"
+
+namespace drape {
+
+namespace {
+
+void motion_check(const Scene& scene, Problems& problems) {
+  const Vec3& w = scene.wind;
+  if (!scene.has_air && (w[0] != 0 || w[1] != 0 || w[2] != 0))
+    problems.push_back({"scene.wind", "= [" + number_text(w[0]) + ", " + number_text(w[1]) + ", " +
+                                          number_text(w[2]) +
+                                          "] m/s moves nothing without air; wanted: air.normal or "
+                                          "air.tangential, or no wind"});
+  if (scene.mode == Mode::kFit && scene.integrator == Integrator::kPaper)
+    problems.push_back(
+        {"scene.mode", "= \"fit\" does not go with integrator = \"paper\"; wanted: \"leapfrog\""});
+}
+
+// Steps of higher order go partly back in time, where what brakes the cloth would speed it up.
+void order_check(const Scene& scene, Problems& problems) {
+  if (scene.order == 2) return;
+  const std::string order = "= " + std::to_string(scene.order) + " does not go with ";
+  if (scene.integrator == Integrator::kPaper)
+    problems.push_back({"scene.order", order + "integrator = \"paper\"; wanted: order = 2, or \"leapfrog\""});
+  if (scene.mode == Mode::kFit)
+    problems.push_back({"scene.order", order + "mode = \"fit\"; wanted: order = 2, or \"dynamic\""});
+  if (!scene.seams.empty())
+    problems.push_back({"scene.order", order + "seams, whose pull is damped; wanted: order = 2, or no seam"});
+  if (scene.self_contact)
+    problems.push_back({"scene.order", order + "self_contact, which is damped; wanted: order = 2, or "
+                                               "self_contact = false"});
+  if (!scene.bodies.empty())
+    problems.push_back(
+        {"scene.order", order + "bodies, whose contact is damped and rubs; wanted: order = 2, or no body"});
+  const auto braked = [&](const std::string& place, double value, const char* unit) {
+    if (value > 0)
+      problems.push_back(
+          {place, "= " + number_text(value) + unit + "; allowed: " + order_allows(scene.order)});
+  };
+  braked("air.normal", scene.air_normal, "");
+  braked("air.tangential", scene.air_tangential, "");
+  for (const FabricSpec& f : scene.fabrics) braked("fabric." + f.name + ".damping", f.damping, " s");
+}
+
+}  // namespace
+
+std::string order_allows(int order) {
+  return "0 with scene.order = " + std::to_string(order) +
+         ", whose steps go partly back in time, where it would speed the cloth up";
+}
+
+void scene_check(const Scene& scene, std::vector<Problem>& problems) {
+  motion_check(scene, problems);
+  order_check(scene, problems);
+  for (const FabricSpec& f : scene.fabrics) fabric_check(scene, f, problems);
+  std::vector<bool> sound;
+  for (const PieceSpec& piece : scene.pieces) {
+    const std::string path = "piece." + piece.name;
+    std::vector<Problem> found;
+    outline_problems(piece, path, found);
+    // A wrong cell leaves straight edges what they are.
+    const bool of_cell =
+        piece.curves.empty() &&
+        std::all_of(found.begin(), found.end(), [&](const Problem& p) { return p.place == path + ".cell"; });
+    sound.push_back(!piece.outline.empty() && (of_cell || (piece.cell > 0 && found.empty())));
+    problems.insert(problems.end(), found.begin(), found.end());
+  }
+  seams_check(scene, sound, problems);
+  pins_check(scene, sound, problems);
+}
+
+void scene_check_layout(const Scene& scene, std::vector<Problem>& problems) {
+  for (std::size_t p = 0; p < scene.pieces.size(); ++p) {
+    const PieceSpec& piece = scene.pieces[p];
+    std::vector<const PinSpec*> regions;
+    for (const PinSpec& pin : scene.pins)
+      if (pin.piece == int(p) && !pin.region.empty()) regions.push_back(&pin);
+    if (scene.outline != OutlineModel::kPaper && regions.empty()) continue;
+    const Grid grid = grid_make(scene, int(p));
+    if (grid.cells.empty()) {
+      problems.push_back(
+          {"piece." + piece.name + ".cell",
+           "= " + number_text(piece.cell) +
+               " m leaves no whole cell inside the outline; options.outline = \"paper\" takes at "
+               "least one"});
+      continue;
+    }
+    for (const PinSpec* pin : regions)
+      if (hold_make(grid, scene, *pin).points.empty())
+        problems.push_back({"pin." + pin->name + ".region",
+                            "holds nothing: no particle of the piece " + in_quotes(piece.name) +
+                                " lies in it; its cells are " + number_text(piece.cell) + " m"});
+  }
+}
+
+}  // namespace drape

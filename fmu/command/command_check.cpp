@@ -1,0 +1,165 @@
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <optional>
+
+#include "command/command.h"
+#include "command/files/csv.h"
+#include "laboratory/calibrate.h"
+#include "figures/picture.h"
+#include "scene/reader/read.h"
+
+namespace drape {
+namespace {
+
+struct Options {
+  std::string scene_file;
+  std::optional<std::string> picture;
+};
+
+// " (A, B)" of those that there are; else nothing.
+std::string counted(std::initializer_list<std::pair<int, const char*>> list) {
+  std::string text;
+  for (const auto& [count, what] : list)
+    if (count > 0) text += (text.empty() ? " (" : ", ") + std::to_string(count) + " " + what;
+  return text.empty() ? "" : text + ")";
+}
+
+void print_pieces(drape_cloth* cloth) {
+  const int count = drape_piece_count(cloth);
+  double area = 0, mass = 0;
+  int particles = 0;
+  for (int p = 0; p < count; ++p) {
+    const drape_piece piece = drape_piece_at(cloth, p);
+    const double density = drape_parameters_of(cloth)->fabric[piece.fabric].areal_density;
+    std::printf(
+        "piece %s: %d particles%s, %d cells of %.6g mm%s, %.6g m2, %.6g kg\n", piece.name, piece.node_count,
+        counted({{piece.twin_count, piece.twin_count == 1 ? "twin" : "twins"}}).c_str(), piece.cell_count,
+        1e3 * piece.cell, counted({{piece.cut_count, "cut"}, {piece.merged_count, "merged"}}).c_str(),
+        piece.area, density * piece.area);
+    particles += piece.node_count;
+    area += piece.area;
+    mass += density * piece.area;
+  }
+  if (count > 1) std::printf("%d pieces: %d particles, %.6g m2, %.6g kg\n", count, particles, area, mass);
+}
+
+void print_seams(const drape_outputs& o) {
+  for (int k = 0; k < o.seam_count; ++k) {
+    const drape_seam& s = o.seam[k];
+    const double shorter = std::min(s.side[0], s.side[1]), longer = std::max(s.side[0], s.side[1]);
+    std::printf("seam %s: %d pairs of particles, %.6g m to %.6g m", s.name, s.pair_count, s.side[0],
+                s.side[1]);
+    if (longer > shorter * (1 + 1e-6)) std::printf(", ease %.4g", longer / shorter);
+    std::printf("\n");
+  }
+}
+
+// What to expect of diagrams that no calibration has corrected. Scaling by area depends on the cell, so that
+// nothing can be said there.
+void print_excess(const Scene& scene) {
+  if (scene.scaling != Scaling::kWidth) return;
+  const LawOptions options{scene.scaling, scene.bias_model, scene.clamp_correction};
+  for (const FabricSpec& f : scene.fabrics)
+    for (Thread along : {Thread::kWarp, Thread::kWeft, Thread::kBias}) {
+      if (!strip_diagram(f, along).correction.empty()) continue;
+      const StripExcess e = strip_excess(f, along, options);
+      if (!e.why.empty())
+        std::printf("fabric %s: %s is not calibrated; %s\n", f.name.c_str(), thread_name(along),
+                    e.why.c_str());
+      if (std::abs(e.excess) < 1e-3) continue;
+      std::printf(
+          "fabric %s: %s is not calibrated; a simulated strip pulls up to %.3g %% too %s (at %.4g %%)\n",
+          f.name.c_str(), thread_name(along), 100 * std::abs(e.excess), e.excess > 0 ? "hard" : "little",
+          100 * e.elongation);
+    }
+}
+
+// Where jaws are taken out of a diagram by a formula that does not hold for its strip.
+void print_jaws(const Scene& scene) {
+  const LawOptions options{scene.scaling, scene.bias_model, scene.clamp_correction};
+  for (const FabricSpec& f : scene.fabrics)
+    if (const double r = f.strip_gauge / f.strip_width;
+        !f.bias.elongation.empty() && law_takes_jaws_out(f, options) && r < kJawRatioLeast * (1 - 1e-9))
+      std::printf(
+          "fabric %s: strip has gauge/width = %.4g; the clamp correction of bias holds from %.4g on: "
+          "calibrate it\n",
+          f.name.c_str(), r, kJawRatioLeast);
+}
+
+// False, with the reason in errno, where the file cannot be written.
+bool write_picture(const Options& options) {
+  std::vector<Problem> problems;  // none: the cloth has just been opened from the same file
+  const std::string svg = picture_svg(scene_read(options.scene_file, problems));
+  errno = 0;
+  std::ofstream file(*options.picture, std::ios::binary);
+  file << svg;
+  file.close();
+  return !file.fail();
+}
+
+// Measured from the initial state, which it leaves as it was: for a quarter of a second or one simulated
+// second.
+bool print_cost(drape_cloth* cloth) {
+  using Clock = std::chrono::steady_clock;
+  drape_snapshot* start = drape_save(cloth, nullptr);
+  const Clock::time_point began = Clock::now();
+  // An interval may have a million steps: from one step on, twice as many until it is full.
+  const double interval = drape_communication(cloth);
+  double length = std::min(drape_outputs_at(cloth, 0)->step_size, interval), simulated = 0, spent = 0;
+  drape_status status = DRAPE_OK;
+  while (status == DRAPE_OK && spent < 0.25 && simulated < 1) {
+    status = drape_advance(cloth, length);
+    simulated += length;
+    length = std::min(2 * length, interval);
+    spent = std::chrono::duration<double>(Clock::now() - began).count();
+  }
+  const drape_outputs& o = *drape_outputs_at(cloth, 0);
+  if (status == DRAPE_OK) {
+    std::printf(
+        "cost: %.3g s per simulated second, %.0f steps of %d particles (measured over the first %.3g s)\n",
+        spent / simulated, o.step_count / simulated, o.node_count, simulated);
+  }
+  drape_restore(cloth, start);
+  drape_snapshot_free(start);
+  return status == DRAPE_OK;
+}
+
+int check(const Options& options) {
+  if (options.picture)
+    if (const std::string problem = output_problem("--picture", *options.picture, options.scene_file);
+        !problem.empty())
+      return fail(kBadInput, problem);
+  const Cloth cloth = cloth_open(options.scene_file);
+  if (!cloth) return kBadInput;
+  if (options.picture && !write_picture(options)) return fail(kBadInput, cannot_write(*options.picture));
+  std::printf("scene %s: %.6g s, communication interval %.6g s\n", drape_scene_name(cloth.get()),
+              drape_duration(cloth.get()), drape_communication(cloth.get()));
+  print_pieces(cloth.get());
+  print_seams(*drape_outputs_at(cloth.get(), 0));
+  const char* set_by = nullptr;
+  const double limit = drape_step_limit(cloth.get(), &set_by);
+  std::printf("step limit: %.6g us, set by %s\n", 1e6 * limit, set_by ? set_by : "nothing");
+  std::printf("step: %.6g us\n", 1e6 * drape_outputs_at(cloth.get(), 0)->step_size);
+  std::vector<Problem> problems;  // none: the cloth has just been opened from the same file
+  const Scene scene = scene_read(options.scene_file, problems);
+  print_jaws(scene);
+  print_excess(scene);
+  return print_cost(cloth.get()) ? kDone : kFailedRun;
+}
+
+}  // namespace
+
+void command_check(CLI::App& app, int& exit_code) {
+  CLI::App* command =
+      app.add_subcommand("check", "read and validate a scene; print its size, step limit and cost");
+  auto options = std::make_shared<Options>();
+  option_scene(*command, options->scene_file);
+  command->add_option("--picture", options->picture, "draw the pieces on their grids")->type_name("FILE.svg");
+  command->callback([options, &exit_code] { exit_code = check(*options); });
+}
+
+}  // namespace drape

@@ -1,0 +1,321 @@
+// `drape fabric test` and `drape fabric calibrate`: the virtual laboratory.
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <numbers>
+#include <optional>
+
+#include "command/command.h"
+#include "command/files/csv.h"
+#include "figures/fabric_plot.h"
+#include "laboratory/bending.h"
+#include "laboratory/write_calibration.h"
+#include "laboratory/strip_order.h"
+#include "scene/reader/read.h"
+#include "standards/strip.h"
+
+namespace drape {
+namespace {
+
+constexpr double kMicroNcm2 = 1e10;       // uN cm^2 per N m^2
+constexpr double kBendingCell = 1.25e-3;  // m, of the PT-2 specimen
+constexpr int kOverhangCells = 40;
+constexpr int kMostCells = 200;  // across a strip
+constexpr Thread kThreads[] = {Thread::kWarp, Thread::kWeft, Thread::kBias};
+
+struct Options {
+  std::string fabric_file, output;
+  std::optional<std::string> picture;
+  std::vector<std::string> along{"warp", "weft", "bias"};
+  double cell = 0;   // m; 0: the strip's width over kStripCells
+  double pull = -1;  // percent; below 0: to the end of each diagram
+  bool has_output = false;
+};
+
+bool is_along(const Options& options, Thread along) {
+  const auto& list = options.along;
+  return std::find(list.begin(), list.end(), thread_name(along)) != list.end();
+}
+
+double cell_of(const Options& options, const FabricSpec& f) {
+  return options.cell > 0 ? options.cell : f.strip_width / kStripCells;
+}
+
+bool there(const DiagramSpec& d) {
+  return std::any_of(d.force.begin(), d.force.end(), [](double f) { return f > 0; });
+}
+
+// " (A, B)", the standards whose strips have this size; else nothing.
+std::string standards_of(const FabricSpec& f) {
+  std::string list;
+  for (const StripStandard& s : kStripStandards)
+    if (std::abs(s.width / f.strip_width - 1) < 1e-9 && std::abs(s.gauge / f.strip_gauge - 1) < 1e-9)
+      list += (list.empty() ? " (" : ", ") + std::string(s.name);
+  return list.empty() ? "" : list + ")";
+}
+
+std::string text_of(double value, const char* format = "%.6g") {
+  char text[48];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+// All that is wrong with what is to be pulled, on standard error.
+bool wishes_check(const Options& options, const FabricSpec& f) {
+  std::vector<std::string> problems;
+  const double cell = cell_of(options, f), least = std::min(f.strip_width, f.strip_gauge) / kLeastCells;
+  if (cell > least * (1 + 1e-9) || cell < f.strip_width / kMostCells)
+    problems.push_back((options.cell > 0 ? "--cell" : "strip: the cell") + (" = " + text_of(cell)) +
+                       " m; allowed: from " + text_of(f.strip_width / kMostCells) + " to " + text_of(least) +
+                       " m, four cells across and along a strip of " + text_of(f.strip_width) + " x " +
+                       text_of(f.strip_gauge) + " m");
+  if (problems.empty() && f.strip_gauge > kLongestCells * cell)
+    problems.push_back("strip: " + text_of(f.strip_gauge / cell) + " cells along its gauge of " +
+                       text_of(f.strip_gauge) + " m; allowed: at most " + text_of(kLongestCells));
+  bool any = false;
+  for (Thread along : kThreads) {
+    const DiagramSpec& d = strip_diagram(f, along);
+    if (!there(d)) continue;
+    any = true;
+    if (is_along(options, along) && options.pull >= 0 && options.pull < 100 * d.elongation[1] * (1 - 1e-12))
+      problems.push_back("--pull = " + text_of(options.pull) + " percent; allowed: at least " +
+                         text_of(100 * d.elongation[1]) + " percent, the first point of the diagram of the " +
+                         thread_name(along));
+    if (is_along(options, along) && options.pull > 100 * d.elongation.back() * (1 + 1e-12))
+      problems.push_back("--pull = " + text_of(options.pull) + " percent; allowed: at most " +
+                         text_of(100 * d.elongation.back()) + " percent, where the diagram of the " +
+                         thread_name(along) + " ends");
+  }
+  if (!any) problems.push_back(options.fabric_file + ": has no diagram; wanted: warp, weft or bias");
+  for (const std::string& problem : problems) fail(kBadInput, problem);
+  return problems.empty();
+}
+
+bool problems_tell(const std::vector<Problem>& problems) {
+  for (const Problem& p : problems) fail(kBadInput, problem_text(p));
+  return problems.empty();
+}
+
+// A bias strip on other cells too: the largest difference, and the order by which it changes.
+void cells_tell(const FabricSpec& f, double cell, const std::vector<double>& elongation) {
+  std::vector<Problem> problems;
+  const StripOrder o = strip_order(f, cell, elongation, problems);
+  if (!o.told) return;
+  if (!o.why.empty()) return void(std::printf("  on cells of twice and half the edge %s\n", o.why.c_str()));
+  std::printf("  on cells of %.6g mm at most %.3f %% off, of %.6g mm %.3f %%; order %.2f\n", 1e3 * o.cell[0],
+              100 * o.off[0], 1e3 * o.cell[2], 100 * o.off[2], o.order);
+}
+
+int strip_test(const Options& options, const FabricSpec& f, Thread along, std::vector<PlotPanel>& panels) {
+  const DiagramSpec& d = strip_diagram(f, along);
+  const char* name = along == Thread::kBias ? "45 degrees" : thread_name(along);
+  if (!there(d)) return std::printf("%s: no diagram\n\n", name), kDone;
+  const double cell = cell_of(options, f), pull = options.pull < 0 ? d.elongation.back() : options.pull / 100;
+  const std::vector<double> elongation = strip_elongations(f, along, pull);
+  std::vector<Problem> problems;
+  const StripPull strip = strip_pull(f, along, cell, elongation, problems);
+  if (!problems_tell(problems)) return kBadInput;
+  const bool free = along == Thread::kBias && !f.bias.jaws;
+  std::printf("%s, %s, cells of %.6g mm, %s\n", name, free ? "a trellis without jaws" : "between jaws",
+              1e3 * strip_cell(f, along, cell), d.correction.empty() ? "not calibrated" : "calibrated");
+  std::printf("  elongation, %%      input, N  simulated, N  difference, %%\n");
+  PlotPanel panel{name, {}, {}, strip.force};
+  for (std::size_t k = 0; k < strip.force.size(); ++k) {
+    const double input = d.force[k + 1], off = 100 * (strip.force[k] / input - 1);
+    std::printf("  %13.5g %13.5g %13.5g %14s\n", 100 * elongation[k], input, strip.force[k],
+                input > 0 ? text_of(off, "%+.4f").c_str() : "-");
+    panel.elongation.push_back(elongation[k]);
+    panel.input.push_back(input);
+  }
+  if (strip.force.size() == elongation.size() && along == Thread::kBias && !free)
+    cells_tell(f, cell, elongation);
+  std::printf("\n");
+  panels.push_back(panel);
+  if (strip.force.size() < elongation.size())
+    return fail(kFailedRun, std::string("the strip of the ") + thread_name(along) + " finds no rest at " +
+                                text_of(100 * elongation[strip.force.size()]) + " percent");
+  return kDone;
+}
+
+int bending_test(const FabricSpec& f, bool warp) {
+  const double rigidity = warp ? f.bending_warp : f.bending_weft;
+  const char* name = warp ? "warp" : "weft";
+  if (!(rigidity > 0)) return std::printf("  %s: no rigidity\n", name), kDone;
+  const double plate = 1 / (1 - f.poisson * f.poisson), si = f.bending_width * kMicroNcm2;
+  std::vector<Problem> problems;
+  const BendingTest drop = pt2_test(f, warp, kBendingCell, problems),
+                    length = overhang_test(f, warp, kOverhangCells, problems);
+  if (!problems_tell(problems)) return kBadInput;
+  const auto row = [&](const char* test, const char* what, const BendingTest& t) {
+    if (!t.found) return fail(kFailedRun, std::string(test) + " of the " + name + " finds no rest");
+    std::printf("  %-5s %-24s %9.6g %9.4f %9.4f %12.6g %+10.3f\n", name, what, rigidity * plate * si,
+                1e3 * t.expected, 1e3 * t.reading, t.rigidity * si,
+                100 * (t.rigidity / (rigidity * plate) - 1));
+    return int(kDone);
+  };
+  const int code = row("PT-2", "PT-2, drop f", drop);
+  return std::max(code, row("the bending length", "41.5 degrees, overhang", length));
+}
+
+bool file_write(const std::string& file, const std::string& text) {
+  errno = 0;
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  out.close();
+  return !out.fail();
+}
+
+// Empty, or why a file may not be written.
+std::string target_problem(const std::string& option, const std::string& file, const std::string& fabric,
+                           const char* advice) {
+  if (file.empty()) return option + " is empty; allowed: the name of a file";
+  std::error_code error;
+  if (std::filesystem::equivalent(file, fabric, error))
+    return option + " is " + file + ", which the fabric is read from; allowed: any other file" + advice;
+  return "";
+}
+
+int test(const Options& options) {
+  std::vector<Problem> problems;
+  const FabricSpec f = fabric_read(options.fabric_file, problems);
+  if (!problems_tell(problems)) return kBadInput;
+  if (!wishes_check(options, f)) return kBadInput;
+  if (options.picture)
+    if (const std::string problem = target_problem("--picture", *options.picture, options.fabric_file, "");
+        !problem.empty())
+      return fail(kBadInput, problem);
+  std::printf("fabric %s, strips of %.6g x %.6g mm%s\n\n", f.name.c_str(), 1e3 * f.strip_width,
+              1e3 * f.strip_gauge, standards_of(f).c_str());
+  int code = kDone;
+  std::vector<PlotPanel> panels;
+  for (Thread along : kThreads) {
+    if (!is_along(options, along)) continue;
+    const int done = strip_test(options, f, along, panels);
+    if (done == kBadInput) return done;
+    code = std::max(code, done);
+  }
+  if (f.bending_warp > 0 || f.bending_weft > 0) {
+    std::printf("bending (GOST 10550, cells of %.6g mm; ASTM D1388, %d cells), EI on %.6g mm\n",
+                1e3 * kBendingCell, kOverhangCells, 1e3 * f.bending_width);
+    std::printf("                                   EI input  elastica simulated simulated EI difference\n");
+    std::printf("                                     uN cm2        mm        mm       uN cm2          %%\n");
+    for (bool warp : {true, false})
+      if (is_along(options, warp ? Thread::kWarp : Thread::kWeft))
+        code = std::max(code, bending_test(f, warp));
+  }
+  if (options.picture && !file_write(*options.picture, fabric_plot_svg(f.name, panels)))
+    return fail(kBadInput, cannot_write(*options.picture));
+  return code;
+}
+
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  char text[16];
+  std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
+  return text;
+}
+
+// Writes beside the file first, so that a full disk leaves the old one.
+int text_replace(const std::string& file, const std::string& text) {
+  std::error_code error;
+  std::filesystem::path target = std::filesystem::weakly_canonical(file, error);
+  if (error) target = file;
+  std::filesystem::path beside = target;
+  beside += ".new";
+  if (!file_write(beside.string(), text)) {
+    const std::string problem = cannot_write(file);
+    std::filesystem::remove(beside, error);
+    return fail(kBadInput, problem);
+  }
+  if (const auto status = std::filesystem::status(target, error); std::filesystem::exists(status))
+    std::filesystem::permissions(beside, status.permissions(), error);
+  std::filesystem::rename(beside, target, error);
+  if (!error) return kDone;
+  std::error_code ignored;
+  std::filesystem::remove(beside, ignored);
+  return fail(kBadInput, "cannot write " + file + ": " + error.message());
+}
+
+int calibrate_fabric(const Options& options) {
+  if (options.has_output)
+    if (const std::string problem =
+            target_problem("--output", options.output, options.fabric_file, ", or no --output to rewrite it");
+        !problem.empty())
+      return fail(kBadInput, problem);
+  std::vector<Problem> problems;
+  const FabricSpec f = fabric_read(options.fabric_file, problems, Corrections::kDropped);
+  if (!problems_tell(problems) || !wishes_check(options, f)) return kBadInput;
+  const Calibration c = calibrate(f, {.cell = options.cell}, problems);
+  if (!problems_tell(problems)) return kBadInput;
+  for (std::size_t k = 0; k < c.residuals.size(); ++k)
+    std::printf("sweep %zu: strips at most %.4f %% off their diagrams\n", k + 1, 100 * c.residuals[k]);
+  if (!c.converged) {
+    std::string reached;
+    if (!c.residuals.empty())
+      reached = "; least difference reached: " +
+                text_of(100 * *std::min_element(c.residuals.begin(), c.residuals.end()), "%.3g") + " %";
+    return fail(kFailedRun, "the calibration of " + f.name + " does not converge: " + c.why + reached +
+                                "; the corrections of the file stay as they were");
+  }
+  std::ifstream in(options.fabric_file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::string stored = calibration_store(text, c, today(), problems);
+  if (!problems_tell(problems)) return kBadInput;
+  const std::string file = options.has_output ? options.output : options.fabric_file;
+  if (const int code = text_replace(file, stored); code != kDone) return code;
+  std::printf("%s: corrections for cells of %.6g mm, within %.4f %%\n", file.c_str(), 1e3 * c.cell,
+              100 * c.residuals.back());
+  return kDone;
+}
+
+void options_add(CLI::App& command, Options& options) {
+  command.add_option("FABRIC", options.fabric_file, "fabric file (TOML)")->required();
+  const auto positive = [](const std::string& text) {
+    double value = 0;
+    const bool number = CLI::detail::lexical_cast(text, value);
+    return number && value > 0 && std::isfinite(value) ? "" : "'" + text + "' m; allowed: above 0 m";
+  };
+  command.add_option("--cell", options.cell, "edge of the cells; default: a sixteenth of the strip's width")
+      ->check(positive)
+      ->type_name("METRES");
+}
+
+}  // namespace
+
+void command_fabric(CLI::App& app, int& exit_code) {
+  CLI::App* fabric = app.add_subcommand("fabric", "the virtual laboratory: strips pulled and bent");
+  fabric->require_subcommand(1);
+
+  auto tested = std::make_shared<Options>();
+  CLI::App* command =
+      fabric->add_subcommand("test", "pull and bend strips of a fabric; print input and simulated");
+  options_add(*command, *tested);
+  command->add_option("--pull", tested->pull, "elongation to pull to; default: the end of each diagram")
+      ->check(CLI::Range(0.0, 1e3))
+      ->type_name("PERCENT");
+  command->add_option("--along", tested->along, "strips to test; default: all")
+      ->check(CLI::IsMember({"warp", "weft", "bias"}))
+      ->type_name("warp|weft|bias ...");
+  command->add_option("--picture", tested->picture, "draw the diagrams")->type_name("FILE.svg");
+  command->callback([tested, &exit_code] { exit_code = test(*tested); });
+
+  auto calibrated = std::make_shared<Options>();
+  command = fabric->add_subcommand(
+      "calibrate", "find the corrections with which strips return the diagrams; store them in the file");
+  options_add(*command, *calibrated);
+  CLI::Option* output = command->add_option("-o,--output", calibrated->output,
+                                            "file to write; default: the fabric file itself");
+  output->type_name("FILE.toml");
+  command->callback([calibrated, output, &exit_code] {
+    calibrated->has_output = output->count() > 0;
+    exit_code = calibrate_fabric(*calibrated);
+  });
+}
+
+}  // namespace drape

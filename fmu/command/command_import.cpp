@@ -1,0 +1,131 @@
+// `drape import`: a sewing pattern as a scene.
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include "command/command.h"
+#include "command/garmentcode/garment.h"
+#include "command/garmentcode/wool.h"
+#include "scene/diagnostics.h"
+#include "scene/reader/read.h"
+
+namespace drape {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string pattern, body, fabric, output;
+  double cell = 0.01;  // m
+  bool has_body = false, has_fabric = false;
+};
+
+std::string content(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+bool content_write(const fs::path& file, const std::string& text, std::vector<Problem>& problems) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  if (!stream.flush()) problems.push_back({file.string() + ":", "cannot be written"});
+  return problems.empty();
+}
+
+// A file as a scene beside `folder` names it.
+std::string seen_from(const fs::path& file, const fs::path& folder) {
+  std::error_code error;
+  const fs::path from = fs::absolute(folder.empty() ? fs::path(".") : folder), to = fs::absolute(file);
+  const fs::path way = fs::relative(to, from, error);
+  return error || way.empty() ? to.string() : way.string();
+}
+
+void options_check(const Options& o, std::vector<Problem>& problems) {
+  if (!(o.cell > 0 && o.cell <= 10))
+    problems.push_back({"--cell", "= " + number_text(o.cell) + " m; allowed: above 0, at most 10 m"});
+  if (o.output.empty()) problems.push_back({"--output", "is empty; allowed: the name of a file"});
+  for (const std::string& read : {o.pattern, o.body, o.fabric}) {
+    std::error_code error;
+    if (!read.empty() && fs::equivalent(o.output, read, error))
+      problems.push_back({"--output", "is " + o.output + ", which is read from; allowed: any other file"});
+  }
+}
+
+// The garment's fabric: the file that is named, or the wool beside the scene.
+FabricSpec fabric_choose(const Options& o, const fs::path& folder, Garment& garment,
+                         std::vector<Problem>& problems) {
+  const fs::path file = o.has_fabric ? fs::path(o.fabric) : folder / "wool.toml";
+  garment.fabric = name_made(file.stem().string(), "fabric");
+  garment.fabric_file = o.has_fabric ? seen_from(file, folder) : file.filename().string();
+  return o.has_fabric || fs::exists(file) ? fabric_read(file, problems) : FabricSpec{};
+}
+
+int told(const std::vector<Problem>& problems) {
+  for (const Problem& p : problems) fail(kBadInput, problem_text(p));
+  return kBadInput;
+}
+
+int import_pattern(const Options& o) {
+  std::vector<Problem> problems;
+  options_check(o, problems);
+  const fs::path folder = fs::path(o.output).parent_path();
+  Garment garment;
+  garment.name = name_made(fs::path(o.output).stem().string(), "garment");
+  garment.title = fs::path(o.pattern).filename().string();
+  garment.cell = o.cell;
+  const Pattern pattern = pattern_read(o.pattern, problems);
+  if (o.has_body) garment.body = body_measure(o.body, problems);
+  const FabricSpec fabric = fabric_choose(o, folder, garment, problems);
+  if (!problems.empty()) return told(problems);
+  if (garment.body) garment.body->file = seen_from(o.body, folder);
+  const Scene scene = garment_scene(pattern, garment, fabric);
+  scene_check(scene, problems);
+  for (Problem& p : problems) p.place = o.pattern + ": " + p.place;
+  if (!problems.empty()) return told(problems);
+
+  std::error_code error;
+  if (!folder.empty()) fs::create_directories(folder, error);
+  const fs::path wool = folder / "wool.toml";
+  const bool there = fs::exists(wool);
+  if (!o.has_fabric && !there) content_write(wool, kWool, problems);
+  if (!content_write(o.output, garment_text(scene, pattern, garment), problems)) return told(problems);
+  std::printf("%s: %zu pieces, %zu seams, cells of %g mm\n", o.output.c_str(), scene.pieces.size(),
+              scene.seams.size(), 1e3 * o.cell);
+  if (garment.body)
+    std::printf("body %s, %.3f m high, scale %g\n", garment.body->file.c_str(), garment.body->height,
+                garment.body->scale);
+  if (!o.has_fabric)
+    std::printf("fabric %s%s\n", wool.c_str(), there && content(wool) != kWool ? ", as it was there" : "");
+  return kDone;
+}
+
+}  // namespace
+
+void command_import(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("import", "make a scene of a sewing pattern (GarmentCode JSON)");
+  auto options = std::make_shared<Options>();
+  command->add_option("PATTERN", options->pattern, "pattern (JSON)")->required();
+  CLI::Option* body =
+      command->add_option("--body", options->body, "who wears it; without, it is sewn weightless")
+          ->type_name("BODY.obj");
+  command->add_option("-o,--output", options->output, "the scene")->required()->type_name("SCENE");
+  command->add_option("--cell", options->cell, "cells of the pieces, m")
+      ->capture_default_str()
+      ->type_name("METRES");
+  CLI::Option* fabric = command
+                            ->add_option("--fabric", options->fabric,
+                                         "fabric file; without, a measured wool is put beside the scene")
+                            ->type_name("FILE");
+  command->callback([=, &exit_code] {
+    options->has_body = body->count() > 0;
+    options->has_fabric = fabric->count() > 0;
+    exit_code = import_pattern(*options);
+  });
+}
+
+}  // namespace drape

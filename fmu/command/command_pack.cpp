@@ -1,0 +1,43 @@
+#include "command/command.h"
+#include "package/package.h"
+#include "figures/picture.h"
+#include "scene/reader/read.h"
+
+namespace drape {
+namespace {
+
+struct Options {
+  std::string scene_file, file;
+  int fmi = 2;
+  Nodes nodes = Nodes::kNone;
+};
+
+int pack(const Options& options) {
+  if (options.fmi != 2) return fail(kBadInput, "--fmi is " + std::to_string(options.fmi) + "; allowed: 2");
+  if (const std::string problem = output_problem("--output", options.file, options.scene_file);
+      !problem.empty())
+    return fail(kBadInput, problem);
+  const Cloth cloth = cloth_open(options.scene_file);
+  if (!cloth) return kBadInput;
+  std::vector<Problem> problems;  // none: the cloth has just been opened from the same file
+  const std::string picture = picture_svg(scene_read(options.scene_file, problems));
+  std::string problem;
+  return fmu_pack(cloth.get(), options.nodes, picture, options.file, problem) ? kDone
+                                                                              : fail(kBadInput, problem);
+}
+
+}  // namespace
+
+void command_pack(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("pack", "make the FMU of a scene");
+  auto options = std::make_shared<Options>();
+  option_scene(*command, options->scene_file);
+  command->add_option("-o,--output", options->file, "the FMU")->required()->type_name("OUT.fmu");
+  command->add_option("--fmi", options->fmi, "version of the standard")
+      ->capture_default_str()
+      ->type_name("2");
+  option_nodes(*command, options->nodes);
+  command->callback([options, &exit_code] { exit_code = pack(*options); });
+}
+
+}  // namespace drape

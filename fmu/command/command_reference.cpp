@@ -1,0 +1,83 @@
+#include <cstdio>
+
+#include "command/command.h"
+#include "command/files/csv.h"
+#include "command/files/input_table.h"
+#include "reference/run.h"
+#include "scene/reader/read.h"
+
+namespace drape {
+namespace {
+
+struct Options {
+  std::string scene_file, folder, inputs_file;
+  reference::Options run;
+};
+
+// The table with the inputs' names, which the judge knows them by; checked against the variables of the
+// cloth. Tells all problems.
+bool inputs_read(const Options& options, reference::InputTable& inputs) {
+  const Cloth cloth = cloth_open(options.scene_file);
+  if (!cloth) return false;
+  const std::vector<Variable> variables = variables_of(cloth.get(), Nodes::kNone);
+  std::vector<std::string> problems;
+  const InputTable table = input_table_read(options.inputs_file, variables, problems);
+  for (const std::string& problem : problems) fail(kBadInput, problem);
+  for (const std::size_t k : table.variable) inputs.names.push_back(variables[k].name());
+  inputs.time = table.time;
+  for (std::size_t row = 0; row < table.time.size(); ++row) {
+    const auto first = table.value.begin() + std::ptrdiff_t(row * table.variable.size());
+    inputs.value.emplace_back(first, first + std::ptrdiff_t(table.variable.size()));
+  }
+  return problems.empty();
+}
+
+int run_reference(const Options& options) {
+  if (options.folder.empty()) return fail(kBadInput, "--output is empty; allowed: the name of a folder");
+  std::vector<Problem> problems;
+  const Scene scene = scene_read(options.scene_file, problems);
+  for (const Problem& problem : problems) fail(kBadInput, problem.place + " " + problem.message);
+  if (!problems.empty()) return kBadInput;
+  reference::Options run = options.run;
+  if (!options.inputs_file.empty() && !inputs_read(options, run.inputs)) return kBadInput;
+  Csv csv;
+  std::string trouble;
+  if (!csv_open(csv, options.folder, trouble)) return fail(kBadInput, trouble);
+  reference::Sink sink;
+  sink.columns = [&](const std::vector<std::string>& names) { csv_header(csv, names); };
+  sink.row = [&](const std::vector<double>& values) { csv_row(csv, values); };
+  sink.error = [](const std::string& sentence) { fail(kFailedRun, sentence); };
+  const int code = reference::reference_run(scene, run, sink);
+  return csv_close(csv, trouble) ? code : fail(kFailedRun, trouble);
+}
+
+}  // namespace
+
+void command_reference(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand(
+      "reference",
+      "integrate the same equations by ARKODE, to a tolerance; columns as of `run`, without step.stability");
+  auto options = std::make_shared<Options>();
+  option_scene(*command, options->scene_file);
+  command->add_option("-o,--output", options->folder, "folder for outputs.csv")->required()->type_name("DIR");
+  command->add_option("--rtol", options->run.rtol, "relative tolerance")
+      ->capture_default_str()
+      ->type_name("R");
+  command->add_option("--order", options->run.order, "order of the method")
+      ->capture_default_str()
+      ->type_name("P");
+  command->add_option("--inputs", options->inputs_file, "inputs over time: a column 'time' and any inputs")
+      ->type_name("FILE.csv");
+  option_seconds(*command, "--until", options->run.until, "end time; default: the scene's duration");
+  option_seconds(*command, "--every", options->run.every,
+                 "time between rows; default: a hundredth of the duration");
+  command
+      ->add_option_function<std::string>(
+          "--nodes", [options](const std::string& which) { options->run.nodes = which == "all"; },
+          "particles with variables of their own")
+      ->check(CLI::IsMember({"none", "all"}))
+      ->type_name("none|all");
+  command->callback([options, &exit_code] { exit_code = run_reference(*options); });
+}
+
+}  // namespace drape

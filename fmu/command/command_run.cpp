@@ -1,0 +1,221 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <optional>
+
+#include "command/command.h"
+#include "command/files/csv.h"
+#include "decimal.h"
+#include "command/files/frames.h"
+#include "command/files/input_table.h"
+#include "command/files/report.h"
+
+namespace drape {
+namespace {
+
+struct Options {
+  std::string scene_file, folder;
+  double until = 0, every = 0;        // s; 0: the scene's duration, a hundredth of it
+  std::vector<std::string> settings;  // NAME=VALUE
+  std::string inputs_file;            // CSV
+  std::optional<std::string> report;  // text, or CSV by its ending
+  std::optional<double> limit;        // %, of elongation in the report
+  bool frames = false, verbose = false;
+  Nodes nodes = Nodes::kNone;
+};
+
+// Empty, or what is wrong with NAME=VALUE.
+std::string apply_setting(const std::vector<Variable>& table, const std::string& setting) {
+  const std::size_t equals = setting.find('=');
+  if (equals == std::string::npos) return "--set is '" + setting + "'; allowed: NAME=VALUE";
+  const std::string name = setting.substr(0, equals), text = setting.substr(equals + 1);
+  double value = 0;
+  const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';  // from_chars takes no plus
+  const auto [end, error] = std::from_chars(text.data() + plus, text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size())
+    return "--set " + name + " is '" + text + "'; allowed: a number";
+  const Variable* v = variable_find(table, name);
+  if (!v) {
+    const std::string nearest = variable_nearest(table, name);
+    return "--set names the unknown variable '" + name + "'; " +
+           (nearest.empty() ? "`drape variables SCENE` lists them" : "the nearest is '" + nearest + "'");
+  }
+  if (v->causality == Causality::kOutput)
+    return "--set names the output '" + name + "'; allowed: parameters and inputs";
+  const std::string problem = range_problem(*v, value);
+  if (problem.empty()) *v->value = value;
+  return problem.empty() ? "" : "--set " + problem;
+}
+
+// Sets values before the start and reads the inputs; prints all problems.
+int apply_settings(const Options& options, drape_cloth* cloth, const std::vector<Variable>& table,
+                   InputTable& inputs) {
+  std::vector<std::string> problems;
+  for (const std::string& setting : options.settings)
+    if (const std::string problem = apply_setting(table, setting); !problem.empty())
+      problems.push_back(problem);
+  if (!options.inputs_file.empty()) inputs = input_table_read(options.inputs_file, table, problems);
+  for (const std::string& problem : problems) fail(kBadInput, problem);
+  return problems.empty() && drape_commit(cloth) == DRAPE_OK ? kDone : kBadInput;
+}
+
+// The present time and outputs as one row, and as a frame.
+struct Recorder {
+  drape_cloth* cloth;
+  std::vector<const double*> columns;
+  bool nodes;
+  Csv csv;
+  bool with_frames;
+  Frames frames;
+  bool frames_written = true;
+};
+
+// What moves the cloth from row to row.
+struct Driven {
+  drape_cloth* cloth;
+  const std::vector<Variable>& table;
+  InputTable inputs;  // no rows: none
+};
+
+bool record(Recorder& r, double time) {
+  drape_outputs_at(r.cloth, r.nodes);
+  std::vector<double> row{time};
+  for (const double* value : r.columns) row.push_back(*value);
+  csv_row(r.csv, row);
+  if (r.with_frames) r.frames_written = frame_write(r.frames, r.cloth, time);
+  return r.csv.file.good() && r.frames_written;
+}
+
+void show_progress(double time, double until) {
+  static const bool terminal = isatty(STDERR_FILENO);
+  if (terminal)
+    std::fprintf(stderr, "\r%5.1f %%  t = %.6g s%s", 100 * time / until, time, time < until ? "" : "\n");
+}
+
+// From `time` on by `length`. With inputs, in steps of the communication interval (the last may be shorter),
+// each to the inputs at its end.
+drape_status advance(const Driven& driven, double time, double length) {
+  if (driven.inputs.time.empty()) return drape_advance(driven.cloth, length);
+  const double q = drape_communication(driven.cloth);
+  const double steps = std::max(1.0, std::ceil(length / q - 1e-9));
+  drape_status status = DRAPE_OK;
+  for (double k = 1; k <= steps && status == DRAPE_OK; ++k) {
+    input_table_apply(driven.inputs, time + (k < steps ? k * q : length), driven.table);
+    status = drape_advance(driven.cloth, k < steps ? q : length - (steps - 1) * q);
+  }
+  return status;
+}
+
+// Rows at 0, DT, 2 DT, ... and at the end, each reached from the one before; their times are written as these
+// products, from which the cloth's clock may be off by the rounding of its sums.
+int run_rows(Recorder& r, const Driven& driven, double until, double every) {
+  const double rows = std::ceil(until / every - 1e-9);  // a last interval below a billionth of DT is rounding
+  if (!driven.inputs.time.empty()) input_table_apply(driven.inputs, 0, driven.table);
+  drape_inputs_start(driven.cloth);
+  if (!record(r, 0)) return kFailedRun;
+  for (double k = 1; k <= rows; ++k) {
+    const double before = (k - 1) * every, time = k < rows ? k * every : until;
+    const double length = k < rows ? every : until - before;
+    if (advance(driven, before, length) != DRAPE_OK)
+      return kFailedRun;  // its last good state is the last row
+    const bool at_rest = drape_at_rest(driven.cloth);
+    if (!record(r, time)) return kFailedRun;
+    show_progress(at_rest ? until : time, until);
+    if (at_rest && driven.inputs.time.empty()) break;
+  }
+  return kDone;
+}
+
+// What is wrong with the options by themselves, all at once.
+std::vector<std::string> options_problems(const Options& options) {
+  std::vector<std::string> problems;
+  if (options.folder.empty()) problems.push_back("--output is empty; allowed: the name of a folder");
+  if (options.limit && !(*options.limit > 0 && *options.limit <= 1000))
+    problems.push_back("--limit is " + decimal_text(*options.limit) +
+                       " %; allowed: above 0 %, at most 1000 %");
+  if (options.limit && !options.report)
+    problems.push_back("--limit is of the report; allowed: together with --report FILE");
+  if (!options.report) return problems;
+  if (const std::string problem = output_problem("--report", *options.report, options.scene_file);
+      !problem.empty())
+    problems.push_back(problem);
+  return problems;
+}
+
+int run(const Options& options) {
+  const std::vector<std::string> problems = options_problems(options);
+  for (const std::string& sentence : problems) fail(kBadInput, sentence);
+  if (!problems.empty()) return kBadInput;
+  const Cloth cloth = cloth_open(options.scene_file, options.verbose);
+  if (!cloth) return kBadInput;
+  const std::vector<Variable> table = variables_of(cloth.get(), options.nodes);
+  Driven driven{cloth.get(), table, {}};
+  if (const int code = apply_settings(options, cloth.get(), table, driven.inputs); code != kDone) return code;
+  const double duration = drape_duration(cloth.get());
+  Recorder r{cloth.get(), {}, options.nodes != Nodes::kNone, {}, options.frames, {}};
+  r.frames.folder = options.folder;
+  std::vector<std::string> header{"time"};
+  for (const Variable& v : table) {
+    if (v.causality != Causality::kOutput) continue;
+    header.push_back(v.name());
+    r.columns.push_back(v.value);
+  }
+  const double until = options.until > 0 ? options.until : duration,
+               every = options.every > 0 ? options.every : duration / 100;
+  constexpr double kLongest = 1e7, kMostRows = 1e7;  // s; rows
+  if (until > kLongest)
+    return fail(kBadInput, "--until is " + decimal_text(until) + " s; allowed: at most 1e7 s");
+  if (until / every > kMostRows)
+    return fail(kBadInput, "--every is " + decimal_text(every) + " s; allowed: at least " +
+                               decimal_text(until / kMostRows) +
+                               " s, a ten-millionth of the time to the end");
+  std::string problem;
+  if (!csv_open(r.csv, options.folder, problem)) return fail(kBadInput, problem);
+  if (errno = 0; options.report && !std::ofstream(*options.report, std::ios::app))  // not only after the run
+    return fail(kBadInput, "--report: " + cannot_write(*options.report));
+  csv_header(r.csv, header);
+  const int code = run_rows(r, driven, until, every);
+  if (!csv_close(r.csv, problem)) return fail(kFailedRun, problem);
+  if (options.report) {
+    const double limit = options.limit ? *options.limit / 100 : -1;
+    if (problem = report_write(*options.report, report_of(cloth.get(), limit)); !problem.empty())
+      return fail(kFailedRun, problem);
+  }
+  return r.frames_written ? code : fail(kFailedRun, r.frames.trouble);
+}
+
+}  // namespace
+
+void command_run(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("run", "run a scene and write outputs.csv");
+  auto options = std::make_shared<Options>();
+  option_scene(*command, options->scene_file);
+  command->add_option("-o,--output", options->folder, "folder for the results")->required()->type_name("DIR");
+  option_seconds(*command, "--until", options->until, "end time; default: the scene's duration");
+  option_seconds(*command, "--every", options->every,
+                 "time between rows; default: a hundredth of the duration");
+  command->add_option("--set", options->settings, "the start value of a parameter or an input")
+      ->type_name("NAME=VALUE ...")
+      ->allow_extra_args(false);
+  command->add_option("--inputs", options->inputs_file, "inputs over time: a column 'time' and any inputs")
+      ->type_name("FILE.csv");
+  command->add_flag("--frames", options->frames,
+                    "write a .vtp for every row: frames.pvd, and seams.pvd, bodies.pvd where there are any");
+  command
+      ->add_option("--report", options->report,
+                   "write elongations, seams and contact at the end; with the ending .csv one value a line")
+      ->type_name("FILE");
+  command
+      ->add_option("--limit", options->limit,
+                   "elongation beyond which the report counts area; default: the tested range")
+      ->type_name("PERCENT");
+  option_nodes(*command, options->nodes);
+  command->add_flag("-v,--verbose", options->verbose, "print events and changes of the step");
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace drape

@@ -1,0 +1,37 @@
+#include <cstdio>
+
+#include "command/command.h"
+#include "description.h"
+
+namespace drape {
+namespace {
+
+struct Options {
+  std::string scene_file;
+  bool xml = false;
+  Nodes nodes = Nodes::kNone;
+};
+
+int variables(const Options& options) {
+  const Cloth cloth = cloth_open(options.scene_file);
+  if (!cloth) return kBadInput;
+  const Description description = description_of(cloth.get(), options.nodes);
+  const std::string text =
+      options.xml ? description_xml_fmi2(description) : description_markdown(description);
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  return std::fflush(stdout) == 0 ? kDone : fail(kFailedRun, "cannot write to standard output");
+}
+
+}  // namespace
+
+void command_variables(CLI::App& app, int& exit_code) {
+  CLI::App* command =
+      app.add_subcommand("variables", "print the variables of a scene's FMU as a Markdown table");
+  auto options = std::make_shared<Options>();
+  option_scene(*command, options->scene_file);
+  option_nodes(*command, options->nodes);
+  command->add_flag("--xml", options->xml, "print modelDescription.xml instead");
+  command->callback([options, &exit_code] { exit_code = variables(*options); });
+}
+
+}  // namespace drape

@@ -1,0 +1,37 @@
+// What an engineer asks of a garment at the end of a run: elongation per piece and direction, seams, contact.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "drape/drape.h"
+
+namespace drape {
+
+struct ReportColumn {
+  std::string name, unit;
+};
+
+struct ReportTable {
+  std::string title;
+  std::vector<std::string> labels;    // of the leading columns of words
+  std::vector<ReportColumn> columns;  // of numbers
+  struct Row {
+    std::vector<std::string> words;  // [labels]
+    std::vector<double> values;      // [columns]
+  };
+  std::vector<Row> rows;
+};
+
+// `limit`: strain beyond which the area counts as strained too far; below 0: the tested range of each
+// diagram.
+std::vector<ReportTable> report_of(drape_cloth* cloth, double limit);
+
+// Tables to read, or with the ending .csv one value a line: table, what, column, value, unit.
+std::string report_text(const std::vector<ReportTable>& report);
+std::string report_csv(const std::vector<ReportTable>& report);
+
+// Empty, or why the file could not be written.
+std::string report_write(const std::filesystem::path& file, const std::vector<ReportTable>& report);
+
+}  // namespace drape

@@ -1,0 +1,27 @@
+// A panel of a GarmentCode pattern: a loop of edges between vertices, placed in space.
+#pragma once
+#include "command/garmentcode/json.h"
+
+namespace drape {
+
+struct Panel {
+  std::string name, label;              // as the file has them
+  std::vector<Vec2> outline;            // [edges] m: where each edge starts
+  std::vector<CurveSpec> curves;        // m
+  std::vector<std::string> edge_label;  // [edges]
+  Vec3 origin{0, 0, 0}, axis_x{1, 0, 0}, axis_y{0, 1, 0};
+};
+
+struct PatternUnits {
+  double per_metre = 100;
+  bool absolute = false;  // control points are points of the panel, not shares of their edge
+};
+
+// Edge i of the file is edge i of the panel. With a fault the panel has no outline.
+Panel panel_read(const JsonFaults& faults, const Json& panel, const std::string& name,
+                 const PatternUnits& units);
+
+// The columns x and y of Rz Ry Rx; angles in degrees.
+void panel_axes(const std::vector<double>& degrees, Vec3& axis_x, Vec3& axis_y);
+
+}  // namespace drape

@@ -1,0 +1,165 @@
+#include "command/garmentcode/pattern.h"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+
+#include "scene/diagnostics.h"
+
+namespace drape {
+namespace {
+
+constexpr double kMostPerMetre = 1e4;  // a tenth of a millimetre
+
+std::string entry(const std::string& path, std::size_t i) { return path + "[" + std::to_string(i) + "]"; }
+
+PatternUnits units_read(const JsonFaults& faults, const Json& root) {
+  PatternUnits units;
+  const Json* properties = json_member(faults, root, "", "properties", Json::value_t::object);
+  if (!properties) return units;
+  const auto per_metre = properties->find("units_in_meter");
+  if (per_metre == properties->end())
+    json_fault(faults, "properties.units_in_meter", "is missing; wanted: 100 for centimetres, 1 for metres");
+  else if (const auto n = json_number(faults, *per_metre, "properties.units_in_meter", 1, kMostPerMetre))
+    units.per_metre = *n;
+  const Json* coords =
+      json_member(faults, *properties, "properties", "curvature_coords", Json::value_t::string);
+  if (!coords) return units;
+  const std::string word = coords->get<std::string>();
+  units.absolute = word == "absolute";
+  if (word != "relative" && word != "absolute")
+    json_fault(faults, "properties.curvature_coords",
+               "= " + in_quotes(word) + "; allowed: \"relative\", \"absolute\"");
+  return units;
+}
+
+// Panels in the order that the file gives them, or that in which they stand in it.
+std::vector<std::string> panel_names(const JsonFaults& faults, const Json& pattern, const Json& panels) {
+  std::vector<std::string> names, ordered;
+  for (const auto& [name, panel] : panels.items()) names.push_back(name);
+  const auto order = pattern.find("panel_order");
+  if (order == pattern.end() || !order->is_array()) return names;
+  for (std::size_t k = 0; k < order->size(); ++k) {
+    const std::string path = entry("pattern.panel_order", k);
+    const std::string name = (*order)[k].is_string() ? (*order)[k].get<std::string>() : "";
+    const bool there = std::find(names.begin(), names.end(), name) != names.end();
+    const bool again = std::find(ordered.begin(), ordered.end(), name) != ordered.end();
+    if (!there || again)
+      json_fault(faults, path,
+                 "= " + (*order)[k].dump() + (again ? " stands there twice" : " is no panel of the pattern"));
+    else ordered.push_back(name);
+  }
+  for (const std::string& name : names)
+    if (std::find(ordered.begin(), ordered.end(), name) == ordered.end()) ordered.push_back(name);
+  return ordered;
+}
+
+// One side of a stitch: { panel, edge }. `edges[p]` edges has panel p.
+bool side_read(const JsonFaults& faults, const Json& side, const std::string& path, const Pattern& pattern,
+               const std::vector<std::size_t>& edges, int& panel, int& edge) {
+  if (!side.is_object()) {
+    json_fault(faults, path,
+               std::string("is ") + json_kind(side.type()) + "; wanted: an object { panel, edge }");
+    return false;
+  }
+  const Json* name = json_member(faults, side, path, "panel", Json::value_t::string);
+  const auto number = side.find("edge");
+  if (number == side.end()) json_fault(faults, path + ".edge", "is missing; wanted: a whole number");
+  if (!name) return false;
+  const std::string wanted = name->get<std::string>();
+  const auto found = std::find_if(pattern.panels.begin(), pattern.panels.end(),
+                                  [&](const Panel& p) { return p.name == wanted; });
+  if (found == pattern.panels.end()) {
+    json_fault(faults, path + ".panel", "= " + in_quotes(wanted) + " is no panel of the pattern");
+    return false;
+  }
+  if (number == side.end()) return false;
+  panel = int(found - pattern.panels.begin());
+  const auto index = json_index(faults, *number, path + ".edge", edges[std::size_t(panel)]);
+  edge = index.value_or(-1);
+  return index.has_value();
+}
+
+void stitches_read(const JsonFaults& faults, const Json& list, const std::vector<std::size_t>& edges,
+                   Pattern& pattern) {
+  std::map<std::pair<int, int>, std::string> sewn;  // panel and edge -> where
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const std::string path = entry("pattern.stitches", k);
+    const Json& json = list[k];
+    if (!json.is_array() || json.size() < 2 || json.size() > 3) {
+      json_fault(faults, path,
+                 "is no stitch; wanted: [{ panel, edge }, { panel, edge }], and \"right_wrong\" or nothing");
+      continue;
+    }
+    Stitch stitch;
+    bool sound = true;
+    for (std::size_t s = 0; s < 2; ++s) {
+      const std::string at = entry(path, s);
+      if (!side_read(faults, json[s], at, pattern, edges, stitch.panel[s], stitch.edge[s])) {
+        sound = false;
+        continue;
+      }
+      const auto [known, fresh] = sewn.emplace(std::pair{stitch.panel[s], stitch.edge[s]}, at);
+      if (!fresh)
+        json_fault(faults, at,
+                   "sews edge " + std::to_string(stitch.edge[s]) + " of " +
+                       in_quotes(pattern.panels[std::size_t(stitch.panel[s])].name) + ", which " +
+                       known->second + " sews already; an edge belongs to one seam");
+    }
+    if (json.size() == 3) {
+      stitch.right_wrong = json[2] == "right_wrong";
+      if (!stitch.right_wrong)
+        json_fault(faults, entry(path, 2),
+                   "= " + json[2].dump().substr(0, 80) + "; allowed: \"right_wrong\", or nothing");
+    }
+    if (sound) pattern.stitches.push_back(stitch);
+  }
+}
+
+void pattern_land(const JsonFaults& faults, const Json& root, Pattern& pattern) {
+  const PatternUnits units = units_read(faults, root);
+  const Json* body = json_member(faults, root, "", "pattern", Json::value_t::object);
+  if (!body) return;
+  const Json* panels = json_member(faults, *body, "pattern", "panels", Json::value_t::object);
+  const Json* stitches = json_member(faults, *body, "pattern", "stitches", Json::value_t::array);
+  if (!panels) return;
+  if (panels->empty()) json_fault(faults, "pattern.panels", "holds no panel; allowed: at least one");
+  std::vector<std::size_t> edges;  // of each panel, faults or not
+  for (const std::string& name : panel_names(faults, *body, *panels)) {
+    const Json& panel = (*panels)[name];
+    edges.push_back(0);
+    if (!panel.is_object()) {
+      pattern.panels.emplace_back().name = name;
+      json_fault(faults, "pattern.panels." + name,
+                 std::string("is ") + json_kind(panel.type()) + "; wanted: an object {...}");
+      continue;
+    }
+    if (const auto list = panel.find("edges"); list != panel.end() && list->is_array())
+      edges.back() = list->size();
+    pattern.panels.push_back(panel_read(faults, panel, name, units));
+  }
+  if (stitches) stitches_read(faults, *stitches, edges, pattern);
+}
+
+}  // namespace
+
+Pattern pattern_read(const std::filesystem::path& file, std::vector<Problem>& problems) {
+  Pattern pattern;
+  const JsonFaults faults{file.string(), problems};
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || std::filesystem::is_directory(file)) {
+    json_fault(faults, "", "cannot be read");
+    return pattern;
+  }
+  Json root;
+  try {
+    root = Json::parse(stream);
+  } catch (const Json::exception& e) {
+    return json_fault(faults, "", std::string("is not valid JSON: ") + e.what()), pattern;
+  }
+  if (root.is_object()) pattern_land(faults, root, pattern);
+  else json_fault(faults, "", std::string("is ") + json_kind(root.type()) + "; wanted: an object {...}");
+  return pattern;
+}
+
+}  // namespace drape

@@ -1,0 +1,69 @@
+// What a picture of pieces consists of. A piece is drawn from below: cells, twins, seams, pins, probes.
+#pragma once
+#include "piece/grid/grid.h"
+#include "piece/outline/outline.h"
+#include "figures/svg.h"
+
+namespace drape {
+
+// Colours.
+inline constexpr char kInk[] = "#203040", kGhostInk[] = "#cfd8e0", kLineInk[] = "#a9b8c6";
+inline constexpr char kClothInk[] = "#eef3f8", kStripInk[] = "#d3d9df";
+inline constexpr char kPinInk[] = "#c0281c", kProbeInk[] = "#1c5fc0", kTwinInk[] = "#7a2fa0",
+                      kSeamInk[] = "#2e7d4f";
+
+// A piece that is being drawn. Its plane is upright; the y axis of the drawing points down.
+struct View {
+  const Scene& scene;
+  int piece;
+  const Grid& grid;
+  std::vector<OutlineLoop> loops;
+  Vec2 low, high;  // of outline and cells in the plane, m
+  double scale;    // drawing units per metre
+  Vec2 corner;     // of the drawing: where (low x, high y) goes
+
+  Vec2 operator()(Vec2 p) const {
+    return {corner[0] + (p[0] - low[0]) * scale, corner[1] + (high[1] - p[1]) * scale};
+  }
+  std::string path(const std::vector<Vec2>& points, bool closed) const {
+    std::vector<Vec2> drawn;
+    for (const Vec2& p : points) drawn.push_back((*this)(p));
+    return svg_path(drawn, closed);
+  }
+  double cell() const { return grid.cell * scale; }
+};
+
+View view_make(const Scene& scene, int piece, const Grid& grid);
+
+// Grid, cut cells by their share, outline.
+void cells_draw(pugi::xml_node parent, const View& view);
+void twins_draw(pugi::xml_node parent, const View& view);
+
+// The colour of a cell that the outline cuts or that has taken over parts, by its share phi.
+std::string share_colour(double share);
+
+void pins_draw(pugi::xml_node parent, const View& view);
+void probes_draw(pugi::xml_node parent, const View& view);
+void seams_draw(pugi::xml_node parent, const View& view);
+
+// Text beside a mark, in a direction of the drawing.
+void label_draw(pugi::xml_node parent, Vec2 at, Vec2 towards, double distance, const std::string& text,
+                const char* colour);
+
+// The same marks alone, at a place of the drawing.
+void point_mark(pugi::xml_node parent, Vec2 at, double size, bool clamp);
+void edge_mark(pugi::xml_node parent, const std::vector<Vec2>& line, bool clamp);  // the cloth to its left
+pugi::xml_node region_mark(pugi::xml_node parent, const std::string& path, bool clamp);
+void held_mark(pugi::xml_node parent, const std::vector<Vec2>& points, double size);
+void drive_mark(pugi::xml_node parent, Vec2 at, double size);
+void probe_mark(pugi::xml_node parent, Vec2 at);
+void seam_mark(pugi::xml_node parent, const std::vector<Vec2>& line, const std::vector<Vec2>& particles);
+void twin_mark(pugi::xml_node parent, Vec2 at, Vec2 cloth, double radius, bool twin);
+
+// A bar with its length and what the marks of these pieces mean, from `corner` down, at most to `right`;
+// returns the height.
+double legend_draw(pugi::xml_node parent, const Scene& scene, const std::vector<Grid>& grids, double scale,
+                   Vec2 corner, double right);
+double text_width(const std::string& text);  // about, in the font of the picture
+
+}  // namespace drape

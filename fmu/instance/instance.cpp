@@ -1,0 +1,150 @@
+#include "instance/instance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "decimal.h"
+#include "guid.h"
+
+namespace drape {
+namespace {
+
+// Times this close to the clock are the same. A master that adds up its own clock is off by half a unit in
+// the last place for each step it has made, and may have rounded its own step.
+double same_time(const Instance& s, double clock, double length) {
+  constexpr double kUlp = std::numeric_limits<double>::epsilon();
+  return 1e-9 * length + double(4 + s.steps) * kUlp * std::max(std::abs(clock), length);
+}
+
+bool log_passes(const LogFilter& filter, drape_log_kind kind) {
+  switch (kind) {
+    case DRAPE_LOG_ERROR:
+      return true;
+    case DRAPE_LOG_WARNING:
+      return filter.warnings;
+    case DRAPE_LOG_EVENT:
+      return filter.events;
+    case DRAPE_LOG_STABILITY:
+      return filter.stability;
+  }
+  return true;
+}
+
+void log_write(Instance& s, drape_status status, drape_log_kind kind, const std::string& message) {
+  if (s.log && log_passes(s.filter, kind)) s.log(s.log_user, status, kind, message);
+}
+
+void core_heard(void* user, drape_log_kind kind, const char* message) {
+  static_cast<Instance*>(user)->heard.emplace_back(kind, message);
+}
+
+// Passes on what the core has said during a call that returned `status`.
+drape_status log_flush(Instance& s, drape_status status) {
+  for (const auto& [kind, message] : s.heard)
+    log_write(s, kind == DRAPE_LOG_ERROR ? status : DRAPE_OK, kind, message);
+  s.heard.clear();
+  return status;
+}
+
+// The choice of node variables under which the scene has this guid.
+bool nodes_of_guid(Instance& s, const std::string& guid, Nodes& nodes) {
+  const char* text = drape_scene_text(s.cloth);
+  for (const Nodes candidate : {Nodes::kNone, Nodes::kOutline, Nodes::kAll})
+    if (guid_of(text, candidate) == guid) {
+      nodes = candidate;
+      return true;
+    }
+  instance_refuse(s, DRAPE_ERROR,
+                  "the guid is " + guid + ", but this scene and version of Drape have " +
+                      guid_of(text, Nodes::kNone) + ", " + guid_of(text, Nodes::kOutline) + " or " +
+                      guid_of(text, Nodes::kAll) + " (node variables: none, outline, all)");
+  return false;
+}
+
+std::string step_problem(const Instance& s, double time, double length) {
+  const double clock = drape_time(s.cloth), same = same_time(s, clock, length);
+  if (!(length > 0) || !std::isfinite(length))
+    return "the communication step is " + decimal_text(length) + " s; allowed: above 0 s, finite";
+  if (!(std::abs(time - clock) <= same))
+    return "the communication point is " + decimal_text(time) + " s; expected: the cloth's time, " +
+           decimal_text(clock) + " s";
+  if (clock + length > s.stop_time + same)
+    return "the communication step ends at " + decimal_text(clock + length) +
+           " s; allowed: up to the stop time, " + decimal_text(s.stop_time) + " s";
+  return "";
+}
+
+}  // namespace
+
+Instance* instance_open(const std::string& scene_file, const std::string& guid, LogFilter filter, LogFn* log,
+                        void* user) {
+  auto s = std::make_unique<Instance>();
+  s->log = log;
+  s->log_user = user;
+  s->filter = filter;
+  s->cloth = drape_open(scene_file.c_str(), core_heard, s.get());
+  log_flush(*s, s->cloth ? DRAPE_OK : DRAPE_ERROR);
+  if (!s->cloth) return nullptr;
+  Nodes nodes = Nodes::kNone;
+  if (!nodes_of_guid(*s, guid, nodes)) {
+    drape_close(s->cloth);
+    return nullptr;
+  }
+  s->table = variables_of(s->cloth, nodes);
+  s->initial = instance_save(*s, nullptr);
+  return s.release();
+}
+
+void instance_close(Instance* s) {
+  if (!s) return;
+  for (const auto& saved : s->saved) drape_snapshot_free(saved->cloth);
+  drape_close(s->cloth);
+  delete s;
+}
+
+drape_status instance_refuse(Instance& s, drape_status status, const std::string& sentence) {
+  log_write(s, status, DRAPE_LOG_ERROR, sentence);
+  return status;
+}
+
+drape_status instance_setup(Instance& s, double start_time, double stop_time) {
+  if (!std::isfinite(start_time))
+    return instance_refuse(
+        s, DRAPE_DISCARD, "the start time is " + decimal_text(start_time) + " s; allowed: any finite number");
+  if (!(stop_time > start_time))
+    return instance_refuse(s, DRAPE_DISCARD,
+                           "the stop time is " + decimal_text(stop_time) +
+                               " s; allowed: above the start time, " + decimal_text(start_time) + " s");
+  const drape_status status = log_flush(s, drape_start(s.cloth, start_time));
+  if (status == DRAPE_OK) s.stop_time = stop_time;
+  s.read = 0;
+  return status;
+}
+
+drape_status instance_exit_initialization(Instance& s) {
+  s.read = 0;
+  const drape_status status = log_flush(s, drape_commit(s.cloth));
+  if (status != DRAPE_OK) return status;
+  s.phase = Phase::kStepComplete;
+  if (s.filter.stability) {
+    const char* set_by = "";
+    const double limit = drape_step_limit(s.cloth, &set_by);
+    log_write(s, DRAPE_OK, DRAPE_LOG_STABILITY,
+              "the step limit is " + decimal_text(limit) + " s, set by the " + set_by);
+  }
+  return status;
+}
+
+drape_status instance_step(Instance& s, double time, double length) {
+  if (const std::string problem = step_problem(s, time, length); !problem.empty())
+    return instance_refuse(s, DRAPE_DISCARD, problem);
+  const drape_status status = log_flush(s, drape_advance(s.cloth, length));
+  if (status == DRAPE_ERROR) s.phase = Phase::kError;
+  if (status == DRAPE_OK) ++s.steps;
+  s.read = 0;
+  return status;
+}
+
+void instance_reset(Instance& s) { instance_restore(s, s.initial); }
+
+}  // namespace drape

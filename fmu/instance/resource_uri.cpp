@@ -1,0 +1,55 @@
+#include "instance/resource_uri.h"
+
+#include <cctype>
+#include <cstdlib>
+
+namespace drape {
+namespace {
+
+// "%20" -> " ". False where a percent sign is not followed by two hexadecimal digits, or by 00.
+bool percent_decode(std::string& text) {
+  std::string decoded;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%') {
+      decoded += text[i];
+      continue;
+    }
+    const std::string digits = text.substr(i + 1, 2);
+    if (digits.size() < 2 || !std::isxdigit(static_cast<unsigned char>(digits[0])) ||
+        !std::isxdigit(static_cast<unsigned char>(digits[1])) || digits == "00")
+      return false;
+    decoded += static_cast<char>(std::strtol(digits.c_str(), nullptr, 16));
+    i += 2;
+  }
+  text = decoded;
+  return true;
+}
+
+}  // namespace
+
+std::string resource_path(const std::string& location, std::string& problem) {
+  const auto refuse = [&](const char* allowed) {
+    problem = "the resource location is '" + location + "'; allowed: " + allowed;
+    return std::string();
+  };
+  std::string path = location;
+  if (path.rfind("file:", 0) == 0) {
+    path.erase(0, 5);
+    if (path.rfind("//", 0) == 0) {
+      const std::size_t host_end = path.find('/', 2);
+      const std::string host =
+          path.substr(2, host_end == std::string::npos ? std::string::npos : host_end - 2);
+      if (host_end == std::string::npos || (!host.empty() && host != "localhost"))
+        return refuse("a folder of this machine, as in file:///path");
+      path.erase(0, host_end);
+    }
+    if (path.empty() || path[0] != '/') return refuse("an absolute path after file:");
+    if (!percent_decode(path)) return refuse("two hexadecimal digits, not 00, after each % sign");
+  } else if (path.find("://") != std::string::npos || path.empty()) {
+    return refuse("a file: URI or a path");
+  }
+  while (path.size() > 1 && path.back() == '/') path.pop_back();
+  return path;
+}
+
+}  // namespace drape

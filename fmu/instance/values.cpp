@@ -1,0 +1,84 @@
+#include <cmath>
+
+#include "decimal.h"
+#include "instance/instance.h"
+
+namespace drape {
+namespace {
+
+const Variable* row_of(const Instance& s, std::uint32_t reference) {
+  return reference >= 1 && reference <= s.table.size() ? &s.table[reference - 1] : nullptr;
+}
+
+std::string no_row(const Instance& s, std::uint32_t reference) {
+  return "value reference " + std::to_string(reference) + " names no Real variable; allowed: 1 to " +
+         std::to_string(s.table.size());
+}
+
+// Why a variable may not be set to a value now; empty if it may.
+std::string set_problem(const Instance& s, std::uint32_t reference, double value) {
+  const Variable* v = row_of(s, reference);
+  if (!v) return no_row(s, reference);
+  if (v->causality == Causality::kOutput)
+    return v->name() + " is an output; allowed: setting parameters and inputs";
+  const bool initialized = s.phase != Phase::kInstantiated && s.phase != Phase::kInitialization;
+  if (v->variability == Variability::kFixed && initialized)
+    return v->name() + " is fixed; allowed: setting it until initialization ends";
+  return range_problem(*v, value);
+}
+
+// The same for a derivative of an input.
+std::string rate_problem(const Instance& s, std::uint32_t reference, int order, double value) {
+  const Variable* v = row_of(s, reference);
+  if (!v) return no_row(s, reference);
+  if (!v->rate) return v->name() + " is no input; allowed: setting derivatives of inputs";
+  if (order != 1)
+    return "the order of the derivative of " + v->name() + " is " + std::to_string(order) + "; allowed: 1";
+  if (std::isfinite(value)) return "";
+  const std::string unit = v->unit == std::string_view("1") ? "1/s" : std::string(v->unit) + "/s";
+  return "the derivative of " + v->name() + " is " + decimal_text(value) + " " + unit +
+         "; allowed: any finite number";
+}
+
+}  // namespace
+
+drape_status instance_get(Instance& s, const std::uint32_t* references, std::size_t count, double* values) {
+  int needs = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Variable* v = row_of(s, references[i]);
+    if (!v) return instance_refuse(s, DRAPE_DISCARD, no_row(s, references[i]));
+    needs |= v->needs;
+  }
+  if (const int missing = needs & ~s.read) drape_outputs_of(s.cloth, missing);
+  s.read |= needs;
+  for (std::size_t i = 0; i < count; ++i) values[i] = *s.table[references[i] - 1].value;
+  return DRAPE_OK;
+}
+
+drape_status instance_set(Instance& s, const std::uint32_t* references, std::size_t count,
+                          const double* values) {
+  drape_status status = DRAPE_OK;
+  for (std::size_t i = 0; i < count; ++i)
+    if (const std::string problem = set_problem(s, references[i], values[i]); !problem.empty())
+      status = instance_refuse(s, DRAPE_DISCARD, problem);
+  if (status != DRAPE_OK) return status;
+  for (std::size_t i = 0; i < count; ++i) *s.table[references[i] - 1].value = values[i];
+  if (s.phase == Phase::kInstantiated || s.phase == Phase::kInitialization) {
+    drape_inputs_start(s.cloth);
+    s.read = 0;
+  }
+  return DRAPE_OK;
+}
+
+drape_status instance_set_rates(Instance& s, const std::uint32_t* references, std::size_t count,
+                                const int* orders, const double* values) {
+  drape_status status = DRAPE_OK;
+  for (std::size_t i = 0; i < count; ++i)
+    if (const std::string problem = rate_problem(s, references[i], orders[i], values[i]); !problem.empty())
+      status = instance_refuse(s, DRAPE_DISCARD, problem);
+  if (status != DRAPE_OK) return status;
+  for (std::size_t i = 0; i < count; ++i) *s.table[references[i] - 1].rate = values[i];
+  return DRAPE_OK;
+}
+
+}  // namespace drape

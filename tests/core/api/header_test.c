@@ -1,0 +1,11 @@
+/* drape.h is C. */
+#include "drape/drape.h"
+
+#include <string.h>
+
+int header_is_c(void);
+int header_is_c(void) {
+  drape_outputs outputs;
+  memset(&outputs, 0, sizeof outputs);
+  return outputs.probe_count;
+}

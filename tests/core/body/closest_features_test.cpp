@@ -1,0 +1,141 @@
+// The nearest features of a mesh against a search through all its triangles.
+#include "body/closest_features.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "body_fixture.h"
+#include "math/vector3.h"
+#include "assembly/bodies.h"
+#include "contact/particle/update_neighbours.h"
+
+namespace drape {
+namespace {
+
+using namespace vector3;
+
+Body body_of(const SceneFolder& folder, const Mesh& mesh) {
+  Scene scene;
+  body_add(scene, folder, "body", mesh);
+  std::vector<Problem> problems;
+  std::vector<Body> bodies = bodies_make(scene, problems);
+  for (const Problem& p : problems) ADD_FAILURE() << problem_text(p);
+  return std::move(bodies.at(0));
+}
+
+// The distance to a segment or triangle by projection and clamping, region by region from the inside out.
+double segment_distance(const Vec3& a, const Vec3& b, const Vec3& x) {
+  const double t = std::clamp(dot(x - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
+  return norm(x - (a + t * (b - a)));
+}
+double triangle_distance(const BodySurface& s, std::size_t t, const Vec3& x) {
+  const Vec3 &a = s.point[std::size_t(s.corner[t][0])], &b = s.point[std::size_t(s.corner[t][1])],
+             &c = s.point[std::size_t(s.corner[t][2])];
+  const Vec3 n = cross(b - a, c - a);
+  const auto left = [&](const Vec3& p, const Vec3& q) { return dot(cross(q - p, x - p), n) >= 0; };
+  if (left(a, b) && left(b, c) && left(c, a)) return std::abs(dot(x - a, n)) / norm(n);
+  return std::min({segment_distance(a, b, x), segment_distance(b, c, x), segment_distance(c, a, x)});
+}
+double mesh_distance(const BodySurface& s, const Vec3& x) {
+  double least = INFINITY;
+  for (std::size_t t = 0; t < s.corner.size(); ++t) least = std::min(least, triangle_distance(s, t, x));
+  return least;
+}
+
+TEST(Nearest, IsTheNearestOfAllTrianglesAndItsBudgetIsKept) {
+  const SceneFolder folder;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> shift(-1, 1);
+  for (const Mesh& mesh : {ball(0.1, 16), box(0.2, 0.1, 0.01), cylinder(0.05, 0.2, 12)}) {
+    const Body body = body_of(folder, mesh);
+    const double contact = 0.001, reach = contact_reach(body.mesh.surface, contact);
+    Voxels voxels = voxels_make(*body.mesh.library, *body.mesh.query, body.mesh.surface, reach);
+    int touched = 0;
+    for (int k = 0; k < 4000; ++k) {
+      const std::size_t t = std::size_t(random()) % body.mesh.surface.corner.size();
+      const double far = k % 4 == 0 ? 0.05 : 0.002;
+      Vec3 x = body.mesh.surface.facet[t].middle;
+      for (double& v : x) v += far * shift(random);
+      const double exact = mesh_distance(body.mesh.surface, x);
+      const Neighbourhood near = voxels_at(voxels, x);
+      Nearest found;
+      if (!near.triangle) {
+        EXPECT_LE(near.clearance, exact + 1e-12);
+        EXPECT_GT(near.clearance, contact);
+        continue;
+      }
+      nearest_find(body.mesh.surface, *near.triangle, x, contact, 3 * contact, reach, near.listed, nullptr,
+                   found);
+      if (exact > 3 * contact) {
+        EXPECT_TRUE(found.touch.empty());
+        EXPECT_LE(found.budget, exact - contact + 1e-12);
+        EXPECT_GT(found.budget, 0);
+      } else {
+        ASSERT_FALSE(found.touch.empty());
+        ++touched;
+        EXPECT_NEAR(std::abs(found.touch[0].distance), exact, 1e-12);
+      }
+      if (found.touch.size() != 1 || found.touch[0].distance < 0 || found.budget <= 0) continue;
+      // Wherever the particle goes within its budget, the same feature tells the distance, if it is within
+      // reach.
+      for (int m = 0; m < 4; ++m) {
+        Vec3 step{shift(random), shift(random), shift(random)};
+        const Vec3 there = x + (0.999 * found.budget * std::abs(shift(random)) / norm(step)) * step;
+        const auto& d = found.touch[0].shape;
+        const Vec3 e = there - found.touch[0].point;
+        if (dot(e, found.touch[0].side) < 0) continue;  // inside: deeper than the response lets it come
+        const double told =
+            norm({d[0] * e[0] + d[1] * e[1] + d[2] * e[2], d[1] * e[0] + d[3] * e[1] + d[4] * e[2],
+                  d[2] * e[0] + d[4] * e[1] + d[5] * e[2]});
+        const double now = mesh_distance(body.mesh.surface, there);
+        if (now < contact) EXPECT_NEAR(told, now, 0.0201 * contact);
+        else EXPECT_GE(told, contact * 0.98);
+      }
+    }
+    EXPECT_GT(touched, 500);
+  }
+}
+
+// A fin on a ball, of one triangle that no other backs, makes no inside behind it.
+TEST(Nearest, AFewBadEdgesMakeNoInside) {
+  const SceneFolder folder;
+  Mesh mesh = ball(0.1, 16);
+  const int tip = int(mesh.point.size()), a = mesh.corner[200][0], b = mesh.corner[200][1];
+  mesh.point.push_back(1.6 * mesh.point[std::size_t(a)]);
+  mesh.corner.push_back({a, b, tip});
+  const Body body = body_of(folder, mesh);
+  const BodySurface& surface = body.mesh.surface;
+  ASSERT_TRUE(surface.solid);
+  Voxels voxels = voxels_make(*body.mesh.library, *body.mesh.query, surface, 0.002);
+  for (const double side : {-1.0, 1.0}) {
+    const Vec3 beside = surface.facet.back().middle + 0.02 * side * surface.facet.back().normal;
+    EXPECT_EQ(voxels_depth(voxels, beside), 0) << side;
+  }
+  EXPECT_NEAR(voxels_depth(voxels, {0, 0, 0}), 0.1 * std::cos(std::numbers::pi / 16), 0.002);
+}
+
+// One minimum over a convex edge, two in a groove, one sign for each side.
+TEST(Nearest, CountsLocalMinima) {
+  const SceneFolder folder;
+  Mesh groove;  // two planes that meet at a right angle along x, open upwards; a sheet
+  groove.point = {{-1, 0, 0}, {1, 0, 0}, {1, 1, 1}, {-1, 1, 1}, {1, -1, 1}, {-1, -1, 1}};
+  groove.corner = {{0, 1, 2}, {0, 2, 3}, {1, 0, 5}, {1, 5, 4}};
+  const Body body = body_of(folder, groove);
+  EXPECT_FALSE(body.mesh.surface.solid);
+  const std::vector<int> all{0, 1, 2, 3};
+  Nearest found;
+  nearest_find(body.mesh.surface, all, {0, 0, 0.01}, 0.01, 0.02, 1, 1, nullptr, found);
+  ASSERT_EQ(found.touch.size(), 2u);
+  for (const Touch& t : found.touch) {
+    EXPECT_NEAR(t.distance, 0.01 / std::sqrt(2.0), 1e-15);
+    EXPECT_GT(t.side[2], 0);
+  }
+  nearest_find(body.mesh.surface, all, {0, 0, -0.01}, 0.01, 0.02, 1, 1, nullptr, found);
+  ASSERT_EQ(found.touch.size(), 1u);
+  EXPECT_NEAR(found.touch[0].distance, 0.01, 1e-15);
+  EXPECT_LT(found.touch[0].side[2], 0);
+}
+
+}  // namespace
+}  // namespace drape

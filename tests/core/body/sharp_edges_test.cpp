@@ -1,0 +1,113 @@
+// Which edges and tips of bodies are sharp, and how far cloth is from them. core/README.md, section 7.
+#include "body/sharp_edges.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "body_fixture.h"
+#include "math/vector3.h"
+#include "contact/edge/gap.h"
+
+namespace drape {
+namespace {
+
+using namespace vector3;
+
+BodySurface surface_of(const Mesh& mesh) {
+  SurfaceFindings findings;
+  std::string trouble;
+  return surface_make(mesh.point, mesh.corner, findings, trouble);
+}
+
+std::array<int, 2> edges_and_tips(const Mesh& mesh) {
+  std::array<int, 2> count{};
+  for (const Ridge& r : ridges_make(surface_of(mesh), kRidgeSine, 0.01).ridge) ++count[r.tip];
+  return count;
+}
+
+TEST(Ridge, AreTheSharpEdgesAndTipsOfABody) {
+  EXPECT_EQ(edges_and_tips(box(1, 2, 3)), (std::array<int, 2>{12, 8}));
+  EXPECT_EQ(edges_and_tips(ball(0.05, 100)), (std::array<int, 2>{0, 0}));
+  EXPECT_EQ(edges_and_tips(cylinder(0.05, 0.1, 720)), (std::array<int, 2>{1440, 0}));  // its rims
+  const Mesh sheet{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  EXPECT_EQ(edges_and_tips(sheet), (std::array<int, 2>{4, 4}));
+  const Mesh groove{{{-1, 0, 1}, {0, 0, 0}, {1, 0, 1}, {-1, 1, 1}, {0, 1, 0}, {1, 1, 1}},
+                    {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};  // from below it is a ridge
+  EXPECT_EQ(edges_and_tips(groove)[0], 7);
+  Mesh dented = box(1, 1, 1);  // a pit in the top is no tip
+  dented.point.push_back({0, 0, 0});
+  std::erase_if(dented.corner, [&](const std::array<int, 3>& c) {
+    return dented.point[std::size_t(c[0])][2] > 0 && dented.point[std::size_t(c[1])][2] > 0 &&
+           dented.point[std::size_t(c[2])][2] > 0;
+  });
+  for (const std::array<int, 2>& side : {std::array<int, 2>{1, 5}, {5, 7}, {7, 3}, {3, 1}})
+    dented.corner.push_back({side[0], side[1], 8});
+  ASSERT_TRUE(surface_of(dented).solid);
+  EXPECT_EQ(edges_and_tips(dented), (std::array<int, 2>{12, 8}));
+}
+
+// What is found in buckets is what is near: against all of them.
+TEST(Ridge, SearchFindsTheNearest) {
+  const Mesh mesh = box(0.3, 0.2, 0.1);
+  const BodySurface surface = surface_of(mesh);
+  const Ridges ridges = ridges_make(surface, kRidgeSine, 0.02);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> at(-0.2, 0.2);
+  for (int k = 0; k < 200; ++k) {
+    const Vec3 x{at(random), at(random), at(random)};
+    double least = 0.05;
+    for (const Ridge& r : ridges.ridge)
+      for (int p = 0; p <= 2000; ++p)
+        least = std::min(least, norm(x - r.from - (p / 2000.0) * (r.to - r.from)));
+    EXPECT_NEAR(ridges_distance(ridges, x, 0.05), least, 1e-5);
+  }
+}
+
+// d is the distance of the parts while they are apart, and grows below 0 as they pass: D.n by differences of
+// the nodes' places, W = dd/dr_k . n.
+TEST(Ridge, WeightsAreTheGradientOfTheDistance) {
+  const Ridges edges = ridges_make(surface_of(roof(0.7)), kRidgeSine, 0.1),
+               tips = ridges_make(surface_of(pyramid(0.7)), kRidgeSine, 0.1);
+  const Ridge *edge = nullptr, *tip = nullptr;
+  for (const Ridge& r : edges.ridge)
+    if (!r.tip && r.from[2] == 0 && r.to[2] == 0) edge = &r;
+  for (const Ridge& r : tips.ridge)
+    if (r.tip && r.from[2] == 0) tip = &r;
+  ASSERT_TRUE(edge && tip);
+  const double sine = 0.01, h = 1e-7;
+  for (const double z : {0.002, -0.002}) {
+    Vec3 x[6] = {{-0.004, -0.003, z},
+                 {0.006, -0.004, z + 1e-3},
+                 {-0.005, 0.006, z + 2e-4},
+                 {0.006, 0.007, z - 3e-4},
+                 {0, 0, 0},
+                 {0, 0, 0}};
+    const auto check = [&](const char* what, int nodes, auto gap_of) {
+      const RidgeGap gap = gap_of(x);
+      ASSERT_TRUE(gap.over) << what;
+      EXPECT_EQ(gap.distance > 0, z > 0) << what;
+      EXPECT_NEAR(gap.clearance, std::abs(gap.distance), 1e-12) << what;
+      for (int k = 0; k < nodes; ++k)
+        for (std::size_t i = 0; i < 3; ++i) {
+          const double was = x[k][i];
+          x[k][i] = was + h;
+          const double more = gap_of(x).distance;
+          x[k][i] = was - h;
+          const double less = gap_of(x).distance;
+          x[k][i] = was;
+          EXPECT_NEAR((more - less) / (2 * h), gap.weight[k] * gap.n[i], 1e-6) << what << k << i;
+        }
+    };
+    check("link on edge", 2, [&](const Vec3* at) { return gap_link_edge(*edge, at, sine); });
+    check("cell on tip", 4, [&](const Vec3* at) { return gap_cell_tip(*tip, at, sine); });
+    const Vec3 beyond[1][2] = {{{-0.004, 0.006, z + 0.009}, {0.006, 0.006, z + 0.009}}};
+    check("link on tip", 2, [&](const Vec3* at) {
+      const Vec3 end[2] = {at[0] + Vec3{0, 0.0028, 0}, at[1] + Vec3{0, 0.0028, 0}};
+      return gap_link_tip(*tip, end, beyond, 1, sine);
+    });
+  }
+}
+
+}  // namespace
+}  // namespace drape

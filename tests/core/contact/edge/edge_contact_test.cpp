@@ -1,0 +1,467 @@
+// Links and cells of the cloth on sharp edges and tips of bodies, in motion. core/README.md, section 7.
+#include "contact/edge/edge_contact.h"
+
+#include <gtest/gtest.h>
+
+#include "body_fixture.h"
+#include "seam_fixture.h"
+#include "math/vector3.h"
+#include "contact/particle/contact_pass.h"
+#include "contact/particle/contact.h"
+
+namespace drape {
+namespace {
+
+using namespace vector3;
+
+constexpr double kPi = std::numbers::pi;
+
+// A strip of `links` links along x over the roof, one cell wide, whose ends are pulled down by pins.
+struct Strip {
+  Assembled a;
+  double cell;
+  Vec3 node(int i) const {  // mean of both sides
+    Vec3 sum{0, 0, 0};
+    for (int j = 0; j < 2; ++j) {
+      const std::size_t n = a.system.lattices[0].node(i, j);
+      sum += 0.5 * Vec3{a.state.x[n], a.state.y[n], a.state.z[n]};
+    }
+    return sum;
+  }
+  Vec3 along(int i) const {  // of link i
+    const Vec3 e = node(i + 1) - node(i);
+    return (1 / norm(e)) * e;
+  }
+  double strain(int i) const { return norm(node(i + 1) - node(i)) / cell - 1; }
+  // The link over x = 0, and how far it is from the ridge there.
+  int over() const {
+    int i = 0;
+    while (node(i + 1)[0] < 0) ++i;
+    return i;
+  }
+  double distance() const {
+    const int i = over();
+    const Vec3 e = along(i), p = node(i);
+    return p[2] * e[0] - p[0] * e[2];  // across the link
+  }
+};
+
+constexpr double kSlope = 2000;  // N/m per width
+
+Strip strip_over_roof(const SceneFolder& folder, int links, double cell, double shift, double mu, bool fit) {
+  FabricSpec fabric = linen();
+  fabric.bias = {};
+  fabric.bending_warp = fabric.bending_weft = 0;
+  fabric.friction = {mu, mu};
+  Scene scene = reference::rectangle(fabric, links * cell, cell, cell);
+  scene.gravity = {0, 0, 0};
+  scene.damping = fit ? 0 : 200;
+  if (fit) scene.mode = Mode::kFit;
+  scene.bias_model = BiasModel::kOdd;
+  scene.pieces[0].place.origin = {-links * cell / 2 + shift, -0.0437 * cell, 0.0008};
+  scene.pins = {reference::pin_edges("left", {3}), reference::pin_edges("right", {1})};
+  for (PinSpec& pin : scene.pins) pin.drive = Drive::kPosition;
+  body_add(scene, folder, "roof", roof(kPi / 4));
+  return {assemble(scene), cell};
+}
+
+// Pulls the ends to angles below the horizontal, at `stretch` times the length from the ridge.
+void strip_pull(Strip& s, double left, double right, double stretch, double time) {
+  Inputs& to = s.a.motion.inputs;
+  const double was[2] = {norm(Vec3{to.pin[0].position[0], 0, 0}), norm(Vec3{to.pin[1].position[0], 0, 0})};
+  to.pin[0].position[0] = -stretch * was[0] * std::cos(left);
+  to.pin[0].position[2] = -stretch * was[0] * std::sin(left);
+  to.pin[1].position[0] = stretch * was[1] * std::cos(right);
+  to.pin[1].position[2] = -stretch * was[1] * std::sin(right);
+  advance(s.a, time);
+}
+
+// A taut frictionless strip rests on the ridge by one link. What the body carries is what the links beside it
+// pull, and is at right angles to the link; of both, up to the forces that a fit leaves: 1e-5 of the pins'.
+TEST(Ridge, ATautStripRestsOnItByALink) {
+  const SceneFolder folder;
+  for (const double shift : {0.0, 0.0021}) {
+    Strip s = strip_over_roof(folder, 9, 0.01, shift, 0, true);
+    strip_pull(s, 0.5, 0.35, 1.01, 0.2);
+    for (double t = 0; t < 20 && !s.a.state.fit.at_rest; t += 0.1) advance(s.a, 0.1);
+    ASSERT_TRUE(s.a.state.fit.at_rest) << "residual " << s.a.state.fit.residual;
+    const int i = s.over();
+    const double layer = s.a.system.lattices[0].touch.layer, width = 0.01;
+    const Vec3 force = body_force(s.a), e = s.along(i);
+    const double left = kSlope * width * s.strain(i - 1), right = kSlope * width * s.strain(i + 1);
+    const Vec3 pulled = right * s.along(i + 1) - left * s.along(i - 1);
+    const double left_over = 1e-5 * s.a.state.fit.load;
+    EXPECT_GT(left, 0.05);
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(force[k], pulled[k], left_over) << k;
+    EXPECT_LT(std::abs(dot(force, e)), left_over);
+    EXPECT_GE(s.distance(), (1 - kContactDeepest) * layer * (1 - 1e-6)) << "shift " << shift;
+    EXPECT_LE(s.distance(), layer);
+    if (shift == 0)
+      std::printf("rests at %.4f layers, T = %.3f and %.3f N\n", s.distance() / layer, left, right);
+  }
+}
+
+// A strip that is pulled over the ridge by one link, with friction: with the angles a, c of the links beside
+// it from the straddling one, which the body pushes by P across and mu P along,
+//
+//   T2 cos c - T1 cos a = mu P,  P = T1 sin a + T2 sin c:   T2/T1 = (cos a + mu sin a)/(cos c - mu sin c),
+//
+// which is (1 + mu tan(D/2))/(1 - mu tan(D/2)) for a = c = D/2. The strip sings as it slides: means over the
+// last half.
+TEST(Ridge, TensionGrowsOverItAsRoundACapstan) {
+  const SceneFolder folder;
+  for (const double mu : {0.0, 0.3}) {
+    Strip s = strip_over_roof(folder, 9, 0.01, -0.003, mu, false);
+    strip_pull(s, 0.5, 0.5, 1.005, 0.2);
+    advance(s.a, 0.2);
+    const int i = s.over(), advances = 900, measured = 300;
+    const Vec3 start[2] = {s.a.state.pin_frame[0].position, s.a.state.pin_frame[1].position};
+    const Vec3 way[2] = {s.along(0), s.along(8)};
+    double strain[2] = {0, 0}, angle[2] = {0, 0};
+    for (int k = 1; k <= advances; ++k) {
+      for (std::size_t p = 0; p < 2; ++p)
+        s.a.motion.inputs.pin[p].position = start[p] + 0.003 * k / advances * way[p];
+      advance(s.a, 1e-3);
+      ASSERT_EQ(s.over(), i);
+      if (k <= advances - measured) continue;
+      strain[0] += s.strain(i - 1), strain[1] += s.strain(i + 1);
+      angle[0] += std::acos(dot(s.along(i - 1), s.along(i))) / measured;
+      angle[1] += std::acos(dot(s.along(i), s.along(i + 1))) / measured;
+    }
+    const double wanted =
+        (std::cos(angle[0]) + mu * std::sin(angle[0])) / (std::cos(angle[1]) - mu * std::sin(angle[1]));
+    EXPECT_NEAR(strain[1] / strain[0], wanted, 1e-3) << "mu " << mu;
+    std::printf("mu = %.1f: T2/T1 = %.5f, wanted %.5f, D = %.4f\n", mu, strain[1] / strain[0], wanted,
+                angle[0] + angle[1]);
+  }
+}
+
+Scene over_roof(double side, double cell, double height, double angle, const SceneFolder& folder) {
+  Scene scene = reference::rectangle(linen(), side, side, cell);
+  scene.pieces[0].place.origin = {-side / 2 + 0.31 * cell, -side / 2 + 0.17 * cell, height};
+  body_add(scene, folder, "roof", roof(angle));
+  return scene;
+}
+
+// A cloth falls on a roof that turns and rocks: over every advance, what the cloth's momentum gains is the
+// weight's impulse less what the roof is told.
+TEST(Ridge, MomentumIsBalancedOverEveryAdvance) {
+  const SceneFolder folder;
+  Scene scene = over_roof(0.1, 0.01, 0.002, 0.6, folder);
+  scene.pieces[0].velocity = {0.1, 0, -1};
+  scene.bodies[0].moves = true;
+  Assembled a = assemble(scene);
+  double worst = 0, most = 0, mass = 0;
+  for (std::size_t n : a.system.particle) mass += a.system.mass[n];
+  Array v[3];
+  for (Array& of : v) of.assign(a.system.nodes, 0.0);
+  std::vector<PinLoad> pins;
+  const auto now = [&] {
+    leapfrog_synchronous(a.system, a.motion, a.state, v[0].data(), v[1].data(), v[2].data(), pins);
+    return momentum(a, v);
+  };
+  Vec3 before = now();
+  std::size_t on_ridges = 0;
+  for (int k = 1; k <= 60; ++k) {
+    Frame& to = a.motion.inputs.body[0];
+    to.position = {0, 0, 0.02 * std::sin(0.05 * k)};
+    to.velocity = {0, 0, 0.02 * 50 * std::cos(0.05 * k)};
+    to.spin = {0, 3, 0};
+    to.turn = rotation_exp({0, 3 * 1e-3 * k, 0});
+    std::string event;  // every other advance begins anew from the synchronous velocities, as with a tuning
+    const auto anew = [&](double) {
+      if (k % 2 == 0) leapfrog_complete(a.system, a.motion, a.state);
+      return k % 2 == 0;
+    };
+    ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 1e-3, event, anew), Advance::kDone);
+    on_ridges += a.motion.touch.ridge.size();
+    const Vec3 after = now(), gained = after - before;
+    const Vec3 told = a.state.body[0].impulse.force + a.motion.touch.load[0].force;
+    worst = std::max(worst, norm(gained - (Vec3{0, 0, -9.81e-3 * mass} - told)));
+    most = std::max(most, norm(told));
+    before = after;
+  }
+  std::printf("momentum: off by %.3g of %.3g, touches on ridges %zu\n", worst, most, on_ridges);
+  EXPECT_GT(on_ridges, 100u);
+  EXPECT_GT(most, 1e-4 * mass);
+  EXPECT_LT(worst, 1e-9 * most);
+}
+
+// Where a line through x = y = 0 along z meets the cloth, if it does: the height there of its bilinear cells.
+bool height_over_tip(const Assembled& a, double& height) {
+  const Lattice& l = a.system.lattices[0];
+  bool met = false;
+  for (int j = 0; j + 1 < l.rows; ++j)
+    for (int i = 0; i + 1 < l.columns; ++i) {
+      const std::size_t c[4] = {l.node(i, j), l.node(i + 1, j), l.node(i, j + 1), l.node(i + 1, j + 1)};
+      double u = 0.5, v = 0.5;
+      const auto at = [&](const Array& r) {
+        return (1 - u) * (1 - v) * r[c[0]] + u * (1 - v) * r[c[1]] + (1 - u) * v * r[c[2]] + u * v * r[c[3]];
+      };
+      for (int k = 0; k < 20; ++k) {
+        const auto du = [&](const Array& r) {
+          return (1 - v) * (r[c[1]] - r[c[0]]) + v * (r[c[3]] - r[c[2]]);
+        };
+        const auto dv = [&](const Array& r) {
+          return (1 - u) * (r[c[2]] - r[c[0]]) + u * (r[c[3]] - r[c[1]]);
+        };
+        const double x = at(a.state.x), y = at(a.state.y), xu = du(a.state.x), xv = dv(a.state.x),
+                     yu = du(a.state.y), yv = dv(a.state.y), det = xu * yv - xv * yu;
+        u -= (yv * x - xv * y) / det;
+        v -= (xu * y - yu * x) / det;
+      }
+      if (!(u >= 0 && u <= 1 && v >= 0 && v <= 1 && std::hypot(at(a.state.x), at(a.state.y)) < 1e-9))
+        continue;
+      height = met ? std::min(height, at(a.state.z)) : at(a.state.z);
+      met = true;
+    }
+  return met;
+}
+
+// A cloth thrown at 50 m/s onto a pyramid whose tip is between its nodes, and onto a roof between its nodes,
+// at the automatic step.
+TEST(Ridge, NoTipOrEdgeGetsThroughAtFiftyMetresPerSecond) {
+  const SceneFolder folder;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> angles(0.4, 1.25), shift(-0.005, 0.005);
+  double nearest = INFINITY;
+  for (int run = 0; run < 16; ++run)
+    for (const bool tip : {true, false}) {
+      const double mu = run % 2 ? 0.5 : 0, angle = run < 2 ? 1 : angles(random);
+      Scene scene = over_roof(0.05, 0.01, 0.02, angle, folder);
+      if (tip) scene.bodies.clear(), body_add(scene, folder, "pyramid", pyramid(angle));
+      scene.fabrics[0].friction = {mu, mu};
+      scene.pieces[0].place.origin[0] += shift(random);
+      scene.pieces[0].place.origin[1] += shift(random);
+      scene.pieces[0].velocity = {0, 0, -50};
+      Assembled a = assemble(scene);
+      double least = INFINITY;
+      for (int k = 0; k < 100; ++k) {
+        advance(a, 1e-4);
+        if (tip) {
+          double height = 0;
+          if (height_over_tip(a, height)) least = std::min(least, height);
+          continue;
+        }
+        const Lattice& l = a.system.lattices[0];
+        for (int j = 0; j < l.rows; ++j)
+          for (int i = 0; i + 1 < l.columns; ++i) {
+            const std::size_t n = l.node(i, j);
+            const double x = a.state.x[n], to = a.state.x[n + 1];
+            if (!(x < 0 && to > 0)) continue;
+            const double t = x / (x - to);
+            least = std::min(least, (1 - t) * a.state.z[n] + t * a.state.z[n + 1]);
+          }
+      }
+      EXPECT_GT(least, 0) << (tip ? "tip" : "ridge") << ", mu " << mu << ", angle " << angle;
+      EXPECT_LT(least, 0.01);
+      nearest = std::min(nearest, least);
+    }
+  std::printf("nearest %.3g m\n", nearest);
+}
+
+// At rest over a roof and over a pyramid by its weight: the residual of the fit, and the weight on the body.
+TEST(Ridge, AClothRestsOnRoofAndTip) {
+  const SceneFolder folder;
+  for (const bool tip : {false, true}) {
+    Scene scene = over_roof(0.1, 0.01, 0.0009, 0.55, folder);
+    if (tip) scene.bodies.clear(), body_add(scene, folder, "pyramid", pyramid(0.72));
+    scene.fabrics[0].friction = {0.8, 0.8};
+    scene.mode = Mode::kFit;
+    Assembled a = assemble(scene);
+    for (double t = 0; t < 20 && !a.state.fit.at_rest; t += 0.1) advance(a, 0.1);
+    EXPECT_TRUE(a.state.fit.at_rest) << "residual " << a.state.fit.residual;
+    expect_weight(a);
+    EXPECT_FALSE(a.motion.touch.ridge.empty());
+  }
+}
+
+// One result for every kernel and grouping of advances.
+TEST(Ridge, BitsAreThoseOfEveryKernelAndGrouping) {
+  const SceneFolder folder;
+  const Scene scene = over_roof(0.1, 0.01, 0.0009, 0.6, folder);
+  const auto run = [&](const char* kernel, int advances) {
+    Assembled a = assemble(scene);
+    if (kernel) a.motion.kernel = kernel_named(kernel);
+    if (!a.motion.kernel) return Eigen::VectorXd();
+    for (int k = 0; k < advances; ++k) advance(a, 0.06 / advances);
+    EXPECT_TRUE(ridge_any(a.state));
+    return positions(a);
+  };
+  const Eigen::VectorXd whole = run("scalar", 1);
+  for (const char* kernel : {"scalar", "avx2", "avx512"}) {
+    const Eigen::VectorXd other = run(kernel, 6);
+    if (other.size() == 0) continue;  // not on this processor
+    EXPECT_EQ((other - whole).cwiseAbs().maxCoeff(), 0.0) << kernel;
+  }
+}
+
+TEST(Ridge, StateGoesOnAsItWas) {
+  const SceneFolder folder;
+  Assembled a = assemble(over_roof(0.1, 0.01, 0.0009, 0.6, folder));
+  advance(a, 0.03);
+  ASSERT_TRUE(ridge_any(a.state));
+  expect_goes_on(a, 0.03);
+}
+
+// The balance closes with order 2 of the step while a cloth comes to lie over a roof.
+TEST(Ridge, EnergyIsBalanced) {
+  const SceneFolder folder;
+  std::vector<double> errors;
+  for (const double step : {2e-5, 1e-5}) {
+    Scene scene = over_roof(0.05, 0.01, 0.0006, 0.4, folder);
+    scene.energy = true;
+    scene.step = step;
+    scene.pieces[0].velocity = {0, 0, -0.1};
+    Assembled a = assemble(scene);
+    const drape_energy e = energies_after(a, 0.02);
+    EXPECT_GT(e.dissipated, 0);
+    EXPECT_GT(e.contact, 0);
+    errors.push_back(std::abs(e.balance_error) / (e.kinetic + e.dissipated));
+    std::printf("energy: balance off by %.3g of %.3g J\n", e.balance_error, e.kinetic + e.dissipated);
+  }
+  EXPECT_LT(errors[0], 1e-4);
+  EXPECT_NEAR(std::log2(errors[0] / errors[1]), 2, 0.7);
+}
+
+// A sheet folded along y at x = z = 0, which falls to both sides by 45 degrees.
+Mesh fold() {
+  Mesh m = roof(kPi / 4);
+  m.corner.resize(4);
+  return m;
+}
+
+// A strip of `links` links along x, one cell wide, at a height over the fold; nothing weighs.
+Scene over_fold(const SceneFolder& folder, int links, double left, double height) {
+  FabricSpec fabric = linen();
+  fabric.bending_warp = fabric.bending_weft = 0;
+  Scene scene = reference::rectangle(fabric, links * 0.01, 0.01, 0.01);
+  scene.gravity = {0, 0, 0};
+  scene.damping = 200;
+  scene.communication = 1e-5;  // of one step
+  scene.pieces[0].place.origin = {left, -0.0043, height};
+  body_add(scene, folder, "fold", fold());
+  return scene;
+}
+
+// How high the links across it are over the fold.
+double over_fold_height(const Assembled& a) {
+  const Lattice& l = a.system.lattices[0];
+  const std::size_t n = l.node(0, 0), m = l.node(1, 0);
+  const double t = a.state.x[n] / (a.state.x[n] - a.state.x[m]);
+  return (1 - t) * a.state.z[n] + t * a.state.z[m];
+}
+
+// A link lies 1.3 layers over a fold, 0.3 of its length beyond one end. That end jumps down by 5 layers in a
+// single step, as a pin takes it there, or as it is welded to what a pin holds there: the link by 1.5, past
+// the fold. It is stopped in that step, or was seen out of the fold before it and comes out again: of a
+// sheet, only such links do.
+TEST(Ridge, AJumpTakesNoLinkThroughUnseen) {
+  const SceneFolder folder;
+  const double layer = 0.0005;
+  for (const bool weld : {false, true}) {
+    Scene scene = over_fold(folder, weld ? 1 : 2, weld ? -0.003 : -0.007, 1.3 * layer);
+    if (weld) {
+      scene.pieces.push_back(scene.pieces[0]);
+      scene.pieces[1].name = "right";
+      scene.pieces[1].place.origin = {0.007, -0.0043, -3.7 * layer};
+      scene.seams = {seam_join()};
+      scene.seams[0].gap_tolerance = 6 * layer;
+      scene.pins = {{"held", 1, {}, {3}}};
+    } else {
+      scene.pins = {reference::pin_edges("left", {3}), reference::pin_edges("right", {1})};
+      scene.pins[0].drive = Drive::kPosition;
+    }
+    Assembled a = assemble(scene);
+    if (!weld) {
+      sewn_advance(a, 1e-3);
+      a.motion.inputs.pin[0].position[2] -= 5 * layer;
+    }
+    const std::int64_t steps = a.state.steps;
+    sewn_advance(a, 1e-5);
+    EXPECT_EQ(a.state.steps, steps + 1);
+    EXPECT_LT(over_fold_height(a), weld ? 0 : 0.1 * layer);
+    sewn_advance(a, 0.05);
+    EXPECT_GT(over_fold_height(a), 0.1 * layer) << (weld ? "weld" : "pin");
+  }
+}
+
+// What the penalties of pairs add to omega^2: with k the stiffness of a pair, the rows of M^-1/2 W k W^T
+// M^-1/2 sum up to at most (|W_k|/S) W^2/2, S = sum |W_j|. A link over a knife whose foot slides from half a
+// link before its beginning to half a link beyond its end: weights from -1/2 to 3/2.
+TEST(Ridge, PenaltyStaysWithinTheBoundOfTheStep) {
+  const SceneFolder folder;
+  Scene scene = reference::rectangle(linen(0.01), 0.01, 0.01, 0.01);
+  scene.pieces[0].place.origin = {0.1, 0, 0.1};
+  body_add(scene, folder, "knife", roof(1.3));
+  Assembled a = assemble(scene);
+  const Lattice& l = a.system.lattices[0];
+  const double sum = l.touch.omega2 / 2;
+  double least = INFINITY, most = -INFINITY, largest = 0;
+  std::vector<RidgeTouch> touches;
+  for (int at = 0; at < 450; ++at) {
+    const double foot = -0.62 + 0.005 * at, tilt = foot < 0.5 ? -1.15 : 1.15;
+    for (int j = 0; j < 2; ++j)
+      for (int i = 0; i < 2; ++i) {  // a plane tilted about y, 0.6 layers over the ridge
+        const double along = (i - foot) * 0.01, up = 0.6 * l.touch.layer;
+        const std::size_t n = l.node(i, j);
+        a.state.x[n] = along * std::cos(tilt) + up * std::sin(tilt);
+        a.state.z[n] = -along * std::sin(tilt) + up * std::cos(tilt);
+        a.state.y[n] = 0.01 * j;
+      }
+    touch_begin(a.system, *a.motion.kernel, a.motion.touch, a.state);
+    ridge_keep(a.system, a.state, touches);
+    for (const RidgeTouch& t : touches) {
+      ASSERT_EQ(t.part->weights(), 2);
+      const double *w = t.gap.weight, spread = std::abs(w[0]) + std::abs(w[1]);
+      const double m[2] = {a.system.mass[t.part->node[0]], a.system.mass[t.part->node[1]]};
+      EXPECT_NEAR(w[0] + w[1], 1, 1e-12);
+      least = std::min(least, w[1]), most = std::max(most, w[1]);
+      for (int k = 0; k < 2; ++k) {
+        double row = 0;
+        for (int j = 0; j < 2; ++j) row += t.stiffness * std::abs(w[k] * w[j]) / std::sqrt(m[k] * m[j]);
+        EXPECT_LE(row, std::abs(w[k]) / spread * sum * (1 + 1e-12)) << "foot " << foot;
+        largest = std::max(largest, row / sum);
+      }
+    }
+  }
+  std::printf("feet from %.2f to %.2f, rows up to %.3f of W^2/2\n", least, most, largest);
+  EXPECT_LT(least, -0.4);
+  EXPECT_GT(most, 1.4);
+  EXPECT_GT(largest, 0.99);
+}
+
+// A body without sharp edges has no ridges, and the cloth nothing for them.
+TEST(Ridge, ASmoothBodyPaysNothing) {
+  const SceneFolder folder;
+  Scene scene = reference::rectangle(linen(), 0.1, 0.1, 0.01);
+  scene.pieces[0].place.origin = {-0.05, -0.05, 0.0507};
+  body_add(scene, folder, "ball", ball(0.05, 100));
+  Assembled a = assemble(scene);
+  advance(a, 0.01);
+  EXPECT_TRUE(a.system.bodies[0].ridges.ridge.empty());
+  EXPECT_TRUE(a.system.ridge_cloth.part.empty());
+  EXPECT_TRUE(a.state.body[0].ridge.near.empty());
+  EXPECT_TRUE(touch_any(a.state));
+}
+
+// Links that start through a ridge, or in its layer deeper than they may be, are one fault.
+TEST(Ridge, AStartThroughItIsOneFault) {
+  const SceneFolder folder;
+  for (const double height : {-0.0005, 0.00003, 0.0002}) {
+    Scene scene = over_roof(0.05, 0.01, height, 0.5, folder);
+    Assembled a = assemble(scene);
+    std::vector<Problem> problems;
+    touch_start_check(a.system, a.scene, a.motion.touch, a.state, problems);
+    if (height > 0.0001) {
+      EXPECT_TRUE(problems.empty());
+      continue;
+    }
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_NE(problem_text(problems[0]).find("puts 6 links or cells through sharp edges"), std::string::npos)
+        << problem_text(problems[0]);
+  }
+}
+
+}  // namespace
+}  // namespace drape

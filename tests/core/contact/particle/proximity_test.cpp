@@ -1,0 +1,83 @@
+// Which particles a body is asked about after a step. core/README.md, section 7.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "contact/particle/contact_pass.h"
+#include "dynamics/kernel/kernel.h"
+#include "model/composition.h"
+
+namespace drape {
+namespace {
+
+// Particles that go about with velocities that are new in every stage. Due are the blocks with a particle
+// that is past its budget or would be after a step more, |r + h v - from| >= budget, and no others, whichever
+// groups sleep; also where the stages of a step go partly back in time.
+TEST(Watch, FindsWhatEveryComparisonWould) {
+  constexpr std::size_t kNodes = 5 * kWatchGroup + kRowUnit, kBlocks = kNodes / kRowUnit;
+  constexpr double kForward[] = {1}, kStep = 1e-3;
+  const auto drifts = [&](int order) {
+    const Composition* of = composition_of(order);
+    return of ? std::vector<double>(of->drift, of->drift + of->stages)
+              : std::vector<double>(kForward, kForward + 1);
+  };
+  for (const char* name : {"scalar", "portable", "avx2", "avx512"})
+    for (int order : {2, 4, 6}) {
+      const Kernel* kernel = kernel_named(name);
+      if (!kernel) continue;  // not on this processor
+      std::mt19937 random(7);
+      std::uniform_real_distribution<double> speed(-1, 1), budget(0.002, 0.05);
+      Array r[3], v[3];
+      for (Array& of : r) of.assign(kNodes, 0.0);
+      for (Array& of : v) of.assign(kNodes, 0.0);
+      BodyContact body;
+      body.turn = {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+      body.x = body.y = body.z = Array(kNodes, 0.0);
+      body.budget2.assign(kNodes, 0.0);
+      body.ease.assign(kBlocks, 0.0);
+      std::vector<std::size_t> due(kBlocks);
+      std::size_t asleep = 0, awake = 0;
+      for (int step = 0; step < 400; ++step)
+        for (const double share : drifts(order)) {
+          const double fast = step % 40 < 8 ? 5 : 0.1;
+          for (std::size_t k = 0; k < 3; ++k)
+            for (std::size_t n = 0; n < kNodes; ++n) {
+              v[k][n] = fast * speed(random);
+              r[k][n] += share * kStep * v[k][n];
+            }
+          const ContactWatch watch{&body,
+                                   {r[0].data(), r[1].data(), r[2].data()},
+                                   {v[0].data(), v[1].data(), v[2].data()},
+                                   share * kStep,
+                                   kStep,
+                                   0,
+                                   kNodes};
+          const std::size_t count = kernel->contact.watch[0](watch, due.data());
+          std::vector<std::size_t> wanted;
+          for (std::size_t b = 0; b < kNodes; b += kRowUnit) {
+            bool is = false;
+            for (std::size_t n = b; n < b + kRowUnit; ++n) {
+              const double x = r[0][n] + kStep * v[0][n] - body.x[n],
+                           y = r[1][n] + kStep * v[1][n] - body.y[n],
+                           z = r[2][n] + kStep * v[2][n] - body.z[n];
+              is = is || x * x + y * y + z * z >= body.budget2[n];
+            }
+            if (is) wanted.push_back(b);
+          }
+          ASSERT_EQ(std::vector<std::size_t>(due.begin(), due.begin() + std::ptrdiff_t(count)), wanted)
+              << name << ", order " << order << ", step " << step;
+          (wanted.empty() ? asleep : awake) += 1;
+          for (std::size_t b : wanted)
+            for (std::size_t n = b; n < b + kRowUnit; ++n) {
+              body.x[n] = r[0][n], body.y[n] = r[1][n], body.z[n] = r[2][n];
+              body.budget2[n] = budget(random) * budget(random) * 10;
+            }
+        }
+      EXPECT_GT(asleep, 40u);
+      EXPECT_GT(awake, 40u);
+    }
+}
+
+}  // namespace
+}  // namespace drape

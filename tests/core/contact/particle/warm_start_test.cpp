@@ -1,0 +1,157 @@
+// What touches a body and is not alone: tied to others by a weld, or in a groove. core/README.md, section 7.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "seam_fixture.h"
+#include "body_fixture.h"
+#include "math/vector3.h"
+#include "outputs/outputs.h"
+
+namespace drape {
+namespace {
+
+// Two squares of linen side by side, sewn together; the cells of the left one are `ratio` of the right ones.
+Scene sewn_pair(double side, double ratio, double mu_left, double mu_right) {
+  Scene scene = reference::rectangle(linen(), side, side, side / 5);
+  scene.fabrics.push_back(scene.fabrics[0]);
+  scene.fabrics[0].friction = {mu_left, mu_left};
+  scene.fabrics[1].friction = {mu_right, mu_right};
+  scene.pieces.push_back(scene.pieces[0]);
+  scene.pieces[1].name = "right";
+  scene.pieces[1].fabric = 1;
+  scene.pieces[1].cell = side / (5 * ratio);
+  scene.seams = {seam_join()};
+  return scene;
+}
+
+// On a table whose gravity leans by the angle to +x.
+Assembled pair_on_incline(const SceneFolder& folder, double angle, double ratio) {
+  Scene scene = sewn_pair(0.05, ratio, 0.2, 0.6);
+  scene.gravity = {9.81 * std::sin(angle), 0, -9.81 * std::cos(angle)};
+  scene.damping = 0;
+  scene.pieces[0].place.origin = {-0.5, 0, 0.00049};
+  scene.pieces[1].place.origin = {-0.45, 0, 0.00049};
+  body_add(scene, folder, "table", box(2, 2, 0.1)).position = {0, 0, -0.05};
+  return assemble(scene);
+}
+
+double speed_along(const Assembled& a) {
+  double sum = 0, mass = 0;
+  for (std::size_t n : a.system.particle) sum += a.system.mass[n] * a.state.vx[n], mass += a.system.mass[n];
+  return sum / mass;
+}
+
+// The halves have equal weights, so that the cloth slides by the mean of their coefficients, 0.4. (Of cells
+// of two sizes, the smaller ones have the stiffer penalty and carry more of the seam.)
+TEST(Tied, SewnHalvesSlideByTheMeanOfTheirCoefficients) {
+  const SceneFolder folder;
+  const double angle = std::atan(0.5), t = 0.2;
+  Assembled a = pair_on_incline(folder, angle, 1);
+  for (std::size_t n : a.system.particle) a.state.vx[n] = 0.5;  // all of it slides
+  sewn_advance(a, 0.1);
+  const double before = speed_along(a);
+  sewn_advance(a, t);
+  const double gained = 9.81 * (std::sin(angle) - 0.4 * std::cos(angle)) * t;
+  EXPECT_NEAR(speed_along(a) - before, gained, 1e-3 * gained);
+}
+
+TEST(Tied, SewnHalvesStickBelowIt) {
+  const SceneFolder folder;
+  Assembled a = pair_on_incline(folder, std::atan(0.36), 1.6);
+  sewn_advance(a, 0.5);
+  const Eigen::VectorXd start = positions(a);
+  sewn_advance(a, 1);
+  EXPECT_LT((positions(a) - start).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+// Runs a fit to its rest; false if it is not there in `most` seconds of cloth.
+bool rests(Assembled& a, double most) {
+  for (double t = 0; t < most && !a.state.fit.at_rest; t += 0.1) sewn_advance(a, 0.1);
+  return a.state.fit.at_rest;
+}
+
+// One half lies on a table, the other hangs over its edge, and friction holds it by the seam, which lies on
+// the edge: of its nodes some touch and some do not.
+TEST(Tied, AHangingHalfRestsByItsSeam) {
+  const SceneFolder folder;
+  Scene scene = sewn_pair(0.1, 1.6, 0.7, 0.7);
+  scene.mode = Mode::kFit;
+  scene.pieces[0].place.origin = {-0.1, 0, 0.00049};
+  scene.pieces[1].place.origin = {0, 0, 0.00049};
+  body_add(scene, folder, "table", box(1, 1, 0.1)).position = {-0.5, 0, -0.05};
+  Assembled a = assemble(scene);
+  ASSERT_TRUE(rests(a, 10)) << "residual " << a.state.fit.residual;
+  expect_weight(a);
+}
+
+// A strip in a groove of 90 degrees: the nodes at the bottom touch both of its sides.
+TEST(Tied, AStripRestsInAGroove) {
+  const SceneFolder folder;
+  Scene scene = reference::rectangle(linen(), 0.1, 0.03, 0.01);
+  scene.fabrics[0].friction = {0.2, 0.2};
+  scene.fabrics[0].bending_warp = scene.fabrics[0].bending_weft = 1e-7;
+  scene.mode = Mode::kFit;
+  scene.pieces[0].place.origin = {-0.05, -0.015, 0.055};
+  const Mesh groove{{{-0.2, -1, 0.2}, {0, -1, 0}, {0.2, -1, 0.2}, {-0.2, 1, 0.2}, {0, 1, 0}, {0.2, 1, 0.2}},
+                    {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};
+  body_add(scene, folder, "groove", groove);
+  Assembled a = assemble(scene);
+  ASSERT_TRUE(rests(a, 10)) << "residual " << a.state.fit.residual;
+  const ContactBlocks& blocks = a.state.body[0].blocks;
+  int both = 0;  // nodes that lie on both sides
+  for (std::size_t k = 1; k < blocks.order.size(); ++k) {
+    if (blocks.order[k].node != blocks.order[k - 1].node) continue;
+    const ContactBlock &p = blocks.pool[blocks.order[k - 1].block], &q = blocks.pool[blocks.order[k].block];
+    for (std::size_t i = 0; i < std::size_t(kRowUnit); ++i) {
+      const std::size_t n = p.node + i;
+      const auto height = [&](const ContactBlock& b) {
+        return b.side[0][i] * a.state.x[n] + b.side[1][i] * a.state.y[n] + b.side[2][i] * a.state.z[n] -
+               b.offset[i];
+      };
+      both += p.offset[i] != -kFar && q.offset[i] != -kFar && height(p) < 0.0005 && height(q) < 0.0005;
+    }
+  }
+  EXPECT_GT(both, 0);
+  expect_weight(a);
+}
+
+// Welds that no contact touches in a step are not met again: that leaves them as they are, up to rounding,
+// against all of them met again. Two sewn squares fall onto a ball below the seam, or on a box with ridges.
+TEST(Tied, WeldsLeftAloneAreMetAlready) {
+  const SceneFolder folder;
+  const auto run = [&](bool ridges, bool all) {
+    Scene scene = sewn_pair(0.05, 1.6, 0.2, 0.6);
+    scene.energy = true;
+    scene.pieces[0].place.origin = {-0.05, 0, 0.001};
+    scene.pieces[1].place.origin = {0, 0, 0.001};
+    scene.pins = {{"held", 0, {}, {3}}};
+    if (ridges) body_add(scene, folder, "body", box(0.05, 0.025, 0.1)).position = {0.003, 0.01, -0.05};
+    else body_add(scene, folder, "body", ball(0.03, 40)).position = {0.002, 0.022, -0.03};
+    Assembled a = assemble(scene);
+    sewn_advance(a, 1e-3);
+    EXPECT_FALSE(a.motion.touch.hit.empty());
+    if (all) a.motion.touch.hit.clear();
+    energy_begin(a.system, a.state);
+    int met = 0;  // advances whose last step touched a weld
+    for (int k = 0; k < 60; ++k) {
+      sewn_advance(a, 1e-3);
+      met += std::count(a.motion.touch.hit.begin(), a.motion.touch.hit.end(), 1) > 0;
+    }
+    if (!all) {
+      EXPECT_GT(met, 5) << ridges;
+      EXPECT_LT(met, 60);
+    }
+    return a;
+  };
+  for (const bool ridges : {false, true}) {
+    const Assembled some = run(ridges, false), all = run(ridges, true);
+    EXPECT_LT((positions(some) - positions(all)).cwiseAbs().maxCoeff(), 1e-10) << ridges;
+    EXPECT_NEAR(some.state.input, all.state.input, 1e-10);
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(some.state.pin_impulse[0].force[k], all.state.pin_impulse[0].force[k], 1e-10);
+  }
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,328 @@
+// Cloth against cloth within the motion: cases with known answers, momentum, and what must never happen.
+#include <gtest/gtest.h>
+
+#include "math/vector3.h"
+#include "math/smooth_ramp.h"
+#include "contact/self/self_contact.h"
+#include "dynamics/seam_welding.h"
+#include "outputs/energy.h"
+#include "outputs/outputs.h"
+#include "contact/self/search.h"
+#include "contact/self/self_fixture.h"
+
+namespace drape {
+namespace {
+
+using namespace vector3;
+
+// A held sheet, and a smaller one above it at the height z, whose nodes lie over no nodes.
+Scene on_a_sheet(double z, double mu = 0.3) {
+  Scene scene = reference::rectangle(linen(), 0.2, 0.1, 0.01);
+  scene.self_contact = true;
+  scene.fabrics[0].friction = {mu, mu};
+  scene.pins = {hold_all(0.2, 0.1)};
+  sheet_add(scene, "upper", 0.05, 0.05, 0.01, {0.0237, 0.0221, z});
+  return scene;
+}
+
+// Nodes of a piece.
+std::vector<std::size_t> nodes_of(const System& system, int piece) {
+  const Lattice& l = system.lattices[std::size_t(piece)];
+  std::vector<std::size_t> nodes;
+  for (std::size_t n : system.particle)
+    if (l.owns(n)) nodes.push_back(n);
+  return nodes;
+}
+
+double mass_of(const System& system, int piece) {
+  double sum = 0;
+  for (std::size_t n : nodes_of(system, piece)) sum += system.mass[n];
+  return sum;
+}
+
+// At rest the middles are the thickness apart, less what carries the weight: a particle that bore its own
+// weight alone, k = W^2 m/8, would be pressed in by e, W^2 phi(e) = 8 g; those of the lower sheet help. The
+// pin carries both sheets.
+TEST(SelfContact, RestsAtTheThickness) {
+  Scene scene = on_a_sheet(1.2e-3);
+  scene.damping = 30;
+  Assembled a = assemble(scene);
+  advance(a, 1);
+  const ContactLaw& law = a.system.lattices[1].touch;
+  const double layer = scene.fabrics[0].thickness;
+  double deepest = 0;
+  while (law.omega2 * contact_penalty(kSelfBlend * layer, deepest) < 8 * 9.81) deepest += 1e-8;
+  double mean = 0;
+  for (std::size_t n : nodes_of(a.system, 1)) mean += a.state.z[n] / double(nodes_of(a.system, 1).size());
+  EXPECT_LT(mean, layer);
+  EXPECT_GT(mean, layer - deepest);
+  advance(a, 0.05);
+  Outputs outputs;
+  outputs_make(outputs, a.scene, a.system);
+  outputs_fill(outputs, a.system, a.motion, a.state, DRAPE_MOTION | DRAPE_STRAIN);
+  const double weight = 9.81 * (mass_of(a.system, 0) + mass_of(a.system, 1));
+  EXPECT_NEAR(outputs.pins[0].force[2], -weight, 1e-6 * weight);
+  EXPECT_GE(outputs.shown.contact_count, 36);
+  EXPECT_LT(outputs.shown.contact_penetration, 2 * deepest);
+}
+
+struct Momenta {
+  Vec3 linear{0, 0, 0}, angular{0, 0, 0};
+  double scale = 0, scale_angular = 0;
+};
+Momenta momenta(const Assembled& a) {
+  Momenta m;
+  for (std::size_t n : a.system.particle) {
+    const Vec3 p = a.system.mass[n] * Vec3{a.state.vx[n], a.state.vy[n], a.state.vz[n]},
+               r = at_node(a.state, n);
+    m.linear += p;
+    m.angular += cross(r, p);
+    m.scale += norm(p);
+    m.scale_angular += norm(r) * norm(p);
+  }
+  return m;
+}
+
+// Two free sheets collide askew, with friction: both momenta stay, step by step.
+TEST(SelfContact, KeepsMomentumAndAngularMomentum) {
+  Scene scene = reference::rectangle(linen(), 0.1, 0.1, 0.01);
+  scene.self_contact = true;
+  scene.gravity = {0, 0, 0};
+  scene.fabrics[0].friction = {0.5, 0.4};
+  PieceSpec& upper = sheet_add(scene, "upper", 0.08, 0.08, 0.008, {0.04, 0.031, 0.012});
+  upper.place.axis_x = {std::cos(0.1), 0, std::sin(0.1)};
+  upper.velocity = {-0.3, 0.2, -1};
+  Assembled a = assemble(scene);
+  std::size_t most = 0;
+  for (int k = 0; k < 60; ++k) {
+    const Momenta before = momenta(a);
+    advance(a, 1e-3);
+    const Momenta after = momenta(a);
+    EXPECT_LT(norm(after.linear - before.linear), 1e-12 * after.scale);
+    EXPECT_LT(norm(after.angular - before.angular), 1e-12 * after.scale_angular);
+    most = std::max(most, self_summary(a.system, a.state).count);
+  }
+  EXPECT_GT(most, 20u);
+  EXPECT_EQ(crossings(a), 0);
+}
+
+// A sheet on a held one, under a gravity that leans by the angle, after it has come to rest on it.
+Assembled leaning(double mu, double angle) {
+  Scene scene = on_a_sheet(1e-3, mu);
+  Assembled a = assemble(scene);
+  a.system.damping = 200;
+  advance(a, 0.2);
+  leapfrog_complete(a.system, a.motion, a.state);
+  a.system.damping = 0;
+  for (std::size_t n : a.system.particle) a.state.vx[n] = a.state.vy[n] = a.state.vz[n] = 0;
+  a.system.gravity = {9.81 * std::sin(angle), 0, -9.81 * std::cos(angle)};
+  return a;
+}
+
+double mean_x(const Assembled& a) {
+  double sum = 0, mass = 0;
+  for (std::size_t n : nodes_of(a.system, 1))
+    sum += a.system.mass[n] * a.state.x[n], mass += a.system.mass[n];
+  return sum / mass;
+}
+
+// F = mu N: it sticks iff tan a <= mu, and does not creep ...
+TEST(SelfContact, SticksUpToTheCoefficient) {
+  const double mu = 0.4;
+  Assembled below = leaning(mu, std::atan(0.999 * mu)), above = leaning(mu, std::atan(1.001 * mu));
+  const double x = mean_x(below);
+  advance(below, 0.2);
+  const double settled = mean_x(below);
+  advance(below, 0.8);
+  EXPECT_LT(std::abs(settled - x), 1e-5);  // while the gravity that leans of a sudden shakes it
+  EXPECT_LT(std::abs(mean_x(below) - settled), 1e-8);
+  advance(above, 0.2);
+  const double angle = std::atan(1.001 * mu), way = 9.81 * (std::sin(angle) - mu * std::cos(angle)) * 0.02;
+  EXPECT_GT(mean_x(above) - x, 0.5 * way);
+}
+
+// ... and slides by g (sin a - mu cos a) t^2/2.
+TEST(SelfContact, SlidesAgainstTheCoefficient) {
+  const double mu = 0.4, angle = 0.6, t = 0.2;
+  Assembled a = leaning(mu, angle);
+  const double x = mean_x(a), way = 9.81 * (std::sin(angle) - mu * std::cos(angle)) * t * t / 2;
+  advance(a, t);
+  EXPECT_NEAR(mean_x(a) - x, way, 1e-3 * way);
+}
+
+// Layers that start at a third of their thickness keep that distance: not a node moves.
+TEST(SelfContact, LayersThatStartTooNearStayAsTheyAre) {
+  Scene scene = on_a_sheet(0.33e-3);
+  scene.gravity = {0, 0, 0};
+  scene.pins.clear();
+  Assembled a = assemble(scene);
+  const Eigen::VectorXd start = positions(a);
+  advance(a, 0.05);
+  EXPECT_LT((positions(a) - start).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+// A loop that collapses under its weight onto a held sheet: its layers stay apart.
+Scene loop() {
+  Scene scene = reference::rectangle(linen(0.5e-3), 0.14, 0.06, 0.02);
+  scene.self_contact = true;
+  scene.damping = 5;
+  scene.fabrics[0].bending_warp = scene.fabrics[0].bending_weft = 5e-7;
+  scene.pins = {hold_all(0.14, 0.06)};
+  PlaceSpec& place = sheet_add(scene, "loop", 0.12, 0.03, 0.005, {0.009, 0.0131, 0.7e-3}).place;
+  place.axis_point = {0.069, 0.0131, 0.0217};
+  place.axis = {0, 1, 0};
+  place.radius = {0.021, 0.021};
+  return scene;
+}
+
+double least_distance(const Assembled& a) {
+  double least = INFINITY;
+  const SelfPairs pairs = self_search(a.system, a.system.self, a.state, 1e-3);
+  for (const SelfPoint& p : pairs.point) {
+    const auto at = [&](int k) { return at_node(a.state, p.node[k]); };
+    const Vec3 e = at(2) - at(1), f = at(3) - at(1), q = at(0) - at(1), n = cross(e, f);
+    const double inside = dot(cross(q, f), n), beside = dot(cross(e, q), n), all = dot(n, n);
+    if (inside >= 0 && beside >= 0 && inside + beside <= all)
+      least = std::min(least, std::abs(dot(q, n)) / std::sqrt(all));
+  }
+  return least;
+}
+
+TEST(SelfContact, AFoldStaysApart) {
+  Assembled a = assemble(loop());
+  double least = INFINITY;
+  std::size_t most = 0;
+  for (int k = 0; k < 40; ++k) {
+    advance(a, 0.01);
+    least = std::min(least, least_distance(a));
+    most = std::max(most, self_summary(a.system, a.state).count);
+    ASSERT_EQ(crossings(a), 0) << k;
+  }
+  EXPECT_GT(most, 10u);
+  EXPECT_GT(least, 0.1 * 0.5e-3);
+}
+
+// One result for every kernel and grouping of advances.
+TEST(SelfContact, BitsAreThoseOfEveryKernelAndGrouping) {
+  const Scene scene = loop();
+  const auto run = [&](const char* kernel, int advances) {
+    Assembled a = assemble(scene);
+    a.motion.kernel = kernel_named(kernel);
+    if (!a.motion.kernel) return Eigen::VectorXd();
+    for (int k = 0; k < advances; ++k) advance(a, 0.12 / advances);
+    if (advances == 1) {
+      EXPECT_GT(self_summary(a.system, a.state).count, 0u);
+    }
+    return positions(a);
+  };
+  const Eigen::VectorXd whole = run("scalar", 1);
+  for (const char* kernel : {"avx2", "avx512"}) {
+    const Eigen::VectorXd other = run(kernel, 6);
+    if (other.size() == 0) continue;  // not on this processor
+    EXPECT_EQ((other - whole).cwiseAbs().maxCoeff(), 0.0) << kernel;
+  }
+}
+
+// A state taken up again goes on as it would have.
+TEST(SelfContact, StateGoesOnAsItWas) {
+  Assembled a = assemble(loop());
+  advance(a, 0.1);
+  expect_goes_on(a, 0.03);
+}
+
+// What touches does not depend on when it was searched for.
+TEST(SelfContact, SearchChangesNothing) {
+  Assembled a = assemble(loop()), b = assemble(loop());
+  for (int k = 0; k < 120; ++k) {
+    advance(a, 1e-3);
+    b.state.self.margin = 0;  // searches anew
+    advance(b, 1e-3);
+  }
+  EXPECT_EQ((positions(a) - positions(b)).cwiseAbs().maxCoeff(), 0.0);
+}
+
+// Friction, damping and the penalty are booked: the balance closes.
+TEST(SelfContact, EnergyIsBalanced) {
+  Scene scene = on_a_sheet(1e-3);
+  scene.energy = true;
+  scene.pieces[1].velocity = {1, 0, 0};
+  Assembled a = assemble(scene);
+  const drape_energy e = energies_after(a, 0.1);
+  const double kinetic = 0.5 * 0.2 * 0.0025;  // of 1 m/s
+  EXPECT_GT(e.dissipated, 0.4 * kinetic);
+  EXPECT_LT(std::abs(e.balance_error), 2e-3 * kinetic);
+}
+
+// A fit comes to rest where the motion does.
+TEST(SelfContact, AFitRestsOnTheSheetBelow) {
+  Scene scene = on_a_sheet(1.2e-3);
+  scene.mode = Mode::kFit;
+  Assembled a = assemble(scene);
+  for (int k = 0; k < 2000 && !a.state.fit.at_rest; ++k) advance(a, 1e-3);
+  EXPECT_TRUE(a.state.fit.at_rest) << a.state.fit.residual;
+  const double layer = scene.fabrics[0].thickness;
+  for (std::size_t n : nodes_of(a.system, 1)) {
+    EXPECT_LT(a.state.z[n], layer);
+    EXPECT_GT(a.state.z[n], 0.9 * layer);
+  }
+}
+
+// Off, nothing of it is there.
+TEST(SelfContact, OffCostsNothing) {
+  Scene scene = on_a_sheet(1e-3);
+  scene.self_contact = false;
+  Assembled a = assemble(scene);
+  advance(a, 0.01);
+  EXPECT_TRUE(a.system.self.cell.empty() && a.system.self.lattice_of.empty());
+  EXPECT_FALSE(a.state.self.pairs);
+  EXPECT_TRUE(a.motion.self.touches.index.empty());
+}
+
+// A tube is sewn from a sheet rolled up: its edges come together though they are cloth, and the seam closes.
+TEST(SelfContact, SeamsCloseThroughIt) {
+  Scene scene = loop();
+  scene.gravity = {0, 0, 0};
+  SeamSpec seam;
+  seam.name = "side";
+  seam.side[0] = {1, {3}, false};
+  seam.side[1] = {1, {1}, true};
+  scene.seams = {seam};
+  Assembled a = assemble(scene);
+  for (int k = 0; k < 300; ++k) {
+    if (seams_pull_begin(a.system, a.state)) leapfrog_retuned(a.system, a.motion, a.state);
+    if (const auto due = seams_due(a.system, a.state); !due.empty()) {
+      seams_weld(a.system, a.motion, a.state, due);
+      leapfrog_retuned(a.system, a.motion, a.state);
+    }
+    advance(a, 1e-3);
+  }
+  for (Sewn s : a.state.sewn) EXPECT_EQ(s, Sewn::kWelded);
+}
+
+// A hanging sheet dropped on a held one crumples there: no edge of it goes through cloth.
+TEST(SelfContact, ACrumpledDropDoesNotTunnel) {
+  Scene scene = reference::rectangle(linen(0.8e-3), 0.3, 0.3, 0.02);
+  scene.self_contact = true;
+  scene.damping = 2;
+  scene.fabrics[0].bending_warp = scene.fabrics[0].bending_weft = 2e-7;
+  scene.pins = {hold_all(0.3, 0.3)};
+  PieceSpec& upper = sheet_add(scene, "upper", 0.12, 0.12, 0.01, {0.09, 0.14, 0.002});
+  upper.place.axis_x = {std::cos(0.3), std::sin(0.3), 0};
+  upper.place.axis_y = {-0.1 * std::sin(0.3), 0.1 * std::cos(0.3), std::sqrt(0.99)};
+  upper.velocity = {0, 0, -2};
+  scene.imperfection_amplitude = 1e-3;
+  scene.imperfection_seed = 5;
+  Assembled a = assemble(scene);
+  int worst = 0;
+  std::size_t most = 0;
+  for (int k = 0; k < 100; ++k) {
+    advance(a, 5e-3);
+    worst = std::max(worst, crossings(a));
+    most = std::max(most, self_summary(a.system, a.state).count);
+  }
+  EXPECT_EQ(worst, 0);
+  EXPECT_GT(most, 100u);
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,61 @@
+// What `drape check` tells and draws.
+#include <pugixml.hpp>
+
+#include "command/command_fixture.h"
+
+namespace drape {
+namespace {
+
+TEST_F(Command, check_tells_size_area_and_mass) {
+  Done done = drape("check scene.toml");
+  EXPECT_EQ(done.code, 0);
+  EXPECT_NE(done.text.find("piece sheet: 54 particles, 40 cells of 10 mm, 0.004 m2, 0.0008 kg\nstep limit"),
+            std::string::npos)
+      << done.text;
+
+  // 3.5 x 2.1 cells: the upper row is taken over, the last column cut; the other has a slit of two cells.
+  std::ofstream(folder / "scene.toml", std::ios::app) << R"(
+[[piece]]
+name = "flap"
+fabric = "wool"
+cell = 0.02
+outline = [[0, 0], [0.07, 0], [0.07, 0.042], [0, 0.042]]
+[[piece]]
+name = "slit"
+fabric = "wool"
+cell = 0.01
+outline = [[0, 0], [0.03, 0], [0.03, 0.03], [0.0151, 0.03], [0.015, 0.008], [0.0149, 0.03], [0, 0.03]]
+)";
+  done = drape("check scene.toml");
+  EXPECT_EQ(done.code, 0);
+  for (const char* line :
+       {"piece flap: 15 particles, 8 cells of 20 mm (2 cut, 4 merged), 0.00294 m2, 0.000588 kg\n",
+        "piece slit: 20 particles (4 twins), 11 cells of 10 mm (5 cut), 0.0008978 m2, 0.00017956 kg\n",
+        "3 pieces: 89 particles, 0.0078378 m2, 0.00156756 kg\n"})
+    EXPECT_NE(done.text.find(line), std::string::npos) << line << done.text;
+}
+
+TEST_F(Command, check_draws_only_when_asked) {
+  ASSERT_EQ(drape("check scene.toml").code, 0);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
+  const Done done = drape("check scene.toml --picture cloth.svg");
+  ASSERT_EQ(done.code, 0) << done.text;
+  EXPECT_NE(done.text.find("cost: "), std::string::npos);
+  const std::string svg = text_of("cloth.svg");
+  pugi::xml_document document;
+  EXPECT_TRUE(document.load_buffer(svg.data(), svg.size()));
+  EXPECT_EQ(std::string(document.document_element().name()), "svg");
+
+  expect_refused("check scene.toml --picture none/cloth.svg",
+                 {"error: cannot write none/cloth.svg: No such file or directory"});
+  expect_refused("check scene.toml --picture ''", {"--picture is empty"});
+  const std::string scene = text_of("scene.toml");
+  expect_refused("check scene.toml --picture ./scene.toml", {"--picture is ./scene.toml", "read from"});
+  EXPECT_EQ(text_of("scene.toml"), scene);
+  fs::create_symlink("/dev/full", folder / "full.svg");
+  expect_refused("check scene.toml --picture full.svg",
+                 {"error: cannot write full.svg: No space left on device"});
+}
+
+}  // namespace
+}  // namespace drape

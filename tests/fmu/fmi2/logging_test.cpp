@@ -1,0 +1,54 @@
+// Log categories: refusals always pass, the rest as the master asks.
+#include <algorithm>
+
+#include "fmi2/slave.h"
+
+namespace drape {
+namespace {
+
+TEST(Logging, unknown_category_is_refused) {
+  Slave slave;
+  const fmi2String categories[] = {"logEvents", "logEverything"};
+  EXPECT_EQ(fmi2().SetDebugLogging(slave.component, fmi2True, 2, categories), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"logEverything", "allowed", "logStatusError", "logStability"});
+  EXPECT_EQ(fmi2().SetDebugLogging(slave.component, fmi2True, 1, nullptr), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"missing"});
+}
+
+TEST(Logging, refusals_pass_every_filter) {
+  Slave slave;
+  ASSERT_EQ(fmi2().SetDebugLogging(slave.component, fmi2False, 0, nullptr), fmi2OK);
+  EXPECT_EQ(slave.set("damping", -1), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"damping"});
+}
+
+// The end of initialization reports the step limit; so does stiffer warp, which shortens the step.
+TEST(Logging, categories_are_obeyed) {
+  const auto categories_heard = [](bool on, std::vector<fmi2String> categories) {
+    Slave slave;
+    EXPECT_EQ(fmi2().SetDebugLogging(slave.component, on, categories.size(), categories.data()), fmi2OK);
+    slave.initialize();
+    EXPECT_EQ(slave.step(0, 0.001), fmi2OK);
+    for (const char* point : {"1", "2", "3"}) {
+      const std::string force = std::string("fabric.wool.warp.force[") + point + "]";
+      EXPECT_EQ(slave.set(force, 16 * slave.get(force)), fmi2OK);
+    }
+    EXPECT_EQ(slave.step(0.001, 0.01), fmi2OK);
+    std::vector<std::string> heard;
+    for (const LogEntry& entry : slave.log) {
+      EXPECT_EQ(entry.status, entry.category == "logStatusWarning" ? fmi2Warning : fmi2OK) << entry.message;
+      heard.push_back(entry.category);
+    }
+    return heard;
+  };
+  const std::vector<std::string> all = categories_heard(true, {});
+  const std::vector<std::string> stability = categories_heard(true, {"logStability"});
+  EXPECT_EQ(stability.size(), 2u);
+  EXPECT_EQ(std::size_t(std::count(all.begin(), all.end(), "logStability")), stability.size());
+  EXPECT_EQ(std::size_t(std::count(stability.begin(), stability.end(), "logStability")), stability.size());
+  for (const std::string& category : categories_heard(true, {"logEvents"})) EXPECT_EQ(category, "logEvents");
+  for (const std::string& category : categories_heard(false, {})) EXPECT_EQ(category, "logStatusWarning");
+}
+
+}  // namespace
+}  // namespace drape

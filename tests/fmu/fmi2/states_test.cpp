@@ -1,0 +1,105 @@
+// Saved states, reset, several instances: the same bits again.
+#include "fmi2/slave.h"
+
+namespace drape {
+namespace {
+
+void advance(Slave& slave, double from, double to) {
+  ASSERT_EQ(slave.step(from, to - from), fmi2OK) << slave.last_message();
+}
+
+TEST(States, a_restored_state_continues_with_the_same_bits) {
+  Slave slave;
+  slave.initialize();
+  advance(slave, 0, 0.05);
+  ASSERT_EQ(slave.set("fabric.wool.bending.warp", 2e-6),
+            fmi2OK);  // not yet committed: it belongs to the state too
+  fmi2FMUstate state = nullptr;
+  ASSERT_EQ(fmi2().GetFMUstate(slave.component, &state), fmi2OK);
+  const std::vector<double> there = slave.outputs();
+  advance(slave, 0.05, 0.1);
+  const std::vector<double> first = slave.outputs();
+  EXPECT_NE(first, there);
+
+  ASSERT_EQ(slave.set("fabric.wool.bending.warp", 5e-5), fmi2OK);
+  ASSERT_EQ(slave.set("damping", 20), fmi2OK);
+  advance(slave, 0.1, 0.15);
+  ASSERT_EQ(fmi2().SetFMUstate(slave.component, state), fmi2OK) << slave.last_message();
+  EXPECT_EQ(slave.get("fabric.wool.bending.warp"), 2e-6);
+  EXPECT_EQ(slave.get("damping"), 0.5);
+  EXPECT_EQ(slave.outputs(), there);
+  advance(slave, 0.05, 0.1);
+  EXPECT_EQ(slave.outputs(), first);
+  EXPECT_EQ(fmi2().FreeFMUstate(slave.component, &state), fmi2OK);
+}
+
+TEST(States, a_state_can_be_overwritten_and_outlive_a_reset) {
+  Slave slave;
+  slave.initialize();
+  fmi2FMUstate state = nullptr;
+  ASSERT_EQ(fmi2().GetFMUstate(slave.component, &state), fmi2OK);
+  advance(slave, 0, 0.03);
+  fmi2FMUstate same = state;
+  ASSERT_EQ(fmi2().GetFMUstate(slave.component, &same), fmi2OK);
+  EXPECT_EQ(same, state);
+  const std::vector<double> there = slave.outputs();
+  ASSERT_EQ(fmi2().Reset(slave.component), fmi2OK);
+  ASSERT_EQ(fmi2().SetFMUstate(slave.component, state), fmi2OK) << slave.last_message();
+  EXPECT_EQ(slave.outputs(), there);
+  advance(slave, 0.03, 0.04);
+}
+
+TEST(States, states_of_others_are_refused) {
+  Slave slave, other;
+  slave.initialize();
+  other.initialize();
+  fmi2FMUstate state = nullptr;
+  ASSERT_EQ(fmi2().GetFMUstate(other.component, &state), fmi2OK);
+  EXPECT_EQ(fmi2().SetFMUstate(slave.component, state), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"none of this instance's"});
+  EXPECT_EQ(fmi2().SetFMUstate(slave.component, nullptr), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"none of this instance's"});
+  EXPECT_EQ(fmi2().GetFMUstate(slave.component, &state), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"none of this instance's"});
+  EXPECT_EQ(fmi2().FreeFMUstate(slave.component, &state), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"none of this instance's"});
+  EXPECT_EQ(fmi2().GetFMUstate(slave.component, nullptr), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"missing"});
+}
+
+TEST(States, reset_starts_again) {
+  Slave slave;
+  slave.initialize();
+  const std::vector<double> start = slave.outputs();
+  advance(slave, 0, 0.05);
+  const std::vector<double> first = slave.outputs();
+  ASSERT_EQ(slave.set("gravity[3]", -1.62), fmi2OK);
+  advance(slave, 0.05, 0.06);
+  ASSERT_EQ(fmi2().Terminate(slave.component), fmi2OK);
+  ASSERT_EQ(fmi2().Reset(slave.component), fmi2OK);
+  slave.initialize();
+  EXPECT_EQ(slave.get("gravity[3]"), -9.81);
+  EXPECT_EQ(slave.outputs(), start);
+  advance(slave, 0, 0.05);
+  EXPECT_EQ(slave.outputs(), first);
+}
+
+TEST(States, two_instances_at_once_do_not_meet) {
+  Slave alone;
+  alone.initialize();
+  for (int i = 0; i < 5; ++i) advance(alone, 0.01 * i, 0.01 * (i + 1));
+  Slave one, two;
+  one.initialize();
+  two.initialize();
+  ASSERT_EQ(two.set("gravity[3]", 5), fmi2OK);
+  for (int i = 0; i < 5; ++i) {
+    advance(one, 0.01 * i, 0.01 * (i + 1));
+    advance(two, 0.01 * i, 0.01 * (i + 1));
+  }
+  EXPECT_EQ(one.outputs(), alone.outputs());
+  EXPECT_GT(two.get("probe.hem.position[3]"), 1);
+  EXPECT_EQ(one.get("gravity[3]"), -9.81);
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,160 @@
+// fmi2SetupExperiment and fmi2DoStep: times that make no sense are refused, and the motion does not depend on
+// how a master groups the communication intervals (1 ms in the sample).
+#include <limits>
+
+#include "fmi2/slave.h"
+
+namespace drape {
+namespace {
+
+const double kNan = std::numeric_limits<double>::quiet_NaN(),
+             kInfinity = std::numeric_limits<double>::infinity();
+
+// From 1 s, for a tenth of a second.
+void initialize_with_stop(Slave& slave) {
+  ASSERT_EQ(fmi2().SetupExperiment(slave.component, fmi2True, 1e-6, 1, fmi2True, 1.1), fmi2OK)
+      << slave.last_message();
+  ASSERT_EQ(fmi2().EnterInitializationMode(slave.component), fmi2OK);
+  ASSERT_EQ(fmi2().ExitInitializationMode(slave.component), fmi2OK);
+}
+
+double last_time(Slave& slave) {
+  double time = kNan;
+  EXPECT_EQ(fmi2().GetRealStatus(slave.component, fmi2LastSuccessfulTime, &time), fmi2OK);
+  return time;
+}
+
+TEST(Step, refused_steps_change_nothing) {
+  struct Case {
+    double time, length;
+    std::vector<std::string> words;
+  };
+  const Case cases[] = {
+      {1, 0, {"communication step is 0 s", "allowed: above 0 s"}},
+      {1, -0.01, {"communication step is -0.01 s", "allowed: above 0 s"}},
+      {1, kNan, {"communication step is nan s", "allowed: above 0 s"}},
+      {1, kInfinity, {"communication step is inf s", "finite"}},
+      {1, 0.2, {"1.2 s", "allowed", "stop time, 1.1 s"}},
+      {1.001, 0.01, {"communication point is 1.001 s", "expected", "1 s"}},
+      {0, 0.01, {"communication point is 0 s", "expected", "1 s"}},
+      {kNan, 0.01, {"communication point is nan s", "expected", "1 s"}},
+  };
+  Slave slave, untouched;
+  initialize_with_stop(slave);
+  initialize_with_stop(untouched);
+  for (const Case& test : cases) {
+    SCOPED_TRACE(test.length);
+    EXPECT_EQ(slave.step(test.time, test.length), fmi2Discard);
+    expect_sentence(slave, fmi2Discard, test.words);
+    EXPECT_EQ(last_time(slave), 1);
+    EXPECT_EQ(slave.outputs(), untouched.outputs());
+  }
+  ASSERT_EQ(slave.step(1, 0.01), fmi2OK) << slave.last_message();
+  ASSERT_EQ(untouched.step(1, 0.01), fmi2OK);
+  EXPECT_EQ(slave.outputs(), untouched.outputs());
+}
+
+// 100 additions of 0.001 do not give 0.1 exactly; neither the clock nor the stop time may mind.
+TEST(Step, a_master_may_add_up_its_own_clock) {
+  Slave slave;
+  initialize_with_stop(slave);
+  double time = 1;
+  for (int i = 0; i < 100; ++i, time += 0.001)
+    ASSERT_EQ(slave.step(time, 0.001), fmi2OK) << slave.last_message();
+  EXPECT_NEAR(last_time(slave), 1.1, 1e-12);
+  EXPECT_EQ(slave.step(time, 0.001), fmi2Discard);
+}
+
+TEST(Step, setup_refuses_times_that_make_no_sense) {
+  Slave slave;
+  const auto setup = [&](double start, bool stop_defined, double stop) {
+    return fmi2().SetupExperiment(slave.component, fmi2False, 0, start, stop_defined, stop);
+  };
+  EXPECT_EQ(setup(kNan, false, 0), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"start time is nan s", "allowed"});
+  EXPECT_EQ(setup(1, true, 1), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"stop time is 1 s", "allowed: above the start time"});
+  EXPECT_EQ(setup(1, true, kNan), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"stop time is nan s", "allowed: above the start time"});
+  EXPECT_EQ(setup(-1, false, -5), fmi2OK) << slave.last_message();  // the stop time is not defined
+}
+
+TEST(Step, grouping_of_intervals_leaves_the_same_bits) {
+  std::vector<std::vector<double>> ends;
+  for (const int steps : {1, 10, 100}) {
+    Slave slave;
+    slave.initialize();
+    for (int i = 0; i < steps; ++i)
+      ASSERT_EQ(slave.step(0.1 * i / steps, 0.1 / steps), fmi2OK) << slave.last_message();
+    ends.push_back(slave.outputs());
+    const std::size_t force =
+        swatch().reference("pin.bar.force[1]") - swatch().reference("probe.hem.position[1]");
+    for (std::size_t k = force; k < force + 6; ++k)  // and torque
+      ends.back()[k] = 0;                            // by definition a mean over the last step
+  }
+  EXPECT_EQ(ends[0], ends[1]);
+  EXPECT_EQ(ends[0], ends[2]);
+}
+
+// Late on the clock a step is as sharp as at its start: a tenth of a step is no rounding.
+TEST(Step, a_late_clock_is_as_sharp_as_an_early_one) {
+  Slave slave;
+  ASSERT_EQ(fmi2().SetupExperiment(slave.component, fmi2False, 0, 1e6, fmi2True, 1e6 + 0.01), fmi2OK);
+  ASSERT_EQ(fmi2().EnterInitializationMode(slave.component), fmi2OK);
+  ASSERT_EQ(fmi2().ExitInitializationMode(slave.component), fmi2OK);
+  EXPECT_EQ(slave.step(1e6 + 1e-4, 0.001), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"communication point is 1000000.0001 s", "expected", "1e+06 s"});
+  EXPECT_EQ(slave.step(1e6, 0.0101), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"allowed: up to the stop time"});
+  double time = 1e6;
+  for (int i = 0; i < 10; ++i, time += 0.001)
+    ASSERT_EQ(slave.step(time, 0.001), fmi2OK) << slave.last_message();
+}
+
+// 1e9 intervals at most; the clock stays where it was.
+TEST(Step, refuses_more_intervals_than_can_be_counted) {
+  Slave slave;
+  slave.initialize();
+  EXPECT_EQ(slave.step(0, 1e20), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"1e+20 s", "allowed: at most 1e+06 s, 1e+09 communication intervals"});
+  EXPECT_EQ(last_time(slave), 0);
+  EXPECT_EQ(slave.step(0, 0.001), fmi2OK) << slave.last_message();
+}
+
+bool terminated(Slave& slave) {
+  fmi2Boolean value = fmi2True;
+  EXPECT_EQ(fmi2().GetBooleanStatus(slave.component, fmi2Terminated, &value), fmi2OK);
+  return value;
+}
+
+// A given step that the motion has made too large: the slave wants to end, for every retry would be
+// discarded. A value that is refused is put back, and the next try succeeds.
+TEST(Step, asks_for_the_end_only_where_every_retry_would_be_discarded) {
+  const Swatch fixed =
+      swatch_with("damping = 0.5\nenergy = true", "damping = 0.5\nenergy = true\nstep = 2e-5");
+  Slave slave(fixed);
+  slave.initialize();
+  EXPECT_FALSE(terminated(slave));
+  ASSERT_EQ(slave.set("fabric.wool.warp.force[2]", 1), fmi2OK);
+  EXPECT_EQ(slave.step(0, 0.001), fmi2Discard);
+  EXPECT_FALSE(terminated(slave));
+  ASSERT_EQ(slave.set("fabric.wool.areal_density", 1e-4), fmi2OK);
+  EXPECT_EQ(slave.step(0, 0.001), fmi2Discard);
+  EXPECT_FALSE(terminated(slave));
+  EXPECT_EQ(slave.step(0, 0.001), fmi2OK) << slave.last_message();
+  ASSERT_EQ(slave.set("fabric.wool.warp.force[3]", 20000), fmi2OK);  // stiff beyond 2 %
+  ASSERT_EQ(slave.set("gravity[2]", -1e4), fmi2OK);
+  slave.log.clear();
+  EXPECT_EQ(slave.step(0.001, 0.01), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"scene.step = 2e-05 s is above the step limit", "set by the"});
+  EXPECT_TRUE(terminated(slave));
+  EXPECT_EQ(last_time(slave), 0.001);
+  EXPECT_EQ(slave.step(0.001, 0.01), fmi2Discard);
+  EXPECT_TRUE(terminated(slave));
+  ASSERT_EQ(slave.set("gravity[2]", 0), fmi2OK);
+  EXPECT_EQ(slave.step(0.001, 0.001), fmi2OK) << slave.last_message();
+  EXPECT_FALSE(terminated(slave));
+}
+
+}  // namespace
+}  // namespace drape

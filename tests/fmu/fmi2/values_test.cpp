@@ -1,0 +1,160 @@
+// Values by reference: what may be set when, and that a refused call changes nothing.
+#include <cmath>
+#include <limits>
+
+#include "fmi2/slave.h"
+
+namespace drape {
+namespace {
+
+const double kNan = std::numeric_limits<double>::quiet_NaN(),
+             kInfinity = std::numeric_limits<double>::infinity();
+
+void expect_refused(Slave& slave, const std::string& name, double value,
+                    const std::vector<std::string>& words) {
+  const double before = slave.get(name);
+  EXPECT_EQ(slave.set(name, value), fmi2Discard) << name << " = " << value;
+  expect_sentence(slave, fmi2Discard, words);
+  EXPECT_EQ(slave.get(name), before);
+}
+
+TEST(Values, out_of_range) {
+  Slave slave;
+  slave.initialize();
+  const std::string density = "fabric.wool.areal_density";
+  expect_refused(slave, density, kNan, {density, "nan", "allowed: 1e-04 to 100 kg/m2"});
+  expect_refused(slave, density, kInfinity, {density, "inf", "allowed: 1e-04 to 100 kg/m2"});
+  expect_refused(slave, density, -0.25, {density, "-0.25", "allowed: 1e-04 to 100 kg/m2"});
+  expect_refused(slave, density, 0, {density, "is 0 ", "allowed: 1e-04 to 100 kg/m2"});
+  expect_refused(slave, "fabric.wool.poisson", 1, {"poisson", "is 1;", "allowed: 0 to 0.999"});
+  expect_refused(slave, "fabric.wool.compression", 1.5, {"compression", "1.5", "allowed: 0 to 1"});
+  expect_refused(slave, "fabric.wool.bending.warp", -1e-6,
+                 {"bending.warp", "-1e-06", "allowed: 0 to 1000 N.m"});
+  expect_refused(slave, "fabric.wool.warp.force[2]", -1, {"warp.force[2]", "-1", "allowed: 0 to 1e+06 N"});
+  expect_refused(slave, "damping", -1, {"damping", "-1", "allowed: 0 to 1e+06 1/s"});
+  expect_refused(slave, "gravity[2]", kNan, {"gravity[2]", "nan", "allowed: -10000 to 10000 m/s2"});
+}
+
+TEST(Values, every_tunable_parameter_is_taken_and_read_back) {
+  Slave slave;
+  slave.initialize();
+  for (const std::string& name : swatch().names) {
+    if (name == "step.max") break;  // the first that is not tunable
+    SCOPED_TRACE(name);
+    const double value =
+        name.find("compression") != std::string::npos ? 0.5 : slave.get(name) * 1.0625 + 0.001;
+    EXPECT_EQ(slave.set(name, value), fmi2OK) << slave.last_message();
+    EXPECT_EQ(slave.get(name), value);
+  }
+  EXPECT_EQ(slave.step(0, 0.001), fmi2OK) << slave.last_message();
+  EXPECT_EQ(slave.get("fabric.wool.compression"), 0.5);
+}
+
+TEST(Values, one_bad_value_refuses_the_whole_call) {
+  Slave slave;
+  slave.initialize();
+  const fmi2ValueReference references[] = {swatch().reference("damping"),
+                                           swatch().reference("fabric.wool.poisson")};
+  const double values[] = {3, -1};
+  EXPECT_EQ(fmi2().SetReal(slave.component, references, 2, values), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"fabric.wool.poisson"});
+  EXPECT_EQ(slave.get("damping"), 0.5);
+}
+
+TEST(Values, outputs_and_unknown_references_cannot_be_set) {
+  Slave slave;
+  slave.initialize();
+  EXPECT_EQ(slave.set("tension.max", 1), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"tension.max", "output"});
+  const double value = 1;
+  for (const fmi2ValueReference reference : {0u, unsigned(swatch().names.size()) + 1, ~0u}) {
+    double read = 0;
+    EXPECT_EQ(fmi2().SetReal(slave.component, &reference, 1, &value), fmi2Discard);
+    expect_sentence(slave, fmi2Discard, {std::to_string(reference), "allowed: 1 to"});
+    EXPECT_EQ(fmi2().GetReal(slave.component, &reference, 1, &read), fmi2Discard);
+    expect_sentence(slave, fmi2Discard, {std::to_string(reference), "allowed: 1 to"});
+  }
+}
+
+TEST(Values, missing_arrays_and_other_types) {
+  Slave slave;
+  slave.initialize();
+  const fmi2ValueReference reference = 1;
+  EXPECT_EQ(fmi2().GetReal(slave.component, &reference, 1, nullptr), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"fmi2GetReal", "missing"});
+  EXPECT_EQ(fmi2().SetReal(slave.component, nullptr, 1, nullptr), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"fmi2SetReal", "missing"});
+  fmi2Integer integer = 0;
+  EXPECT_EQ(fmi2().GetInteger(slave.component, &reference, 1, &integer), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"value reference 1", "Integer"});
+  EXPECT_EQ(fmi2().SetString(slave.component, &reference, 1, nullptr), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"value reference 1", "String"});
+}
+
+TEST(Values, fixed_parameters_until_initialization_ends) {
+  Slave slave;
+  ASSERT_EQ(slave.set("step.max", 2e-5), fmi2OK) << slave.last_message();
+  ASSERT_EQ(fmi2().EnterInitializationMode(slave.component), fmi2OK);
+  ASSERT_EQ(slave.set("step.max", 1e-5), fmi2OK) << slave.last_message();
+  ASSERT_EQ(fmi2().ExitInitializationMode(slave.component), fmi2OK);
+  EXPECT_EQ(slave.set("step.max", 3e-5), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"step.max", "fixed"});
+  ASSERT_EQ(slave.step(0, 0.001), fmi2OK) << slave.last_message();
+  EXPECT_LE(slave.get("step.size"), 1e-5);
+}
+
+TEST(Values, threads_are_whole_and_fixed) {
+  Slave slave;
+  for (const double threads : {0.0, 1.5, 65.0}) {
+    EXPECT_EQ(slave.set("threads", threads), fmi2Discard);
+    expect_sentence(slave, fmi2Discard, {"threads", "a whole number from 1 to 64"});
+  }
+  ASSERT_EQ(slave.set("threads", 3), fmi2OK) << slave.last_message();
+  ASSERT_EQ(fmi2().EnterInitializationMode(slave.component), fmi2OK);
+  ASSERT_EQ(fmi2().ExitInitializationMode(slave.component), fmi2OK);
+  EXPECT_EQ(slave.get("threads"), 3);
+  EXPECT_EQ(slave.set("threads", 2), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"threads", "fixed"});
+  ASSERT_EQ(slave.step(0, 0.001), fmi2OK) << slave.last_message();
+}
+
+// The sample's warp diagram is 2, 6, 30 N. Each value alone is in range; together they fall.
+TEST(Values, falling_diagram_is_refused_at_the_end_of_initialization) {
+  Slave slave;
+  ASSERT_EQ(fmi2().EnterInitializationMode(slave.component), fmi2OK);
+  ASSERT_EQ(slave.set("fabric.wool.warp.force[2]", 1), fmi2OK);
+  EXPECT_EQ(fmi2().ExitInitializationMode(slave.component), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"fabric.wool.warp", "fall"});
+  EXPECT_EQ(slave.get("fabric.wool.warp.force[2]"), 6);
+  EXPECT_EQ(fmi2().ExitInitializationMode(slave.component), fmi2OK) << slave.last_message();
+}
+
+TEST(Values, falling_diagram_is_refused_at_the_step) {
+  Slave slave, untouched;
+  slave.initialize();
+  untouched.initialize();
+  ASSERT_EQ(slave.set("fabric.wool.warp.force[2]", 31), fmi2OK);
+  EXPECT_EQ(slave.step(0, 0.001), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"fabric.wool.warp", "fall"});
+  EXPECT_EQ(slave.get("fabric.wool.warp.force[2]"), 6);
+  EXPECT_EQ(slave.outputs(), untouched.outputs());
+  ASSERT_EQ(slave.step(0, 0.01), fmi2OK) << slave.last_message();
+  ASSERT_EQ(untouched.step(0, 0.01), fmi2OK);
+  EXPECT_EQ(slave.outputs(), untouched.outputs());
+}
+
+// r = v_0 t + g t^2/2 at the free end, as long as the wave from the bar has not come: gravity acts from the
+// step it is set.
+TEST(Values, tuned_gravity_acts) {
+  Slave slave, other;
+  slave.initialize();
+  other.initialize();
+  ASSERT_EQ(other.set("gravity[3]", 0), fmi2OK);
+  ASSERT_EQ(slave.step(0, 0.02), fmi2OK);
+  ASSERT_EQ(other.step(0, 0.02), fmi2OK);
+  EXPECT_LT(slave.get("probe.hem.position[3]"), 1 - 1e-4);
+  EXPECT_EQ(other.get("probe.hem.position[3]"), 1);
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,88 @@
+// The packed FMU: what is in it, and that packing twice gives the same bytes.
+#include "package/package.h"
+
+#include <gtest/gtest.h>
+#include <zip.h>
+
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <memory>
+
+#include "description.h"
+
+namespace drape {
+namespace {
+
+using Cloth = std::unique_ptr<drape_cloth, void (*)(drape_cloth*)>;
+Cloth open_swatch() { return {drape_open(DRAPE_SAMPLES "/swatch.toml", nullptr, nullptr), drape_close}; }
+
+std::string bytes_of(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::map<std::string, std::string> entries_of(const std::string& file) {
+  std::map<std::string, std::string> entries;
+  zip_t* archive = zip_open(file.c_str(), ZIP_RDONLY | ZIP_CHECKCONS, nullptr);
+  if (!archive) return entries;
+  for (zip_int64_t i = 0; i < zip_get_num_entries(archive, 0); ++i) {
+    zip_stat_t stat;
+    zip_stat_index(archive, zip_uint64_t(i), 0, &stat);
+    std::string bytes(stat.size, '\0');
+    zip_file_t* entry = zip_fopen_index(archive, zip_uint64_t(i), 0);
+    EXPECT_EQ(zip_fread(entry, bytes.data(), stat.size), zip_int64_t(stat.size));
+    zip_fclose(entry);
+    entries[stat.name] = bytes;
+  }
+  zip_discard(archive);
+  return entries;
+}
+
+std::string pack_swatch(const std::string& name, Nodes nodes) {
+  const Cloth cloth = open_swatch();
+  const std::string file = testing::TempDir() + name;
+  std::string problem;
+  EXPECT_TRUE(fmu_pack(cloth.get(), nodes, "<svg><title>here</title></svg>", file, problem)) << problem;
+  return file;
+}
+
+TEST(Pack, holds_description_binary_scene_and_documentation) {
+  const Cloth cloth = open_swatch();
+  std::map<std::string, std::string> entries = entries_of(pack_swatch("drape_pack.fmu", Nodes::kOutline));
+  EXPECT_EQ(entries.size(), 7u);
+  EXPECT_EQ(entries["modelDescription.xml"],
+            description_xml_fmi2(description_of(cloth.get(), Nodes::kOutline)));
+  EXPECT_EQ(entries["binaries/linux64/swatch.so"], bytes_of(DRAPE_FMI2_BINARY));
+  EXPECT_EQ(entries["resources/scene.toml"], drape_scene_text(cloth.get()));
+  EXPECT_NE(entries["documentation/index.html"].find("<title>here</title>"), std::string::npos);
+  EXPECT_NE(entries["documentation/index.html"].find("fabric.wool.areal_density"), std::string::npos);
+}
+
+// What is compiled into the binary asks for its notice to travel with it.
+TEST(Pack, carries_the_licences_of_what_it_holds) {
+  std::map<std::string, std::string> entries = entries_of(pack_swatch("drape_licences.fmu", Nodes::kNone));
+  const std::string permission = "Permission is hereby granted, free of charge",
+                    folder = "documentation/licenses/";
+  EXPECT_EQ(entries[folder + "drape.txt"], bytes_of(DRAPE_LICENSE));
+  EXPECT_NE(entries[folder + "tomlplusplus.txt"].find("Mark Gillard"), std::string::npos);
+  EXPECT_NE(entries[folder + "tomlplusplus.txt"].find(permission), std::string::npos);
+  EXPECT_NE(entries[folder + "eigen.txt"].find("https://mozilla.org/MPL/2.0/"), std::string::npos);
+}
+
+TEST(Pack, same_scene_same_bytes) {
+  const std::string once = bytes_of(pack_swatch("drape_once.fmu", Nodes::kNone));
+  EXPECT_FALSE(once.empty());
+  EXPECT_EQ(once, bytes_of(pack_swatch("drape_again.fmu", Nodes::kNone)));
+  EXPECT_NE(once, bytes_of(pack_swatch("drape_nodes.fmu", Nodes::kAll)));
+}
+
+TEST(Pack, names_the_file_it_cannot_write) {
+  const Cloth cloth = open_swatch();
+  std::string problem;
+  EXPECT_FALSE(fmu_pack(cloth.get(), Nodes::kNone, "<svg/>", "/no/such/folder/cloth.fmu", problem));
+  EXPECT_NE(problem.find("/no/such/folder/cloth.fmu"), std::string::npos) << problem;
+}
+
+}  // namespace
+}  // namespace drape
