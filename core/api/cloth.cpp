@@ -8,7 +8,7 @@
 #include "dynamics/step_size/step_limit.h"
 #include "dynamics/seam_welding.h"
 #include "outputs/energy.h"
-#include "scene/reader/read.h"
+#include "validation/load.h"
 #include "assembly/assemble.h"
 
 struct drape_snapshot {
@@ -124,7 +124,7 @@ drape_cloth* drape_open(const char* scene_file, drape_log_fn* log, void* user) {
   c->log_user = user;
   std::vector<Problem> problems;
   try {
-    c->scene = scene_read(scene_file, problems);
+    c->scene = scene_load(scene_file, problems);
     if (problems.empty()) c->text = scene_resolve(scene_file, problems);
     for (const BodySpec& body : c->scene.bodies) c->files.push_back(body_file(body.name, body.mesh));
     if (problems.empty()) {

@@ -10,6 +10,7 @@
 #include "assembly/seam_rows.h"
 #include "contact/self/mesh.h"
 #include "model/composition.h"
+#include "contact/edge/elements.h"
 #include "assembly/weave.h"
 
 namespace drape {

@@ -174,7 +174,7 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
                       &s.pin_impulse);
   if (!s.wx.empty()) s.wx = s.vx, s.wy = s.vy, s.wz = s.vz;
-  if (!s.body.empty()) touch_watch(system, *motion.kernel, motion.touch, s, 0, step_next(system, s));
+  if (!s.body.empty()) touch_watch(system, motion.kernel->contact, motion.touch, s, 0, step_next(system, s));
   if (system.energy) s.input += kinetic_energy(system, s) - before;
 }
 
@@ -215,7 +215,7 @@ void leapfrog_begin(const System& system, Motion& motion, State& s) {
   rates_begin(system, s);
   subs_begin(system, motion, s);
   if (s.body.empty() && !self_touches(system)) return;
-  touch_begin(system, *motion.kernel, motion.touch, s);
+  touch_begin(system, motion.kernel->contact, motion.touch, s);
   self_begin(system, s);
   subs_begin(system, motion, s);  // with what is near
 }

@@ -7,12 +7,10 @@
 #include <vector>
 
 #include "math/rigid_motion.h"
+#include "model/system.h"
 #include "scene/scene.h"
 
 namespace drape {
-
-struct System;
-struct State;
 
 // Where inputs are to be at the end of an advance; of a pin, what its drive names counts.
 struct Inputs {

@@ -71,7 +71,7 @@ void seams_weld(const System& system, Motion& motion, State& s, const std::vecto
                       &s.pin_impulse);
   if (!s.wx.empty()) s.wx = s.vx, s.wy = s.vy, s.wz = s.vz;
   touch_hurry(s);
-  if (!s.body.empty()) touch_watch(system, *motion.kernel, motion.touch, s, 0, step_next(system, s));
+  if (!s.body.empty()) touch_watch(system, motion.kernel->contact, motion.touch, s, 0, step_next(system, s));
   self_hurry(system, s, moved);
 }
 

@@ -83,7 +83,7 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
   if (touches) touch_carry(system, motion.touch, touch, s);
   constraints_meet(system, motion.constraints, step, motion.held, s);
   if (rubs) self_apply(system, motion.self, touch, s);
-  if (touches) touch_apply(system, *motion.kernel, motion.touch, touch, s);
+  if (touches) touch_apply(system, motion.kernel->contact, motion.touch, touch, s);
   if (touches || (rubs && self_hits(motion.self))) {
     step.again = true;
     if (!rubs && !motion.touch.hit.empty()) step.hit = motion.touch.hit.data();
@@ -91,7 +91,7 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
   }
   constraints_end(motion.constraints, s, motion.held);
   bodies_follow(motion.path, u, s);
-  if (!s.body.empty()) touch_watch(system, *motion.kernel, motion.touch, s, stage.drift, h);
+  if (!s.body.empty()) touch_watch(system, motion.kernel->contact, motion.touch, s, stage.drift, h);
   if (rubs) self_watch(system, s, stage.drift);
   if (!s.sewn.empty()) seams_hold(system, s, h);
   if (system.energy && system.composition) balance_drifted(system, motion.balance, s, stage.decay);
@@ -175,7 +175,7 @@ void synchronous_meet(const System& system, Motion& motion, const State& s, Rate
   constraints_project(system, motion.constraints, motion.held, f, load);
   if (self_touches(system)) self_synchronous(system, motion.self, s, half, centred, f.x, f.y, f.z);
   if (!s.body.empty())
-    touch_synchronous(system, *motion.kernel, motion.touch, s, half, centred, f.x, f.y, f.z);
+    touch_synchronous(system, motion.kernel->contact, motion.touch, s, half, centred, f.x, f.y, f.z);
   if (touch_any(s) || (self_touches(system) && self_hits(motion.self)))
     constraints_project(system, motion.constraints, motion.held, f, load);
 }

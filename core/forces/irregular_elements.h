@@ -6,11 +6,6 @@
 
 namespace drape {
 
-// Where a pass may write the forces of Side: [slots] N.
-struct SideForces {
-  double *x, *y, *z;
-};
-
 // Sets all slots. `rates`: with the forces that depend on velocity, at v + lead (v - w).
 void side_forces(const System& system, const State& state, bool rates, double lead, HingeKernel hinges,
                  SideForces force);

@@ -8,7 +8,7 @@
 #pragma once
 #include <array>
 
-#include "scene/scene.h"
+#include "math/vector3.h"
 
 namespace drape {
 

@@ -1,10 +1,14 @@
-// Arithmetic on Vec3.
+// Points and vectors of the plane and of space, and their arithmetic.
 #pragma once
+#include <array>
 #include <cmath>
 
-#include "scene/scene.h"
+namespace drape {
 
-namespace drape::vector3 {
+using Vec2 = std::array<double, 2>;
+using Vec3 = std::array<double, 3>;
+
+namespace vector3 {
 
 inline Vec3 operator+(const Vec3& a, const Vec3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 inline Vec3 operator-(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -21,4 +25,5 @@ inline Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-}  // namespace drape::vector3
+}  // namespace vector3
+}  // namespace drape

@@ -20,15 +20,4 @@ struct RidgeCloth {
   std::vector<std::uint32_t> first, of_node;  // those of node n: of_node[first[n]] .. of_node[first[n + 1]]
 };
 
-struct System;
-
-// Finds the ridges of all bodies, and lays the parts where there are any.
-void ridges_find(System& system);
-
-// Sine from which a ridge counts for a lattice, m from which it is looked at.
-struct Lattice;
-double ridge_sine(const Lattice& lattice);
-double ridge_margin(const Lattice& lattice);  // m, that a listing is good for
-double ridge_near(const Lattice& lattice);    // m, from a ridge: nodes whose parts may come near it
-
 }  // namespace drape

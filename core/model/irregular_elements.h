@@ -57,4 +57,9 @@ struct Side {
   std::vector<std::size_t> node;  // [slots]
 };
 
+// Where a pass may write the forces of Side: [slots] N.
+struct SideForces {
+  double *x, *y, *z;
+};
+
 }  // namespace drape

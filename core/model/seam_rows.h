@@ -1,7 +1,6 @@
 // Sums over nodes, and what acts on them.
 #pragma once
 #include "math/vector3.h"
-#include "forces/irregular_elements.h"
 #include "model/system.h"
 
 namespace drape {

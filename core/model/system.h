@@ -15,11 +15,10 @@
 #include "model/seams.h"
 #include "model/self_contact.h"
 #include "math/aligned_array.h"
+#include "model/composition.h"
 #include "model/irregular_elements.h"
 
 namespace drape {
-
-struct Composition;  // system/composition.h
 
 // Columns from begin to end - 1; multiples of kRowUnit.
 struct Columns {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdio>
 #include <tuple>
 
 namespace drape {
@@ -71,5 +72,15 @@ std::string in_quotes(const std::string& text) {
 std::string entries_text(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " entry" : " entries");
 }
+
+std::string rounded(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+std::string point_text(Vec2 p) { return "[" + rounded(p[0]) + ", " + rounded(p[1]) + "] m"; }
+
+std::string entry(const std::string& path, std::size_t i) { return path + "[" + std::to_string(i) + "]"; }
 
 }  // namespace drape

@@ -45,5 +45,8 @@ void faults_report(const Faults& faults, std::vector<Problem>& problems);
 std::string number_text(double value);
 std::string in_quotes(const std::string& text);
 std::string entries_text(std::size_t count);
+std::string rounded(double value);  // to six digits, of numbers that have been computed
+std::string point_text(Vec2 point);
+std::string entry(const std::string& path, std::size_t index);  // "piece.outline[3]"
 
 }  // namespace drape

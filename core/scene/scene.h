@@ -8,10 +8,9 @@
 #include <string_view>
 #include <vector>
 
-namespace drape {
+#include "math/vector3.h"
 
-using Vec2 = std::array<double, 2>;
-using Vec3 = std::array<double, 3>;
+namespace drape {
 
 enum class Integrator { kLeapfrog, kPaper };
 enum class Scaling { kWidth, kPaperArea };

@@ -7,7 +7,7 @@
 #include "piece/support/support.h"
 #include "piece/outline/outline.h"
 #include "scene/diagnostics.h"
-#include "scene/reader/read.h"
+#include "validation/load.h"
 
 namespace drape {
 

@@ -10,7 +10,7 @@
 #include "command/files/csv.h"
 #include "laboratory/calibrate.h"
 #include "figures/picture.h"
-#include "scene/reader/read.h"
+#include "validation/load.h"
 
 namespace drape {
 namespace {
@@ -93,7 +93,7 @@ void print_jaws(const Scene& scene) {
 // False, with the reason in errno, where the file cannot be written.
 bool write_picture(const Options& options) {
   std::vector<Problem> problems;  // none: the cloth has just been opened from the same file
-  const std::string svg = picture_svg(scene_read(options.scene_file, problems));
+  const std::string svg = picture_svg(scene_load(options.scene_file, problems));
   errno = 0;
   std::ofstream file(*options.picture, std::ios::binary);
   file << svg;
@@ -145,7 +145,7 @@ int check(const Options& options) {
   std::printf("step limit: %.6g us, set by %s\n", 1e6 * limit, set_by ? set_by : "nothing");
   std::printf("step: %.6g us\n", 1e6 * drape_outputs_at(cloth.get(), 0)->step_size);
   std::vector<Problem> problems;  // none: the cloth has just been opened from the same file
-  const Scene scene = scene_read(options.scene_file, problems);
+  const Scene scene = scene_load(options.scene_file, problems);
   print_jaws(scene);
   print_excess(scene);
   return print_cost(cloth.get()) ? kDone : kFailedRun;

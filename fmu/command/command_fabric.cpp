@@ -17,7 +17,7 @@
 #include "laboratory/bending.h"
 #include "laboratory/write_calibration.h"
 #include "laboratory/strip_order.h"
-#include "scene/reader/read.h"
+#include "validation/load.h"
 #include "standards/strip.h"
 
 namespace drape {
@@ -183,7 +183,7 @@ std::string target_problem(const std::string& option, const std::string& file, c
 
 int test(const Options& options) {
   std::vector<Problem> problems;
-  const FabricSpec f = fabric_read(options.fabric_file, problems);
+  const FabricSpec f = fabric_load(options.fabric_file, problems);
   if (!problems_tell(problems)) return kBadInput;
   if (!wishes_check(options, f)) return kBadInput;
   if (options.picture)
@@ -249,7 +249,7 @@ int calibrate_fabric(const Options& options) {
         !problem.empty())
       return fail(kBadInput, problem);
   std::vector<Problem> problems;
-  const FabricSpec f = fabric_read(options.fabric_file, problems, Corrections::kDropped);
+  const FabricSpec f = fabric_load(options.fabric_file, problems, Corrections::kDropped);
   if (!problems_tell(problems) || !wishes_check(options, f)) return kBadInput;
   const Calibration c = calibrate(f, {.cell = options.cell}, problems);
   if (!problems_tell(problems)) return kBadInput;

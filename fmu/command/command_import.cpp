@@ -10,7 +10,7 @@
 #include "command/garmentcode/garment.h"
 #include "command/garmentcode/wool.h"
 #include "scene/diagnostics.h"
-#include "scene/reader/read.h"
+#include "validation/load.h"
 
 namespace drape {
 namespace {
@@ -62,7 +62,7 @@ FabricSpec fabric_choose(const Options& o, const fs::path& folder, Garment& garm
   const fs::path file = o.has_fabric ? fs::path(o.fabric) : folder / "wool.toml";
   garment.fabric = name_made(file.stem().string(), "fabric");
   garment.fabric_file = o.has_fabric ? seen_from(file, folder) : file.filename().string();
-  return o.has_fabric || fs::exists(file) ? fabric_read(file, problems) : FabricSpec{};
+  return o.has_fabric || fs::exists(file) ? fabric_load(file, problems) : FabricSpec{};
 }
 
 int told(const std::vector<Problem>& problems) {

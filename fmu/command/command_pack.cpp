@@ -1,7 +1,7 @@
 #include "command/command.h"
 #include "package/package.h"
 #include "figures/picture.h"
-#include "scene/reader/read.h"
+#include "validation/load.h"
 
 namespace drape {
 namespace {
@@ -20,7 +20,7 @@ int pack(const Options& options) {
   const Cloth cloth = cloth_open(options.scene_file);
   if (!cloth) return kBadInput;
   std::vector<Problem> problems;  // none: the cloth has just been opened from the same file
-  const std::string picture = picture_svg(scene_read(options.scene_file, problems));
+  const std::string picture = picture_svg(scene_load(options.scene_file, problems));
   std::string problem;
   return fmu_pack(cloth.get(), options.nodes, picture, options.file, problem) ? kDone
                                                                               : fail(kBadInput, problem);

@@ -4,7 +4,7 @@
 #include "command/files/csv.h"
 #include "command/files/input_table.h"
 #include "reference/run.h"
-#include "scene/reader/read.h"
+#include "validation/load.h"
 
 namespace drape {
 namespace {
@@ -35,7 +35,7 @@ bool inputs_read(const Options& options, reference::InputTable& inputs) {
 int run_reference(const Options& options) {
   if (options.folder.empty()) return fail(kBadInput, "--output is empty; allowed: the name of a folder");
   std::vector<Problem> problems;
-  const Scene scene = scene_read(options.scene_file, problems);
+  const Scene scene = scene_load(options.scene_file, problems);
   for (const Problem& problem : problems) fail(kBadInput, problem.place + " " + problem.message);
   if (!problems.empty()) return kBadInput;
   reference::Options run = options.run;

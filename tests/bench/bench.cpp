@@ -7,7 +7,7 @@
 #include "bench/bound.h"
 #include "bench/clock.h"
 #include "bench/cloths.h"
-#include "scene/reader/read.h"
+#include "validation/load.h"
 
 namespace drape::bench {
 namespace {
@@ -138,7 +138,7 @@ std::vector<Row> peer_rows(const Patience& patience) {
 // A scene as it is: the time of a simulated second, and how much of a step the pass takes.
 void scene_rows_add(const std::string& file, const Patience& patience, std::vector<Row>& rows) {
   std::vector<Problem> problems;
-  const Scene scene = scene_read(file, problems);
+  const Scene scene = scene_load(file, problems);
   for (const Problem& p : problems) throw std::runtime_error(problem_text(p));
   Ready r = ready_at_start(scene);
   const double q = scene.communication;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/reader/read.h"
+#include "validation/load.h"
 
 namespace drape {
 
@@ -31,7 +31,7 @@ struct SceneFolder {
 // The messages of reading a file, without the name of its folder.
 inline std::vector<std::string> messages_of(const SceneFolder& folder, const std::filesystem::path& file) {
   std::vector<Problem> problems;
-  scene_read(file, problems);
+  scene_load(file, problems);
   std::vector<std::string> messages;
   for (const Problem& p : problems) {
     std::string text = problem_text(p);

@@ -86,7 +86,7 @@ Scene scene_of(const Cloth& cloth, double damping, int order) {
       "place = { origin = [0, 0, 0], axis_x = [1, 0, 0], axis_y = [0, 1, 0] }\n" +
       "[[pin]]\nname = \"peg\"\npiece = \"square\"\n" + cloth.pins;
   std::vector<Problem> problems;
-  const Scene scene = scene_read(folder.write("scene.toml", text), problems);
+  const Scene scene = scene_load(folder.write("scene.toml", text), problems);
   for (const Problem& p : problems) std::fprintf(stderr, "%s\n", problem_text(p).c_str());
   if (!problems.empty()) std::exit(1);
   return scene;

@@ -15,6 +15,7 @@
 #include "contact/particle/response.h"
 #include "simd/lane_scalar.h"
 #include "contact/edge/pairs.h"
+#include "contact/edge/elements.h"
 #include "contact/particle/contact.h"
 
 namespace drape {

@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 
+#include "body/distance_grid.h"
 #include "contact/particle/contact_pass.h"
 #include "math/smooth_ramp.h"
 #include "contact/edge/gap.h"
@@ -76,7 +77,6 @@ struct RidgeDeep {
   double depth = 0;  // m, of the deepest, and where it is
   Vec3 at{0, 0, 0};
 };
-struct Voxels;
 RidgeDeep ridge_deepest(const System& system, const State& state, std::size_t body, const Lattice& lattice,
                         Voxels& voxels);
 

@@ -3,7 +3,7 @@
 // sin a <= s for one of the faces, it sinks by no more than b s: with s = L/(8 b), by L/8, and is left to its
 // particles. So is a ridge of turn T where not even the symmetric link, a = T/2, x = b/2, sinks by more than
 // that: (b/2) sin(T/2) <= L/8.
-#include "model/edge_contact.h"
+#include "contact/edge/elements.h"
 
 #include <algorithm>
 #include <map>

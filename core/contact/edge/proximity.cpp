@@ -6,6 +6,7 @@
 #include "math/vector3.h"
 #include "model/body_pose.h"
 #include "contact/edge/pairs.h"
+#include "contact/edge/elements.h"
 #include "math/closest_points.h"
 
 namespace drape {

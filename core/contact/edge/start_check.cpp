@@ -1,5 +1,6 @@
 // What of the cloth is cut by a ridge, or deep in its layer, at the start.
 #include "body/distance_grid.h"
+#include "contact/edge/elements.h"
 #include "contact/edge/pairs.h"
 
 namespace drape {

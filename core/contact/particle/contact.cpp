@@ -6,7 +6,7 @@
 #include "math/vector3.h"
 #include "model/body_pose.h"
 #include "contact/particle/update_neighbours.h"
-#include "dynamics/kernel/kernel.h"
+#include "contact/edge/elements.h"
 #include "contact/self/self_contact.h"
 
 namespace drape {
@@ -118,7 +118,7 @@ TouchRoom touch_make(const System& system) {
   return room;
 }
 
-void touch_begin(const System& system, const Kernel& kernel, TouchRoom& room, State& s) {
+void touch_begin(const System& system, const ContactKernel& kernel, TouchRoom& room, State& s) {
   ridge_begin(system, s);
   for (BodyContact& c : s.body) {
     c.blocks = ContactBlocks{};
@@ -213,7 +213,7 @@ void touch_carry_synchronous(const System& system, TouchRoom& room, const State&
   ridge_carry(system, s, room.ridge, c, {{vx, vy, vz}, {}, nullptr});
 }
 
-void touch_apply(const System& system, const Kernel& kernel, TouchRoom& room, const TouchStep& step,
+void touch_apply(const System& system, const ContactKernel& kernel, TouchRoom& room, const TouchStep& step,
                  State& s) {
   std::fill(room.hit.begin(), room.hit.end(), char(0));
   for (std::size_t b = 0; b < s.body.size(); ++b) {
@@ -228,7 +228,7 @@ void touch_apply(const System& system, const Kernel& kernel, TouchRoom& room, co
     job.told = touch_last_kick(step.half_old, step.told_centred);
     job.begins = step.begins && step.half_old > 0;
     job.moves = true;
-    kernel.contact.run[system.bodies[b].moves](job);
+    kernel.run[system.bodies[b].moves](job);
     body.impulse.force += load_of(sum).force;
     body.impulse.torque += load_of(sum).torque;
     s.dissipated += sum[6];
@@ -293,7 +293,7 @@ void touch_hurry(State& s) {
   for (BodyContact& c : s.body) std::fill(c.ease.begin(), c.ease.end(), 0.0);
 }
 
-void touch_watch(const System& system, const Kernel& kernel, TouchRoom& room, State& s, double drift,
+void touch_watch(const System& system, const ContactKernel& kernel, TouchRoom& room, State& s, double drift,
                  double ahead) {
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     std::size_t count = 0;
@@ -305,9 +305,9 @@ void touch_watch(const System& system, const Kernel& kernel, TouchRoom& room, St
                          ahead,
                          l.first,
                          l.first + std::size_t(l.rows) * std::size_t(l.stride)};
-      count += kernel.contact.watch[system.bodies[b].moves](watch, room.due.data() + count);
+      count += kernel.watch[system.bodies[b].moves](watch, room.due.data() + count);
       watch.begin = l.twin_first, watch.end = l.end();
-      count += kernel.contact.watch[system.bodies[b].moves](watch, room.due.data() + count);
+      count += kernel.watch[system.bodies[b].moves](watch, room.due.data() + count);
     }
     const bool chosen = count > 0 && system.step_given == 0 && !system.fit;
     const StepBound bound = chosen ? step_bound(system, s, b) : StepBound{};
@@ -320,7 +320,7 @@ void touch_watch(const System& system, const Kernel& kernel, TouchRoom& room, St
   }
 }
 
-void touch_synchronous(const System& system, const Kernel& kernel, TouchRoom& room, const State& s,
+void touch_synchronous(const System& system, const ContactKernel& kernel, TouchRoom& room, const State& s,
                        double half, double centred, double* vx, double* vy, double* vz) {
   room.dissipated = half > 0 && system.energy ? room.ridge_lost : 0;
   room.input = 0;
@@ -340,7 +340,7 @@ void touch_synchronous(const System& system, const Kernel& kernel, TouchRoom& ro
       job.old = nullptr;
       job.energy = false;
     }
-    kernel.contact.run[system.bodies[b].moves](job);
+    kernel.run[system.bodies[b].moves](job);
     room.load[b] = load_of(sum);
     room.dissipated += sum[6];
     room.input += sum[7];

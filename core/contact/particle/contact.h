@@ -7,8 +7,6 @@
 
 namespace drape {
 
-struct Kernel;
-
 // Room for contact; made once per System.
 struct TouchRoom {
   std::vector<Voxels> voxels;     // [bodies]
@@ -27,7 +25,7 @@ struct TouchRoom {
 TouchRoom touch_make(const System& system);
 
 // Looks at all surroundings; for a new state.
-void touch_begin(const System& system, const Kernel& kernel, TouchRoom& room, State& state);
+void touch_begin(const System& system, const ContactKernel& kernel, TouchRoom& room, State& state);
 
 // Pieces that start inside a body, or nearer to one than the cloth's thickness lets them.
 void touch_start_check(const System& system, const Scene& scene, TouchRoom& room, const State& state,
@@ -66,13 +64,13 @@ void touch_carry_synchronous(const System& system, TouchRoom& room, const State&
                              double centred, double* vx, double* vy, double* vz);
 
 // Adds to a free step what the bodies do. Needs touch_keep.
-void touch_apply(const System& system, const Kernel& kernel, TouchRoom& room, const TouchStep& step,
+void touch_apply(const System& system, const ContactKernel& kernel, TouchRoom& room, const TouchStep& step,
                  State& state);
 
 // After the particles and bodies have moved, or velocities have jumped: looks at the surroundings of those
 // that may have come near something else, or will. `drift`: how long they moved since the last watch, s;
 // `ahead`: the next step.
-void touch_watch(const System& system, const Kernel& kernel, TouchRoom& room, State& state, double drift,
+void touch_watch(const System& system, const ContactKernel& kernel, TouchRoom& room, State& state, double drift,
                  double ahead);
 
 // After particles have been put elsewhere: all are compared with their budgets at the next watch.
@@ -80,7 +78,7 @@ void touch_hurry(State& state);
 
 // What contact does to synchronous velocities [nodes] in the last half kick of `half` s, which is what
 // room.load then holds, as impulses; or to accelerations (half = 0), as forces.
-void touch_synchronous(const System& system, const Kernel& kernel, TouchRoom& room, const State& state,
+void touch_synchronous(const System& system, const ContactKernel& kernel, TouchRoom& room, const State& state,
                        double half, double centred, double* vx, double* vy, double* vz);
 
 // The longest step (s) in which no particle goes past what its surroundings were searched for.

@@ -14,16 +14,6 @@ using Problems = std::vector<Problem>;
 constexpr double kMostNodes = 4e6;          // of a piece
 constexpr std::size_t kMostCrossings = 10;  // told of one piece
 
-std::string rounded(double value) {  // for numbers that have been computed
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-
-std::string point_text(Vec2 p) { return "[" + rounded(p[0]) + ", " + rounded(p[1]) + "] m"; }
-
-std::string entry(const std::string& path, std::size_t i) { return path + "[" + std::to_string(i) + "]"; }
-
 std::string loop_name(std::size_t loop) { return loop == 0 ? "outline" : entry("holes", loop - 1); }
 
 struct Extent {

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "validation/checks.h"
 #include "scene/datasheet/conversion.h"
 #include "standards/fast.h"
 #include "standards/kes.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "validation/checks.h"
 #include "scene/reader/table_reader.h"
 #include "scene/reader/schema.h"
 #include "scene/reader/normalize.h"
@@ -103,47 +102,31 @@ void document_read(Faults& faults, const Document& document, Scene& scene) {
 
 }  // namespace
 
-Scene scene_read(const std::filesystem::path& file, std::vector<Problem>& problems) {
-  Scene scene;
-  Faults faults;
-  const Document document = document_load(file, faults);
-  if (document.loaded) {
-    document_read(faults, document, scene);
-    std::vector<Problem> found;
-    scene_check(scene, found);
-    if (found.empty() && faults.found.empty()) scene_check_layout(scene, found);
-    for (const Problem& p : found) fault_add(faults, p.place, p.message);
-  }
-  faults_report(faults, problems);
-  return scene;
+SceneText scene_read(const std::filesystem::path& file) {
+  SceneText text;
+  const Document document = document_load(file, text.faults);
+  text.loaded = document.loaded;
+  if (text.loaded) document_read(text.faults, document, text.scene);
+  return text;
 }
 
-FabricSpec fabric_read(const std::filesystem::path& file, std::vector<Problem>& problems,
-                       Corrections corrections) {
-  FabricSpec fabric;
-  Faults faults;
-  Document document = document_load_file(file, faults);
-  if (document.loaded) {
-    if (corrections == Corrections::kDropped) calibration_drop(document.root);
-    const std::string name = file.stem().string(), path = "fabric." + name;
-    fabric = fabric_read(faults, document.root, path).spec;
-    fabric.name = name;
-    if (document.root.contains("file"))
-      fault_add(faults, path + ".file", "stands in a fabric file; a fabric file cannot name another one");
-    std::vector<Problem> found;
-    fabric_check({}, fabric, found);
-    for (const Problem& p : found) fault_add(faults, p.place, p.message);
-  }
-  faults_report(faults, problems);
-  return fabric;
+FabricFile fabric_read(const std::filesystem::path& file, Corrections corrections) {
+  FabricFile text;
+  Document document = document_load_file(file, text.faults);
+  text.loaded = document.loaded;
+  if (!text.loaded) return text;
+  if (corrections == Corrections::kDropped) calibration_drop(document.root);
+  const std::string name = file.stem().string(), path = "fabric." + name;
+  text.fabric = fabric_read(text.faults, document.root, path).spec;
+  text.fabric.name = name;
+  if (document.root.contains("file"))
+    fault_add(text.faults, path + ".file",
+              "stands in a fabric file; a fabric file cannot name another one");
+  return text;
 }
 
 std::string scene_place(const std::filesystem::path& file, const std::string& path) {
-  Scene scene;
-  Faults faults;
-  const Document document = document_load(file, faults);
-  if (document.loaded) document_read(faults, document, scene);
-  return fault_place(faults, path);
+  return fault_place(scene_read(file).faults, path);
 }
 
 std::vector<std::filesystem::path> scene_files(const std::filesystem::path& file) {

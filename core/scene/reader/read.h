@@ -1,20 +1,33 @@
-// TOML -> Scene. Every problem is found in one pass.
+// TOML -> Scene. Every fault that single keys show is found in one pass.
 #pragma once
 #include <filesystem>
 
+#include "scene/diagnostics.h"
 #include "scene/scene.h"
 
 namespace drape {
 
-// Reads a scene file and the fabric files it names (relative to the scene's folder). Appends one Problem for
-// each fault; the scene is usable only when none was appended.
-Scene scene_read(const std::filesystem::path& file, std::vector<Problem>& problems);
+// A scene as its text has it, and the faults of its text. Not `loaded`: the file could not be read at all.
+struct SceneText {
+  Scene scene;
+  Faults faults;
+  bool loaded = false;
+};
 
-// Reads a fabric file by itself; its name is that of the file, without the ending. kDropped: as it stood
-// before its calibration.
+// Reads a scene file and the fabric files it names (relative to the scene's folder). Values with a fault keep
+// their defaults, are empty or -1.
+SceneText scene_read(const std::filesystem::path& file);
+
+// A fabric file by itself; its name is that of the file, without the ending.
+struct FabricFile {
+  FabricSpec fabric;
+  Faults faults;
+  bool loaded = false;
+};
+
+// kDropped: as it stood before its calibration.
 enum class Corrections { kKept, kDropped };
-FabricSpec fabric_read(const std::filesystem::path& file, std::vector<Problem>& problems,
-                       Corrections corrections = Corrections::kKept);
+FabricFile fabric_read(const std::filesystem::path& file, Corrections corrections);
 
 // A dotted path with where it stands, "scene.toml:12: scene.step", for faults that only the assembled cloth
 // shows. Reads the files once more.
@@ -30,12 +43,5 @@ std::string body_file(const std::string& name, const std::string& mesh);
 // beside it by the names of body_file; reading it gives the same Scene bit for bit. Reports only what hinders
 // the folding (files, syntax): the rest is scene_read's.
 std::string scene_resolve(const std::filesystem::path& file, std::vector<Problem>& problems);
-
-// Checks that no single key can show: geometry, pins and probes against their pieces, diagrams. Called by
-// scene_read.
-void scene_check(const Scene& scene, std::vector<Problem>& problems);
-
-// What only the grids of a scene that is otherwise without fault show. Called by scene_read.
-void scene_check_layout(const Scene& scene, std::vector<Problem>& problems);
 
 }  // namespace drape

@@ -9,7 +9,6 @@ namespace drape {
 
 namespace {
 
-std::string entry(const std::string& path, std::size_t i) { return path + "[" + std::to_string(i) + "]"; }
 
 // Puts one value where it belongs, or adds a fault. Nothing lands from a list with a fault.
 struct Land {

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "scene/diagnostics.h"
+#include "scene/diagnostics.h"
 
 namespace drape {
 namespace {
@@ -22,8 +23,6 @@ double grained(double metres) { return std::round(metres / kGrain) * kGrain; }
 struct Edge {
   int from, to;
 };
-
-std::string entry(const std::string& path, std::size_t i) { return path + "[" + std::to_string(i) + "]"; }
 
 // The type and the parameters of a curvature: { type, params }, or a control point alone.
 bool curvature_open(const JsonFaults& faults, const Json& curvature, const std::string& path,

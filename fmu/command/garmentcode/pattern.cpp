@@ -5,13 +5,12 @@
 #include <map>
 
 #include "scene/diagnostics.h"
+#include "scene/diagnostics.h"
 
 namespace drape {
 namespace {
 
 constexpr double kMostPerMetre = 1e4;  // a tenth of a millimetre
-
-std::string entry(const std::string& path, std::size_t i) { return path + "[" + std::to_string(i) + "]"; }
 
 PatternUnits units_read(const JsonFaults& faults, const Json& root) {
   PatternUnits units;

@@ -6,7 +6,7 @@
 #include "cloth_fixture.h"
 #include "cut_pieces.h"
 #include "outputs/energy.h"
-#include "scene/reader/read.h"
+#include "validation/load.h"
 
 namespace drape {
 namespace {
@@ -356,7 +356,7 @@ TEST(Leapfrog, UndampedWoolKeepsItsEnergy) {
   std::vector<Problem> problems;
   Scene wool;
   const std::string file = std::string(DRAPE_SOURCE_DIR) + "/examples/hanging_wool/scene.toml";
-  wool = scene_read(file, problems);
+  wool = scene_load(file, problems);
   ASSERT_TRUE(problems.empty());
   Scene scene = reference::rectangle(wool.fabrics[0], 0.22, 0.235, 0.02);
   scene.clamp_correction = false;

@@ -6,7 +6,7 @@
 
 #include "cloth_fixture.h"
 #include "outputs/energy.h"
-#include "scene/reader/read.h"
+#include "validation/load.h"
 
 namespace drape {
 namespace {
@@ -24,7 +24,7 @@ void deform(Assembled& a, Map map) {
 // The diagrams as they were measured, without the calibration of the strips.
 FabricSpec measured_wool() {
   std::vector<Problem> problems;
-  const Scene scene = scene_read(DRAPE_SOURCE_DIR "/examples/hanging_wool/scene.toml", problems);
+  const Scene scene = scene_load(DRAPE_SOURCE_DIR "/examples/hanging_wool/scene.toml", problems);
   EXPECT_TRUE(problems.empty());
   FabricSpec wool = scene.fabrics[0];
   for (DiagramSpec* d : {&wool.warp, &wool.weft, &wool.bias}) d->correction.clear();

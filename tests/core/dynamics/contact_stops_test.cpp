@@ -19,7 +19,7 @@ Assembled held_up(const SceneFolder& folder, bool over_ridge, double height) {
   if (!over_ridge) body.position = {0, 0, -0.05};
   Assembled a = assemble(scene);
   for (std::size_t n : a.system.particle) a.state.z[n] = height * a.system.lattices[0].touch.layer;
-  touch_begin(a.system, *a.motion.kernel, a.motion.touch, a.state);
+  touch_begin(a.system, a.motion.kernel->contact, a.motion.touch, a.state);
   return a;
 }
 

@@ -28,7 +28,7 @@ std::vector<std::string> shipped() {
 FabricSpec fabric_of(const std::filesystem::path& file) {
   const SceneFolder folder;
   std::vector<Problem> problems;
-  const Scene scene = scene_read(folder.write("scene.toml", R"(
+  const Scene scene = scene_load(folder.write("scene.toml", R"(
 [scene]
 name = "a"
 [fabric.f]

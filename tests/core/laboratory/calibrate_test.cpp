@@ -7,7 +7,7 @@
 
 #include "laboratory/write_calibration.h"
 #include "reference/test_cloth.h"
-#include "scene/reader/read.h"
+#include "validation/load.h"
 #include "scene_file.h"
 
 namespace drape {
@@ -28,7 +28,7 @@ constexpr const char* kText =
 FabricSpec read(const std::string& text, Corrections corrections = Corrections::kKept) {
   const SceneFolder folder;
   std::vector<Problem> problems;
-  const FabricSpec f = fabric_read(folder.write("f.toml", text), problems, corrections);
+  const FabricSpec f = fabric_load(folder.write("f.toml", text), problems, corrections);
   for (const Problem& p : problems) ADD_FAILURE() << problem_text(p);
   return f;
 }
@@ -71,7 +71,7 @@ TEST(Calibration, StartsFromStoredCorrections) {
 TEST(Calibration, TakesFewSweeps) {
   std::vector<Problem> problems;
   for (const char* name : {"cotton", "half_wool", "quilting_cotton"}) {
-    const FabricSpec f = fabric_read(DRAPE_SOURCE_DIR "/examples/fabrics/" + std::string(name) + ".toml",
+    const FabricSpec f = fabric_load(DRAPE_SOURCE_DIR "/examples/fabrics/" + std::string(name) + ".toml",
                                      problems, Corrections::kDropped);
     ASSERT_TRUE(f.bias.correction.empty() && f.bias.correction_elongation.empty());
     const Calibration c = calibrate(f, {.cell = f.strip_width / 8}, problems);

@@ -10,14 +10,14 @@
 #include "laboratory/equilibrium.h"
 #include "laboratory/strip_order.h"
 #include "reference/motion.h"
-#include "scene/reader/read.h"
+#include "validation/load.h"
 
 namespace drape {
 namespace {
 
 FabricSpec shipped(const std::string& name) {
   std::vector<Problem> problems;
-  const FabricSpec f = fabric_read(DRAPE_SOURCE_DIR "/examples/fabrics/" + name + ".toml", problems);
+  const FabricSpec f = fabric_load(DRAPE_SOURCE_DIR "/examples/fabrics/" + name + ".toml", problems);
   for (const Problem& p : problems) ADD_FAILURE() << problem_text(p);
   return f;
 }

@@ -99,7 +99,7 @@ TEST(Fields, AParticleCountsOnceByHoweverManySurfaces) {
       a.state.x[n] = 0;
       a.state.z[n] = 0.0004 * std::sqrt(2.0);
     }
-    touch_begin(a.system, *a.motion.kernel, a.motion.touch, a.state);
+    touch_begin(a.system, a.motion.kernel->contact, a.motion.touch, a.state);
     EXPECT_EQ(touch_summary(a.system, a.state, {}).count, a.system.particle.size()) << halves;
   }
 }

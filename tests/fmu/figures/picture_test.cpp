@@ -9,7 +9,7 @@
 #include <pugixml.hpp>
 
 #include "piece/grid/grid.h"
-#include "scene/reader/read.h"
+#include "validation/load.h"
 
 namespace drape {
 namespace {
@@ -172,7 +172,7 @@ TEST(Picture, shows_the_strip_of_the_paper) {
 // The swatch is pinned along an edge and has one probe.
 TEST(Picture, of_a_scene_file) {
   std::vector<Problem> problems;
-  const pugi::xml_document document = picture_of(scene_read(DRAPE_SAMPLES "/swatch.toml", problems));
+  const pugi::xml_document document = picture_of(scene_load(DRAPE_SAMPLES "/swatch.toml", problems));
   ASSERT_TRUE(problems.empty());
   EXPECT_TRUE(has(texts_of(document), "sheet"));
   EXPECT_TRUE(has(texts_of(document), "cell 10 mm, 54 particles"));

@@ -409,7 +409,7 @@ TEST(Ridge, PenaltyStaysWithinTheBoundOfTheStep) {
         a.state.z[n] = -along * std::sin(tilt) + up * std::cos(tilt);
         a.state.y[n] = 0.01 * j;
       }
-    touch_begin(a.system, *a.motion.kernel, a.motion.touch, a.state);
+    touch_begin(a.system, a.motion.kernel->contact, a.motion.touch, a.state);
     ridge_keep(a.system, a.state, touches);
     for (const RidgeTouch& t : touches) {
       ASSERT_EQ(t.part->weights(), 2);

@@ -212,7 +212,7 @@ TEST(Touch, NothingGetsThroughAtFiftyMetresPerSecond) {
     else body_add(scene, folder, "ridge", ridge);
     Assembled a = assemble(scene);
     for (std::size_t n : a.system.particle) a.state.y[n] += 0.004 * shift(random);
-    touch_begin(a.system, *a.motion.kernel, a.motion.touch, a.state);
+    touch_begin(a.system, a.motion.kernel->contact, a.motion.touch, a.state);
     advance(a, 0.01);
     for (std::size_t n : a.system.particle) {
       const double z = a.state.z[n], y = a.state.y[n];
@@ -302,7 +302,7 @@ TEST(Touch, LoadsOfThePastAreNotToldAgain) {
   synchronous(a);
   EXPECT_LT(a.motion.touch.load[0].force[2], 0);
   for (std::size_t n : a.system.particle) a.state.z[n] += 0.1;
-  touch_begin(a.system, *a.motion.kernel, a.motion.touch, a.state);
+  touch_begin(a.system, a.motion.kernel->contact, a.motion.touch, a.state);
   ASSERT_FALSE(touch_any(a.state));
   a.state.body[0].impulse = {};
   a.state.advance_begins = false;

@@ -22,7 +22,7 @@ FabricSpec fabric_of(const std::string& text, const std::string& own = "") {
   const SceneFolder folder;
   folder.write("wool.toml", text);
   std::vector<Problem> problems;
-  const Scene scene = scene_read(folder.write("scene.toml", scene_with(own)), problems);
+  const Scene scene = scene_load(folder.write("scene.toml", scene_with(own)), problems);
   for (const Problem& p : problems) ADD_FAILURE() << problem_text(p);
   return scene.fabrics.empty() ? FabricSpec{} : scene.fabrics[0];
 }

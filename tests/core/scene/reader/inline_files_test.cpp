@@ -66,9 +66,9 @@ void expect_round_trip(const std::string& scene, const std::string& fabric) {
   folder.write("wool.toml", fabric);
   const std::filesystem::path file = folder.write("scene.toml", scene);
   std::vector<Problem> problems;
-  const Scene first = scene_read(file, problems);
+  const Scene first = scene_load(file, problems);
   const std::string text = scene_resolve(file, problems);
-  const Scene second = scene_read(elsewhere.write("scene.toml", text), problems);
+  const Scene second = scene_load(elsewhere.write("scene.toml", text), problems);
   for (const Problem& p : problems) ADD_FAILURE() << problem_text(p) << '\n' << text;
 
   const std::vector<double> a = numbers_of(first), b = numbers_of(second);
@@ -147,7 +147,7 @@ TEST(SceneRead, DiagramsOfItsOwnDoNotTakeTheFilesCorrections) {
       "force = [0, 6, 15]\ncorrection = [0.9, 0.9, 0.95]\ncorrection_elongation = [1.1, 1.1, 1.2]\n");
   const auto warp = [&](const std::string& keys) {
     std::vector<Problem> problems;
-    const Scene scene = scene_read(folder.write("scene.toml", kBegin + keys + kEnd), problems);
+    const Scene scene = scene_load(folder.write("scene.toml", kBegin + keys + kEnd), problems);
     for (const Problem& p : problems) ADD_FAILURE() << problem_text(p);
     return scene.fabrics.at(0).warp;
   };

@@ -125,7 +125,7 @@ TEST(SceneMutation, EndsInASceneOrInProblems) {
     const std::string scene = in_fabric ? whole : mutated(whole, random);
     folder.write("wool.toml", fabric);
     std::vector<Problem> problems;
-    const Scene read = scene_read(folder.write("scene.toml", scene), problems);
+    const Scene read = scene_load(folder.write("scene.toml", scene), problems);
     for (const Problem& p : problems) {
       EXPECT_FALSE(p.place.empty() || p.message.empty()) << scene << fabric;
       EXPECT_EQ(problem_text(p).find('\n'), std::string::npos) << problem_text(p);

@@ -1,5 +1,5 @@
 // A scene without fault lands in SI units, and what is left out takes its default.
-#include "scene/reader/read.h"
+#include "validation/load.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 Scene scene_of(const SceneFolder& folder, const std::string& scene, const std::string& fabric = kFabric) {
   folder.write("wool.toml", fabric);
   std::vector<Problem> problems;
-  const Scene read = scene_read(folder.write("scene.toml", scene), problems);
+  const Scene read = scene_load(folder.write("scene.toml", scene), problems);
   for (const Problem& p : problems) ADD_FAILURE() << problem_text(p);
   return read;
 }

@@ -6,7 +6,7 @@
 #include "command/command_fixture.h"
 #include "piece/grid/grid.h"
 #include "piece/outline/outline.h"
-#include "scene/reader/read.h"
+#include "validation/load.h"
 
 namespace drape {
 namespace {
@@ -60,7 +60,7 @@ TEST_F(Command, frames_follow_the_outline) {
   const Done done = drape("run bodice.toml -o out --frames --every 0.005");
   ASSERT_EQ(done.code, 0) << done.text;
   std::vector<Problem> problems;
-  const Scene scene = scene_read((folder / "bodice.toml").string().c_str(), problems);
+  const Scene scene = scene_load((folder / "bodice.toml").string().c_str(), problems);
   const Grid grid = grid_make(scene, 0);
 
   const std::string first = text_of("out/frames/0000.vtp"), last = text_of("out/frames/0002.vtp");

@@ -8,7 +8,7 @@
 #include "command/command_fixture.h"
 #include "piece/outline/outline.h"
 #include "piece/place.h"
-#include "scene/reader/read.h"
+#include "validation/load.h"
 #include "seam/layout.h"
 
 namespace drape {
@@ -82,7 +82,7 @@ class Import : public Command {
   }
   Scene scene_of(const std::string& file = "tunic.toml") const {
     std::vector<Problem> problems;
-    const Scene scene = scene_read(folder / file, problems);
+    const Scene scene = scene_load(folder / file, problems);
     for (const Problem& p : problems) ADD_FAILURE() << problem_text(p);
     return scene;
   }

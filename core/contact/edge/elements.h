@@ -1,0 +1,14 @@
+// Which links and cells of the cloth meet the ridges of bodies. core/README.md, section 7.
+#pragma once
+#include "model/system.h"
+
+namespace drape {
+
+// Finds the ridges of all bodies, and lays the parts where there are any.
+void ridges_find(System& system);
+
+double ridge_sine(const Lattice& lattice);    // from which a ridge counts for a lattice
+double ridge_margin(const Lattice& lattice);  // m, that a listing is good for
+double ridge_near(const Lattice& lattice);    // m, from a ridge: nodes whose parts may come near it
+
+}  // namespace drape
