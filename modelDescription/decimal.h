@@ -3,11 +3,11 @@
 #include <charconv>
 #include <string>
 
-namespace drape {
+namespace drape::description {
 
 inline std::string decimal_text(double value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
-}  // namespace drape
+}  // namespace drape::description

@@ -5,7 +5,7 @@
 
 #include "guid.h"
 
-namespace drape {
+namespace drape::description {
 namespace {
 
 // Letters, digits and underscores, not starting with a digit.
@@ -36,4 +36,4 @@ Description description_of(drape_cloth* cloth, Nodes nodes) {
           .table = variables_of(cloth, nodes)};
 }
 
-}  // namespace drape
+}  // namespace drape::description

@@ -5,7 +5,7 @@
 
 #include "variables.h"
 
-namespace drape {
+namespace drape::description {
 
 struct Description {
   std::string name;        // of the scene
@@ -27,4 +27,4 @@ std::string description_markdown(const Description& description);
 // documentation/index.html with the table and a picture, which is an SVG element.
 std::string description_html(const Description& description, const std::string& picture);
 
-}  // namespace drape
+}  // namespace drape::description

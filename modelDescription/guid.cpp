@@ -1,6 +1,6 @@
 #include "guid.h"
 
-namespace drape {
+namespace drape::description {
 namespace {
 
 __extension__ typedef unsigned __int128 Hash;
@@ -27,4 +27,4 @@ std::string guid_of(std::string_view scene_text, Nodes nodes) {
   return guid + "}";
 }
 
-}  // namespace drape
+}  // namespace drape::description

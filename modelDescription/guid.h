@@ -5,10 +5,10 @@
 
 #include "variables.h"
 
-namespace drape {
+namespace drape::description {
 
 // From Drape's version, the scene's text and the choice of node variables: equal guids mean equal variable
 // tables.
 std::string guid_of(std::string_view scene_text, Nodes nodes);
 
-}  // namespace drape
+}  // namespace drape::description

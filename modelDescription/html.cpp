@@ -4,7 +4,7 @@
 #include "decimal.h"
 #include "table_rows.h"
 
-namespace drape {
+namespace drape::description {
 namespace {
 
 pugi::xml_node append(pugi::xml_node parent, const char* tag, const std::string& text) {
@@ -48,4 +48,4 @@ std::string description_html(const Description& d, const std::string& picture) {
   return text.str();
 }
 
-}  // namespace drape
+}  // namespace drape::description

@@ -5,7 +5,7 @@
 #include "scene/spelling.h"
 #include "variables.h"
 
-namespace drape {
+namespace drape::description {
 namespace {
 
 // "[1..8]" from "[1]" and "[8]", dimension by dimension.
@@ -32,7 +32,7 @@ const Variable* variable_find(const std::vector<Variable>& table, std::string_vi
 std::string variable_nearest(const std::vector<Variable>& table, std::string_view name) {
   std::vector<std::string> names;
   for (const Variable& v : table) names.push_back(v.name());
-  return name_nearest(name, names);
+  return scene::name_nearest(name, names);
 }
 
 std::string range_text(const Range& r) {
@@ -67,4 +67,4 @@ std::vector<Family> families_of(const std::vector<Variable>& table) {
   return families;
 }
 
-}  // namespace drape
+}  // namespace drape::description

@@ -1,6 +1,6 @@
 #include "table_rows.h"
 
-namespace drape {
+namespace drape::description {
 
 std::string description_markdown(const Description& d) {
   std::string text;
@@ -16,4 +16,4 @@ std::string description_markdown(const Description& d) {
   return text;
 }
 
-}  // namespace drape
+}  // namespace drape::description

@@ -2,7 +2,7 @@
 
 #include "decimal.h"
 
-namespace drape {
+namespace drape::description {
 namespace {
 
 const char* kind_of(const Variable& v) {
@@ -39,4 +39,4 @@ std::vector<TableRow> table_rows_of(const Description& d) {
   return rows;
 }
 
-}  // namespace drape
+}  // namespace drape::description

@@ -6,11 +6,11 @@
 
 #include "description.h"
 
-namespace drape {
+namespace drape::description {
 
 inline constexpr const char* kColumns[] = {"name", "meaning", "kind", "unit", "allowed", "start"};
 using TableRow = std::array<std::string, 6>;  // in the order of kColumns
 
 std::vector<TableRow> table_rows_of(const Description& description);
 
-}  // namespace drape
+}  // namespace drape::description

@@ -1,7 +1,7 @@
 // The units of the variable table as exponents of the SI base units.
 #pragma once
 
-namespace drape {
+namespace drape::description {
 
 struct Unit {
   const char* name;
@@ -15,4 +15,4 @@ inline constexpr Unit kUnits[] = {
     {"s", 0, 0, 1, 0},
 };
 
-}  // namespace drape
+}  // namespace drape::description

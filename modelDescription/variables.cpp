@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <numeric>
 
-namespace drape {
+namespace drape::description {
 namespace {
 
 using Table = std::vector<Variable>;
@@ -21,15 +21,15 @@ struct Row {
 };
 
 constexpr Range kAny{};
-constexpr Range range_of(const Quantity& l) { return {l.low, l.high, l.above, false, l.whole}; }
+constexpr Range range_of(const scene::Quantity& l) { return {l.low, l.high, l.above, false, l.whole}; }
 
-constexpr Row tunable(const Quantity& l) {
+constexpr Row tunable(const scene::Quantity& l) {
   return {Causality::kParameter, Variability::kTunable, l.unit, range_of(l)};
 }
-constexpr Row fixed(const Quantity& l) {
+constexpr Row fixed(const scene::Quantity& l) {
   return {Causality::kParameter, Variability::kFixed, l.unit, range_of(l)};
 }
-constexpr Row input(const Quantity& l) {
+constexpr Row input(const scene::Quantity& l) {
   return {Causality::kInput, Variability::kContinuous, l.unit, range_of(l)};
 }
 constexpr Row output(int needs, const char* unit) {
@@ -71,7 +71,8 @@ void add_diagram(Table& table, const std::string& name, const drape_diagram& dia
   for (int i = 0; i < diagram.count; ++i) {
     char elongation[48];
     std::snprintf(elongation, sizeof elongation, "at %.6g %% elongation", 100 * diagram.elongation[i]);
-    add(table, name, diagram.force + i, tunable(kForce), std::string("force on the strip cut ") + direction);
+    add(table, name, diagram.force + i, tunable(scene::kForce),
+        std::string("force on the strip cut ") + direction);
     table.back().index = "[" + std::to_string(i + 1) + "]";
     table.back().detail = elongation;
   }
@@ -104,60 +105,67 @@ std::string name_part(const char* text) {
 
 void add_fabric(Table& table, drape_fabric& f) {
   const std::string name = "fabric." + name_part(f.name);
-  add(table, name + ".areal_density", &f.areal_density, tunable(kArealDensity), "mass per area");
+  add(table, name + ".areal_density", &f.areal_density, tunable(scene::kArealDensity), "mass per area");
   add_diagram(table, name + ".warp.force", f.warp, "along the warp");
   add_diagram(table, name + ".weft.force", f.weft, "along the weft");
   add_diagram(table, name + ".bias.force", f.bias, "at 45 degrees");
-  add(table, name + ".bending.warp", &f.bending_warp, tunable(kBending), "bending rigidity per width, warp");
-  add(table, name + ".bending.weft", &f.bending_weft, tunable(kBending), "bending rigidity per width, weft");
-  add(table, name + ".poisson", &f.poisson, tunable(kPoisson),
+  add(table, name + ".bending.warp", &f.bending_warp, tunable(scene::kBending),
+      "bending rigidity per width, warp");
+  add(table, name + ".bending.weft", &f.bending_weft, tunable(scene::kBending),
+      "bending rigidity per width, weft");
+  add(table, name + ".poisson", &f.poisson, tunable(scene::kPoisson),
       "nu: the rigidity in bending is divided by 1 - nu^2");
-  add(table, name + ".compression", &f.compression, tunable(kCompression),
+  add(table, name + ".compression", &f.compression, tunable(scene::kCompression),
       "slope of the thread's law in compression over its slope at zero");
-  add(table, name + ".damping", &f.damping, tunable(kSpringDamping),
+  add(table, name + ".damping", &f.damping, tunable(scene::kSpringDamping),
       "tension of the springs per rate, over their stiffness");
-  add(table, name + ".friction", &f.friction, tunable(kFriction),
+  add(table, name + ".friction", &f.friction, tunable(scene::kFriction),
       "coefficient of static friction; the kinetic one keeps its ratio to it");
 }
 
 void add_seams(Table& table, drape_parameters& p) {
   for (int i = 0; i < p.seam_count; ++i)
-    add(table, "seam." + name_part(p.seam[i].name) + ".close", &p.seam[i].close, tunable(kClose),
+    add(table, "seam." + name_part(p.seam[i].name) + ".close", &p.seam[i].close, tunable(scene::kClose),
         "1: the seam is pulled together from the next communication interval on");
 }
 
 void add_parameters(Table& table, drape_parameters& p) {
   for (int i = 0; i < p.fabric_count; ++i) add_fabric(table, p.fabric[i]);
-  add(table, "damping", &p.damping, tunable(kDamping), "c in the braking force -m c v");
-  add_vector(table, "gravity", p.gravity, tunable(kGravity), "acceleration of gravity");
+  add(table, "damping", &p.damping, tunable(scene::kDamping), "c in the braking force -m c v");
+  add_vector(table, "gravity", p.gravity, tunable(scene::kGravity), "acceleration of gravity");
   if (p.has_air) {
-    add(table, "air.normal", &p.air_normal, tunable(kAirCoefficient), "drag coefficient across the cloth");
-    add(table, "air.tangential", &p.air_tangential, tunable(kAirCoefficient),
+    add(table, "air.normal", &p.air_normal, tunable(scene::kAirCoefficient),
+        "drag coefficient across the cloth");
+    add(table, "air.tangential", &p.air_tangential, tunable(scene::kAirCoefficient),
         "drag coefficient along the cloth");
   }
   add_seams(table, p);
-  add(table, "parameter_ramp", &p.ramp, tunable(kRamp), "time over which a tuned value moves to its new one");
-  add(table, "step.max", &p.step_max, fixed(kStepMax), "longest time step");
-  add(table, "threads", &p.threads, fixed(kThreads), "threads that share a step; they change no result");
+  add(table, "parameter_ramp", &p.ramp, tunable(scene::kRamp),
+      "time over which a tuned value moves to its new one");
+  add(table, "step.max", &p.step_max, fixed(scene::kStepMax), "longest time step");
+  add(table, "threads", &p.threads, fixed(scene::kThreads),
+      "threads that share a step; they change no result");
 }
 
 void add_inputs(Table& table, drape_inputs& u, drape_inputs& rates) {
-  if (u.has_wind) add_input(table, "wind", u.wind, rates.wind, input(kWind), "xyz", "velocity of the air");
+  if (u.has_wind)
+    add_input(table, "wind", u.wind, rates.wind, input(scene::kWind), "xyz", "velocity of the air");
   for (int i = 0; i < u.pin_count; ++i) {
     drape_pin_input &pin = u.pin[i], &rate = rates.pin[i];
     const std::string name = "pin." + name_part(pin.name);
     if (pin.drive & DRAPE_DRIVE_POSITION)
-      add_input(table, name + ".position", pin.position, rate.position, input(kPinPosition), "xyz",
+      add_input(table, name + ".position", pin.position, rate.position, input(scene::kPinPosition), "xyz",
                 "where the pin is to be at the end of the step");
     if (pin.drive & DRAPE_DRIVE_POSITION && pin.clamp)
-      add_input(table, name + ".orientation", pin.orientation, rate.orientation, input(kPinOrientation),
-                "wxyz", "rotation of the clamp since the start, a quaternion of any length above 0");
+      add_input(table, name + ".orientation", pin.orientation, rate.orientation,
+                input(scene::kPinOrientation), "wxyz",
+                "rotation of the clamp since the start, a quaternion of any length above 0");
     if (pin.drive & DRAPE_DRIVE_VELOCITY)
-      add_input(table, name + ".velocity", pin.velocity, rate.velocity, input(kPinVelocity), "xyz",
+      add_input(table, name + ".velocity", pin.velocity, rate.velocity, input(scene::kPinVelocity), "xyz",
                 "velocity that the pin is to have at the end of the step");
     if (pin.drive & DRAPE_DRIVE_VELOCITY && pin.clamp)
       add_input(table, name + ".angular_velocity", pin.angular_velocity, rate.angular_velocity,
-                input(kPinAngularVelocity), "xyz",
+                input(scene::kPinAngularVelocity), "xyz",
                 "angular velocity that the clamp is to have at the end of the step");
   }
 }
@@ -166,14 +174,14 @@ void add_bodies(Table& table, drape_inputs& u, drape_inputs& rates) {
   for (int i = 0; i < u.body_count; ++i) {
     drape_pin_input &body = u.body[i], &rate = rates.body[i];
     const std::string name = "body." + name_part(body.name);
-    add_input(table, name + ".position", body.position, rate.position, input(kPinPosition), "xyz",
+    add_input(table, name + ".position", body.position, rate.position, input(scene::kPinPosition), "xyz",
               "where the body's origin is to be at the end of the step");
-    add_input(table, name + ".orientation", body.orientation, rate.orientation, input(kPinOrientation),
+    add_input(table, name + ".orientation", body.orientation, rate.orientation, input(scene::kPinOrientation),
               "wxyz", "rotation of the body from its mesh, a quaternion of any length above 0");
-    add_input(table, name + ".velocity", body.velocity, rate.velocity, input(kPinVelocity), "xyz",
+    add_input(table, name + ".velocity", body.velocity, rate.velocity, input(scene::kPinVelocity), "xyz",
               "velocity that the body's origin is to have at the end of the step");
     add_input(table, name + ".angular_velocity", body.angular_velocity, rate.angular_velocity,
-              input(kPinAngularVelocity), "xyz",
+              input(scene::kPinAngularVelocity), "xyz",
               "angular velocity that the body is to have at the end of the step");
   }
 }
@@ -303,4 +311,4 @@ std::vector<Variable> variables_of(drape_cloth* cloth, Nodes nodes) {
   return table;
 }
 
-}  // namespace drape
+}  // namespace drape::description

@@ -9,7 +9,7 @@
 
 #include "drape/drape.h"
 
-namespace drape {
+namespace drape::description {
 
 enum class Causality { kParameter, kInput, kOutput };
 enum class Variability { kFixed, kTunable, kDiscrete, kContinuous };
@@ -63,4 +63,4 @@ struct Family {
 };
 std::vector<Family> families_of(const std::vector<Variable>& table);
 
-}  // namespace drape
+}  // namespace drape::description

@@ -9,7 +9,7 @@
 #include "description.h"
 #include "units.h"
 
-namespace drape {
+namespace drape::description {
 namespace {
 
 void set(pugi::xml_node node, const char* name, const std::string& value) {
@@ -143,4 +143,4 @@ std::string description_xml_fmi2(const Description& d) {
   return text.str();
 }
 
-}  // namespace drape
+}  // namespace drape::description

@@ -5,23 +5,23 @@
 #include <new>
 
 #include "api/cloth.h"
-#include "dynamics/step_size/step_limit.h"
+#include "assembly/assemble.h"
 #include "dynamics/seam_welding.h"
+#include "dynamics/step_size/step_limit.h"
 #include "outputs/energy.h"
 #include "validation/load.h"
-#include "assembly/assemble.h"
 
 struct drape_snapshot {
   drape::State state;
-  drape::Tuning tuning;
-  drape::ParameterValues shown;  // also what is set but not committed yet
+  drape::api::Tuning tuning;
+  drape::api::ParameterValues shown;  // also what is set but not committed yet
   struct Inputs {
     double wind[3];
     std::vector<drape_pin_input> pin, body;
   } inputs, input_rates;
 };
 
-namespace drape {
+namespace drape::api {
 namespace {
 
 constexpr double kIntervalsMost = 1e9;  // in one advance
@@ -53,29 +53,29 @@ void seams_warn(const drape_cloth& c) {
 }
 
 void cloth_assemble(drape_cloth& c, std::vector<Problem>& problems) {
-  c.system = system_assemble(c.scene, c.state, problems);
+  c.system = assembly::system_assemble(c.scene, c.state, problems);
   if (!problems.empty()) return;
-  c.motion = motion_make(c.system);
-  leapfrog_begin(c.system, c.motion, c.state);
-  energy_begin(c.system, c.state);
-  touch_start_check(c.system, c.scene, c.motion.touch, c.state, problems);
-  self_start_check(c.system, c.scene, c.state, problems);
+  c.motion = dynamics::motion_make(c.system);
+  dynamics::leapfrog_begin(c.system, c.motion, c.state);
+  outputs::energy_begin(c.system, c.state);
+  contact::touch_start_check(c.system, c.scene, c.motion.touch, c.state, problems);
+  contact::self_start_check(c.system, c.scene, c.state, problems);
   step_check(c, problems);
   if (!problems.empty()) return;
   c.good = c.state;
   parameters_make(c.parameters, c.scene, c.system.step_max);
   tuning_begin(c);
   inputs_make(c);
-  outputs_make(c.outputs, c.scene, c.system);
+  outputs::outputs_make(c.outputs, c.scene, c.system);
   seams_warn(c);
-  for (const Body& body : c.system.bodies)
+  for (const model::Body& body : c.system.bodies)
     for (const std::string& remark : body.remarks) say(c, DRAPE_LOG_WARNING, remark);
 }
 
 // Where a run left the finite numbers, and the likely reason.
 std::string trouble_text(const drape_cloth& c) {
   const State& s = c.state;
-  for (const Lattice& l : c.system.lattices)
+  for (const model::Lattice& l : c.system.lattices)
     for (std::size_t n : c.system.particle) {
       if (!l.owns(n)) continue;
       if (std::isfinite(s.x[n] + s.y[n] + s.z[n]) && std::isfinite(s.vx[n] + s.vy[n] + s.vz[n])) continue;
@@ -86,10 +86,10 @@ std::string trouble_text(const drape_cloth& c) {
   return "no particle";
 }
 
-void say_trouble(const drape_cloth& c, Advance how, double length) {
-  const double from = state_time(c.good, c.system.communication);
+void say_trouble(const drape_cloth& c, dynamics::Advance how, double length) {
+  const double from = model::state_time(c.good, c.system.communication);
   const std::string when = "between " + number(from, 9) + " and " + number(from + length, 9) + " s";
-  if (how == Advance::kNotFinite) {
+  if (how == dynamics::Advance::kNotFinite) {
     say(c, DRAPE_LOG_ERROR,
         when + " the run left the finite numbers, first seen at " + trouble_text(c) + " after step " +
             std::to_string(c.state.steps) + " of size " + number(c.state.h_old) +
@@ -97,26 +97,28 @@ void say_trouble(const drape_cloth& c, Advance how, double length) {
             number(from, 9) + " s");
     return;
   }
-  const double limit = step_limit_of(c.system, c.state.omega2);
-  if (how == Advance::kTooManySteps) {
+  const double limit = dynamics::step_limit_of(c.system, c.state.omega2);
+  if (how == dynamics::Advance::kTooManySteps) {
     say(c, DRAPE_LOG_ERROR,
-        when + " the step limit fell to " + number(limit) + " s, more than " + number(double(kSubsMost)) +
-            " steps in a communication interval, set by the " +
-            step_limit_link(c.system, c.scene, c.state, c.state.h_old) +
+        when + " the step limit fell to " + number(limit) + " s, more than " +
+            number(double(dynamics::kSubsMost)) + " steps in a communication interval, set by the " +
+            dynamics::step_limit_link(c.system, c.scene, c.state, c.state.h_old) +
             "; loads or strains grew beyond what the fabric's laws can carry; the state is that of " +
             number(from, 9) + " s");
     return;
   }
   say(c, DRAPE_LOG_ERROR,
       "scene.step = " + number(c.system.step_given) + " s is above the step limit, which fell to " +
-          number(limit) + " s " + when + ", set by the " + step_limit_link(c.system, c.scene, c.state) +
-          "; the state is that of " + number(from, 9) + " s");
+          number(limit) + " s " + when + ", set by the " +
+          dynamics::step_limit_link(c.system, c.scene, c.state) + "; the state is that of " +
+          number(from, 9) + " s");
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::api
 
 using namespace drape;
+using namespace drape::api;
 
 drape_cloth* drape_open(const char* scene_file, drape_log_fn* log, void* user) {
   auto* c = new drape_cloth;
@@ -124,12 +126,13 @@ drape_cloth* drape_open(const char* scene_file, drape_log_fn* log, void* user) {
   c->log_user = user;
   std::vector<Problem> problems;
   try {
-    c->scene = scene_load(scene_file, problems);
-    if (problems.empty()) c->text = scene_resolve(scene_file, problems);
-    for (const BodySpec& body : c->scene.bodies) c->files.push_back(body_file(body.name, body.mesh));
+    c->scene = validation::scene_load(scene_file, problems);
+    if (problems.empty()) c->text = scene::scene_resolve(scene_file, problems);
+    for (const scene::BodySpec& body : c->scene.bodies)
+      c->files.push_back(scene::body_file(body.name, body.mesh));
     if (problems.empty()) {
       cloth_assemble(*c, problems);
-      for (Problem& p : problems) p.place = scene_place(scene_file, p.place);
+      for (Problem& p : problems) p.place = scene::scene_place(scene_file, p.place);
     }
   } catch (const std::bad_alloc&) {
     problems.push_back(
@@ -160,7 +163,7 @@ drape_inputs* drape_input_rates_of(drape_cloth* c) { return &c->input_rates; }
 void drape_inputs_start(drape_cloth* c) {
   if (c->state.steps > 0 || std::equal(c->state.wind.begin(), c->state.wind.end(), c->inputs.wind)) return;
   std::copy(c->inputs.wind, c->inputs.wind + 3, c->state.wind.begin());
-  leapfrog_retuned(c->system, c->motion, c->state);
+  dynamics::leapfrog_retuned(c->system, c->motion, c->state);
 }
 int drape_at_rest(const drape_cloth* c) { return c->state.fit.at_rest; }
 
@@ -175,7 +178,7 @@ drape_status drape_start(drape_cloth* c, double time) {
   return DRAPE_OK;
 }
 
-double drape_time(const drape_cloth* c) { return state_time(c->state, c->system.communication); }
+double drape_time(const drape_cloth* c) { return model::state_time(c->state, c->system.communication); }
 
 drape_status drape_advance(drape_cloth* c, double length) {
   if (!(std::isfinite(length) && length > 0)) {
@@ -198,21 +201,23 @@ drape_status drape_advance(drape_cloth* c, double length) {
   c->good = c->state;
   c->tuning_good = c->tuning;
   std::string event;
-  const Advance how = leapfrog_advance(c->system, c->motion, c->state, length, event, [c](double intervals) {
-    const bool tuned = tuning_go(*c, intervals);
-    return sewing_go(*c) || tuned;
-  });
+  const dynamics::Advance how =
+      dynamics::leapfrog_advance(c->system, c->motion, c->state, length, event, [c](double intervals) {
+        const bool tuned = tuning_go(*c, intervals);
+        return sewing_go(*c) || tuned;
+      });
   if (!event.empty())
-    say(*c, DRAPE_LOG_STABILITY, event + ", set by the " + step_limit_link(c->system, c->scene, c->state));
-  if (how == Advance::kDone) {
+    say(*c, DRAPE_LOG_STABILITY,
+        event + ", set by the " + dynamics::step_limit_link(c->system, c->scene, c->state));
+  if (how == dynamics::Advance::kDone) {
     inputs_taken(*c);
     return DRAPE_OK;
   }
   say_trouble(*c, how, length);
   c->state = c->good;
   tuning_restore(*c, c->tuning_good);
-  seams_restore(c->system, c->motion, c->state);
-  c->stuck = how == Advance::kStepAboveLimit;
+  dynamics::seams_restore(c->system, c->motion, c->state);
+  c->stuck = how == dynamics::Advance::kStepAboveLimit;
   return c->stuck ? DRAPE_DISCARD : DRAPE_ERROR;
 }
 
@@ -224,16 +229,17 @@ const drape_outputs* drape_outputs_at(drape_cloth* c, int want_nodes) {
 }
 
 const drape_outputs* drape_outputs_of(drape_cloth* c, int what) {
-  outputs_fill(c->outputs, c->system, c->motion, c->state, what);
+  outputs::outputs_fill(c->outputs, c->system, c->motion, c->state, what);
   return &c->outputs.shown;
 }
 
 double drape_step_limit(drape_cloth* c, const char** set_by) {
   if (set_by) {
-    c->limit_link = step_limit_link(c->system, c->scene, c->state);
+    c->limit_link = dynamics::step_limit_link(c->system, c->scene, c->state);
     *set_by = c->limit_link.c_str();
   }
-  return step_limit_of(c->system, step_limit_omega2(c->system, *c->motion.kernel, c->state));
+  return dynamics::step_limit_of(c->system,
+                                 dynamics::step_limit_omega2(c->system, *c->motion.kernel, c->state));
 }
 
 drape_snapshot* drape_save(drape_cloth* c, drape_snapshot* into) {
@@ -249,9 +255,9 @@ drape_snapshot* drape_save(drape_cloth* c, drape_snapshot* into) {
 void drape_restore(drape_cloth* c, const drape_snapshot* from) {
   c->stuck = false;
   c->state = from->state;
-  workspace_clear(c->motion.workspace);  // what the state before may have left there
+  dynamics::workspace_clear(c->motion.workspace);  // what the state before may have left there
   tuning_restore(*c, from->tuning);
-  seams_restore(c->system, c->motion, c->state);
+  dynamics::seams_restore(c->system, c->motion, c->state);
   parameters_write(c->parameters, from->shown);
   inputs_restore(from->inputs, c->inputs);
   inputs_restore(from->input_rates, c->input_rates);

@@ -1,13 +1,13 @@
 // What stands behind the C interface: a cloth is a scene, the system made from it, its state, and the structs
 // it shows.
 #pragma once
+#include "api/ramp.h"
 #include "drape/drape.h"
 #include "dynamics/advance.h"
 #include "outputs/fields.h"
 #include "outputs/outputs.h"
-#include "api/ramp.h"
 
-namespace drape {
+namespace drape::api {
 
 // The tuned values: those in the system, and where they go.
 struct Tuning {
@@ -15,7 +15,7 @@ struct Tuning {
   Ramp ramp;
 };
 
-}  // namespace drape
+}  // namespace drape::api
 
 struct drape_cloth {
   drape_log_fn* log = nullptr;
@@ -24,16 +24,16 @@ struct drape_cloth {
   std::string text;
   std::vector<std::string> files;  // [bodies] their names beside the text
   drape::System system;
-  drape::Motion motion;
+  drape::dynamics::Motion motion;
   drape::State state, good;  // now, and when the running advance began
-  drape::Parameters parameters;
+  drape::api::Parameters parameters;
   drape_inputs inputs{}, input_rates{};
   std::vector<drape_pin_input> pin_inputs, pin_rates;    // [driven pins]
   std::vector<std::size_t> driven;                       // theirs among Scene::pins
   std::vector<drape_pin_input> body_inputs, body_rates;  // [moving bodies]
   std::vector<std::size_t> moving;                       // theirs among Scene::bodies
-  drape::Tuning tuning, tuning_good;                     // as state, good
-  drape::Outputs outputs;
+  drape::api::Tuning tuning, tuning_good;                // as state, good
+  drape::outputs::Outputs outputs;
   struct Piece {
     int first = 0;
     std::vector<double> rest;  // [particles x 2]
@@ -45,15 +45,15 @@ struct drape_cloth {
     int cut = 0, merged = 0, twins = 0;
     double area = 0;
   };
-  std::vector<Piece> pieces;  // empty until one is asked for
-  drape::Fields fields;       // of the last time they were asked for, as are these
+  std::vector<Piece> pieces;      // empty until one is asked for
+  drape::outputs::Fields fields;  // of the last time they were asked for, as are these
   drape_fields fields_shown{};
   std::vector<double> seam_line[2], surface_point;
   std::string limit_link;
   bool stuck = false;  // the last advance met a step limit below the given step
 };
 
-namespace drape {
+namespace drape::api {
 
 void say(const drape_cloth& cloth, drape_log_kind kind, const std::string& message);
 void say_problems(const drape_cloth& cloth, const std::vector<Problem>& problems);
@@ -95,4 +95,4 @@ bool sewing_go(drape_cloth& cloth);
 // Takes up an earlier state of the tuning.
 void tuning_restore(drape_cloth& cloth, const Tuning& tuning);
 
-}  // namespace drape
+}  // namespace drape::api

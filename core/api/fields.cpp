@@ -3,42 +3,46 @@
 
 #include "api/cloth.h"
 #include "math/vector3.h"
-#include "model/seam_rows.h"
 #include "model/elements.h"
+#include "model/seam_rows.h"
 
-namespace drape {
+namespace drape::api {
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
-Vec3 outward(const Mat3& turn, const Vec3& x) { return {dot(turn[0], x), dot(turn[1], x), dot(turn[2], x)}; }
+Vec3 outward(const model::Mat3& turn, const Vec3& x) {
+  return {dot(turn[0], x), dot(turn[1], x), dot(turn[2], x)};
+}
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::api
 
 using namespace drape;
+using namespace drape::api;
 
 const drape_fields* drape_fields_at(drape_cloth* c) {
-  fields_fill(c->fields, c->system, c->state, leapfrog_stops(c->system, c->motion, c->state));
+  outputs::fields_fill(c->fields, c->system, c->state,
+                       dynamics::leapfrog_stops(c->system, c->motion, c->state));
   c->fields_shown = {int(c->fields.area.size()), c->fields.strain.data(), c->fields.tension.data(),
                      c->fields.pressure.data(), c->fields.area.data()};
   return &c->fields_shown;
 }
 
 drape_elongation drape_elongation_of(drape_cloth* c, int piece, drape_thread along, double limit) {
-  const Lattice& l = c->system.lattices[std::size_t(piece)];
-  const Curve& curve = law_curve(l.law, Thread(along));
+  const model::Lattice& l = c->system.lattices[std::size_t(piece)];
+  const math::Curve& curve = model::law_curve(l.law, model::Thread(along));
   if (limit < 0) limit = curve.segments ? curve.last : std::numeric_limits<double>::infinity();
-  const Elongation e = elongation_of(c->system, c->state, l, Thread(along), limit);
+  const outputs::Elongation e = outputs::elongation_of(c->system, c->state, l, model::Thread(along), limit);
   return {{e.min, e.max, e.mean}, e.tension_max, limit, e.beyond};
 }
 
 drape_seam_lines drape_seam_lines_at(drape_cloth* c, int index) {
-  const Seam& seam = c->system.seams.seam[std::size_t(index)];
+  const model::Seam& seam = c->system.seams.seam[std::size_t(index)];
   for (int side = 0; side < 2; ++side) {
     c->seam_line[side].clear();
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
-      const Vec3 x = point_now(c->system.seams.pair[p].side[side], c->state);
+      const Vec3 x = model::point_now(c->system.seams.pair[p].side[side], c->state);
       c->seam_line[side].insert(c->seam_line[side].end(), x.begin(), x.end());
     }
   }
@@ -46,9 +50,9 @@ drape_seam_lines drape_seam_lines_at(drape_cloth* c, int index) {
 }
 
 drape_surface drape_surface_at(drape_cloth* c, int index) {
-  const Body& body = c->system.bodies[std::size_t(index)];
-  const BodyContact& now = c->state.body[std::size_t(index)];
-  const BodySurface& surface = body.mesh.surface;
+  const model::Body& body = c->system.bodies[std::size_t(index)];
+  const model::BodyContact& now = c->state.body[std::size_t(index)];
+  const body::BodySurface& surface = body.mesh.surface;
   c->surface_point.clear();
   for (const Vec3& at : surface.point) {
     const Vec3 x = body.moves ? now.frame.position + outward(now.turn, at) : at;

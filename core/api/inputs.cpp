@@ -5,7 +5,7 @@
 #include "api/cloth.h"
 #include "scene/limits.h"
 
-namespace drape {
+namespace drape::api {
 namespace {
 
 bool all_zero(const double* q) { return q[0] == 0 && q[1] == 0 && q[2] == 0 && q[3] == 0; }
@@ -13,7 +13,7 @@ bool all_zero(const double* q) { return q[0] == 0 && q[1] == 0 && q[2] == 0 && q
 // One vector input, its rate, and where it is now.
 struct VectorInput {
   std::string name;
-  const Quantity* limits;
+  const scene::Quantity* limits;
   int size;
   double *value, *rate;
   const double* now;
@@ -24,8 +24,8 @@ void vector_take(const VectorInput& v, double length, double* reached, std::vect
   for (int k = 0; k < v.size; ++k) {
     const std::string name = v.name + "[" + std::to_string(k + 1) + "]";
     reached[k] = v.rate[k] == 0 ? v.value[k] : v.value[k] + length * v.rate[k];
-    if (quantity_fits(*v.limits, v.value[k]) && quantity_fits(*v.limits, reached[k])) continue;
-    const bool by_rate = quantity_fits(*v.limits, v.value[k]);
+    if (scene::quantity_fits(*v.limits, v.value[k]) && scene::quantity_fits(*v.limits, reached[k])) continue;
+    const bool by_rate = scene::quantity_fits(*v.limits, v.value[k]);
     problems.push_back({name, (by_rate ? "+ its derivative times the length of the advance " : "") +
                                   limits_text(*v.limits, by_rate ? reached[k] : v.value[k])});
     v.value[k] = v.now[k];
@@ -40,9 +40,9 @@ void orientation_take(const VectorInput& v, double* reached, std::vector<Problem
 }
 
 // Of a pin or a body: `name`.
-void pin_take(const std::string& name, const Frame& now, drape_pin_input& in, drape_pin_input& rate,
-              double length, Frame& to, std::vector<Problem>& problems) {
-  const auto take = [&](const char* what, const Quantity& limits, int size, double* value, double* by,
+void pin_take(const std::string& name, const math::Frame& now, drape_pin_input& in, drape_pin_input& rate,
+              double length, math::Frame& to, std::vector<Problem>& problems) {
+  const auto take = [&](const char* what, const scene::Quantity& limits, int size, double* value, double* by,
                         const double* present, double* reached) {
     const VectorInput v{name + "." + what, &limits, size, value, by, present};
     const std::size_t before = problems.size();
@@ -50,15 +50,17 @@ void pin_take(const std::string& name, const Frame& now, drape_pin_input& in, dr
     if (size == 4 && problems.size() == before) orientation_take(v, reached, problems);
   };
   if (in.drive & DRAPE_DRIVE_POSITION) {
-    take("position", kPinPosition, 3, in.position, rate.position, now.position.data(), to.position.data());
+    take("position", scene::kPinPosition, 3, in.position, rate.position, now.position.data(),
+         to.position.data());
     if (in.clamp)
-      take("orientation", kPinOrientation, 4, in.orientation, rate.orientation, now.turn.data(),
+      take("orientation", scene::kPinOrientation, 4, in.orientation, rate.orientation, now.turn.data(),
            to.turn.data());
   }
   if (in.drive & DRAPE_DRIVE_VELOCITY) {
-    take("velocity", kPinVelocity, 3, in.velocity, rate.velocity, now.velocity.data(), to.velocity.data());
+    take("velocity", scene::kPinVelocity, 3, in.velocity, rate.velocity, now.velocity.data(),
+         to.velocity.data());
     if (in.clamp)
-      take("angular_velocity", kPinAngularVelocity, 3, in.angular_velocity, rate.angular_velocity,
+      take("angular_velocity", scene::kPinAngularVelocity, 3, in.angular_velocity, rate.angular_velocity,
            now.spin.data(), to.spin.data());
   }
 }
@@ -67,13 +69,13 @@ void pin_take(const std::string& name, const Frame& now, drape_pin_input& in, dr
 
 void inputs_make(drape_cloth& c) {
   for (std::size_t p = 0; p < c.scene.pins.size(); ++p) {
-    const PinSpec& pin = c.scene.pins[p];
-    if (pin.drive == Drive::kNone) continue;
+    const scene::PinSpec& pin = c.scene.pins[p];
+    if (pin.drive == scene::Drive::kNone) continue;
     drape_pin_input in{};
     in.name = pin.name.c_str();
-    in.drive = pin.drive == Drive::kPosition   ? DRAPE_DRIVE_POSITION
-               : pin.drive == Drive::kVelocity ? DRAPE_DRIVE_VELOCITY
-                                               : DRAPE_DRIVE_POSITION | DRAPE_DRIVE_VELOCITY;
+    in.drive = pin.drive == scene::Drive::kPosition   ? DRAPE_DRIVE_POSITION
+               : pin.drive == scene::Drive::kVelocity ? DRAPE_DRIVE_VELOCITY
+                                                      : DRAPE_DRIVE_POSITION | DRAPE_DRIVE_VELOCITY;
     in.clamp = pin.clamp;
     c.pin_rates.push_back(in);
     for (std::size_t k = 0; k < 3; ++k) in.position[k] = c.state.pin_frame[p].position[k];
@@ -82,7 +84,7 @@ void inputs_make(drape_cloth& c) {
     c.driven.push_back(p);
   }
   for (std::size_t b = 0; b < c.system.bodies.size(); ++b) {
-    const Body& body = c.system.bodies[b];
+    const model::Body& body = c.system.bodies[b];
     if (!body.moves) continue;
     drape_pin_input in{};
     in.name = body.name.c_str();
@@ -107,11 +109,12 @@ void inputs_make(drape_cloth& c) {
 }
 
 void inputs_mend(drape_cloth& c, std::vector<Problem>& problems) {
-  const auto mend = [&](const char* kind, drape_pin_input& in, drape_pin_input& rate, const Frame& now) {
+  const auto mend = [&](const char* kind, drape_pin_input& in, drape_pin_input& rate,
+                        const math::Frame& now) {
     if (!in.clamp || !(in.drive & DRAPE_DRIVE_POSITION) || !all_zero(rate.orientation)) return;
     double reached[4] = {in.orientation[0], in.orientation[1], in.orientation[2], in.orientation[3]};
-    orientation_take({std::string(kind) + in.name + ".orientation", &kPinOrientation, 4, in.orientation,
-                      rate.orientation, now.turn.data()},
+    orientation_take({std::string(kind) + in.name + ".orientation", &scene::kPinOrientation, 4,
+                      in.orientation, rate.orientation, now.turn.data()},
                      reached, problems);
   };
   for (std::size_t k = 0; k < c.driven.size(); ++k)
@@ -121,10 +124,10 @@ void inputs_mend(drape_cloth& c, std::vector<Problem>& problems) {
 }
 
 bool inputs_take(drape_cloth& c, double length, std::vector<Problem>& problems) {
-  Inputs to = inputs_at(c.state);
+  dynamics::Inputs to = dynamics::inputs_at(c.state);
   const std::size_t before = problems.size();
   if (c.inputs.has_wind)
-    vector_take({"wind", &kWind, 3, c.inputs.wind, c.input_rates.wind, c.state.wind.data()}, length,
+    vector_take({"wind", &scene::kWind, 3, c.inputs.wind, c.input_rates.wind, c.state.wind.data()}, length,
                 to.wind.data(), problems);
   for (std::size_t k = 0; k < c.driven.size(); ++k)
     pin_take(std::string("pin.") + c.pin_inputs[k].name, c.state.pin_frame[c.driven[k]], c.pin_inputs[k],
@@ -147,4 +150,4 @@ void inputs_taken(drape_cloth& c) {
     }
 }
 
-}  // namespace drape
+}  // namespace drape::api

@@ -3,16 +3,18 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "validation/checks.h"
 #include "scene/limits.h"
+#include "validation/checks.h"
 
-namespace drape {
+namespace drape::api {
 namespace {
 
-const DiagramSpec* diagrams_of(const FabricSpec& f, int k) {
+const scene::DiagramSpec* diagrams_of(const scene::FabricSpec& f, int k) {
   return k == 0 ? &f.warp : k == 1 ? &f.weft : &f.bias;
 }
-DiagramSpec* diagrams_of(FabricSpec& f, int k) { return k == 0 ? &f.warp : k == 1 ? &f.weft : &f.bias; }
+scene::DiagramSpec* diagrams_of(scene::FabricSpec& f, int k) {
+  return k == 0 ? &f.warp : k == 1 ? &f.weft : &f.bias;
+}
 drape_diagram* shown_of(drape_fabric& f, int k) { return k == 0 ? &f.warp : k == 1 ? &f.weft : &f.bias; }
 constexpr const char* kDiagram[] = {"warp", "weft", "bias"};
 
@@ -38,47 +40,49 @@ void each_value(P& p, Visit visit) {
 // Name and range of every number, in the order of each_value.
 struct ValueRow {
   std::string place;
-  const Quantity* limits;
+  const scene::Quantity* limits;
 };
 std::vector<ValueRow> value_rows(const Parameters& p, const Scene& scene) {
-  std::vector<ValueRow> rows{{"damping", &kDamping}};
-  for (int k = 1; k <= 3; ++k) rows.push_back({"gravity[" + std::to_string(k) + "]", &kGravity});
-  rows.push_back({"air.normal", &kAirCoefficient});
-  rows.push_back({"air.tangential", &kAirCoefficient});
-  rows.push_back({"parameter_ramp", &kRamp});
-  rows.push_back({"step.max", &kStepMax});
-  rows.push_back({"threads", &kThreads});
-  for (const SeamSpec& s : scene.seams) rows.push_back({"seam." + s.name + ".close", &kClose});
-  for (const FabricSpec& f : scene.fabrics) {
+  std::vector<ValueRow> rows{{"damping", &scene::kDamping}};
+  for (int k = 1; k <= 3; ++k) rows.push_back({"gravity[" + std::to_string(k) + "]", &scene::kGravity});
+  rows.push_back({"air.normal", &scene::kAirCoefficient});
+  rows.push_back({"air.tangential", &scene::kAirCoefficient});
+  rows.push_back({"parameter_ramp", &scene::kRamp});
+  rows.push_back({"step.max", &scene::kStepMax});
+  rows.push_back({"threads", &scene::kThreads});
+  for (const scene::SeamSpec& s : scene.seams) rows.push_back({"seam." + s.name + ".close", &scene::kClose});
+  for (const scene::FabricSpec& f : scene.fabrics) {
     const std::string place = "fabric." + f.name;
-    rows.push_back({place + ".areal_density", &kArealDensity});
-    rows.push_back({place + ".bending.warp", &kBending});
-    rows.push_back({place + ".bending.weft", &kBending});
-    rows.push_back({place + ".poisson", &kPoisson});
-    rows.push_back({place + ".compression", &kCompression});
-    rows.push_back({place + ".damping", &kSpringDamping});
-    rows.push_back({place + ".friction", &kFriction});
+    rows.push_back({place + ".areal_density", &scene::kArealDensity});
+    rows.push_back({place + ".bending.warp", &scene::kBending});
+    rows.push_back({place + ".bending.weft", &scene::kBending});
+    rows.push_back({place + ".poisson", &scene::kPoisson});
+    rows.push_back({place + ".compression", &scene::kCompression});
+    rows.push_back({place + ".damping", &scene::kSpringDamping});
+    rows.push_back({place + ".friction", &scene::kFriction});
   }
   for (std::size_t list = 0; list < p.force.size(); ++list)
     for (std::size_t i = 1; i <= p.force[list].size(); ++i)
       rows.push_back({"fabric." + scene.fabrics[list / 3].name + "." + kDiagram[list % 3] + ".force[" +
                           std::to_string(i) + "]",
-                      &kForce});
+                      &scene::kForce});
   return rows;
 }
 
 // Of the forces that depend on velocity.
-bool is_rated(const ValueRow& row) { return row.limits == &kAirCoefficient || row.limits == &kSpringDamping; }
+bool is_rated(const ValueRow& row) {
+  return row.limits == &scene::kAirCoefficient || row.limits == &scene::kSpringDamping;
+}
 
-std::string rated_text(const Quantity& q, double value, int order) {
+std::string rated_text(const scene::Quantity& q, double value, int order) {
   char text[80];
   std::snprintf(text, sizeof text, "= %.9g%s; allowed: ", value, std::string(q.unit) == "1" ? "" : " s");
-  return text + order_allows(order);
+  return text + validation::order_allows(order);
 }
 
 // The first point of a diagram whose law, force x correction, lies below that of the one before it; its size
 // where none does.
-std::size_t fall_of(const std::vector<double>& force, const DiagramSpec& diagram) {
+std::size_t fall_of(const std::vector<double>& force, const scene::DiagramSpec& diagram) {
   const std::vector<double>& correction = diagram.correction;
   double before = 0;
   for (std::size_t i = 0; i < force.size(); ++i) {
@@ -100,7 +104,7 @@ std::string fall_text(const std::vector<double>& force, std::size_t i) {
 
 }  // namespace
 
-std::string limits_text(const Quantity& q, double value) {
+std::string limits_text(const scene::Quantity& q, double value) {
   const std::string unit = std::string(q.unit) == "1" ? "" : std::string(" ") + q.unit;
   char text[160];
   std::snprintf(text, sizeof text, "= %.9g%s; allowed: %s %.9g to %.9g%s", value, unit.c_str(),
@@ -118,12 +122,12 @@ void parameters_make(Parameters& p, const Scene& scene, double step_max) {
   p.elongation.resize(3 * n);
   p.force.resize(3 * n);
   for (std::size_t k = 0; k < n; ++k) {
-    const FabricSpec& f = scene.fabrics[k];
+    const scene::FabricSpec& f = scene.fabrics[k];
     p.fabrics[k] = {
         f.name.c_str(), f.areal_density, {},        {},           {}, f.bending_warp, f.bending_weft,
         f.poisson,      f.compression,   f.damping, f.friction[0]};
     for (int d = 0; d < 3; ++d) {
-      const DiagramSpec& from = *diagrams_of(f, d);
+      const scene::DiagramSpec& from = *diagrams_of(f, d);
       if (from.force.empty()) continue;
       std::vector<double>&e = p.elongation[3 * k + std::size_t(d)], &force = p.force[3 * k + std::size_t(d)];
       e.assign(from.elongation.begin() + 1, from.elongation.end());
@@ -131,7 +135,7 @@ void parameters_make(Parameters& p, const Scene& scene, double step_max) {
       *shown_of(p.fabrics[k], d) = {int(force.size()), e.data(), force.data()};
     }
   }
-  for (const SeamSpec& s : scene.seams) p.seams.push_back({s.name.c_str(), 0});
+  for (const scene::SeamSpec& s : scene.seams) p.seams.push_back({s.name.c_str(), 0});
   p.shown = {scene.damping,
              {scene.gravity[0], scene.gravity[1], scene.gravity[2]},
              scene.has_air,
@@ -195,10 +199,10 @@ std::vector<int> parameters_groups(const Parameters& p) {
   return group;
 }
 
-std::vector<FabricSpec> parameters_fabrics(const Parameters& p, const Scene& scene) {
-  std::vector<FabricSpec> fabrics = scene.fabrics;
+std::vector<scene::FabricSpec> parameters_fabrics(const Parameters& p, const Scene& scene) {
+  std::vector<scene::FabricSpec> fabrics = scene.fabrics;
   for (std::size_t k = 0; k < fabrics.size(); ++k) {
-    FabricSpec& f = fabrics[k];
+    scene::FabricSpec& f = fabrics[k];
     const drape_fabric& shown = p.fabrics[k];
     f.areal_density = shown.areal_density;
     f.bending_warp = shown.bending_warp;
@@ -222,7 +226,7 @@ void parameters_mend(Parameters& p, const Scene& scene, const ParameterValues& i
   ParameterValues now = parameters_read(p);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const bool brakes = scene.order > 2 && is_rated(rows[k]) && now.value[k] > 0;
-    if (quantity_fits(*rows[k].limits, now.value[k]) && !brakes) continue;
+    if (scene::quantity_fits(*rows[k].limits, now.value[k]) && !brakes) continue;
     problems.push_back({rows[k].place, brakes ? rated_text(*rows[k].limits, now.value[k], scene.order)
                                               : limits_text(*rows[k].limits, now.value[k])});
     now.value[k] = in_force.value[k];
@@ -250,4 +254,4 @@ bool parameters_restore(Parameters& p, const Scene& scene, const ParameterValues
   return !(mended == now);
 }
 
-}  // namespace drape
+}  // namespace drape::api

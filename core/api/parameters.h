@@ -1,10 +1,10 @@
 // The tunable values of a cloth behind drape_parameters: storage, copies, checks.
 #pragma once
 #include "drape/drape.h"
-#include "scene/limits.h"
 #include "model/system.h"
+#include "scene/limits.h"
 
-namespace drape {
+namespace drape::api {
 
 // The numbers of drape_parameters in one flat run, so that copying, comparing and restoring them are loops.
 struct ParameterValues {
@@ -13,7 +13,7 @@ struct ParameterValues {
 };
 
 // "= -1 kg/m2; allowed: from 0.0001 to 100 kg/m2"
-std::string limits_text(const Quantity& limits, double value);
+std::string limits_text(const scene::Quantity& limits, double value);
 
 // The struct handed to users and what it points to.
 struct Parameters {
@@ -40,7 +40,7 @@ bool parameters_move_otherwise(const Parameters& parameters, const ParameterValu
 std::vector<int> parameters_groups(const Parameters& parameters);
 
 // The fabrics of the scene with the values of the parameters.
-std::vector<FabricSpec> parameters_fabrics(const Parameters& parameters, const Scene& scene);
+std::vector<scene::FabricSpec> parameters_fabrics(const Parameters& parameters, const Scene& scene);
 
 // Puts back what may not be: single values out of their range, and diagrams that fall as a whole. One problem
 // each.
@@ -51,4 +51,4 @@ void parameters_mend(Parameters& parameters, const Scene& scene, const Parameter
 bool parameters_restore(Parameters& parameters, const Scene& scene, const ParameterValues& in_force,
                         const std::string& stem);
 
-}  // namespace drape
+}  // namespace drape::api

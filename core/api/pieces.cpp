@@ -3,22 +3,22 @@
 #include "piece/grid/surface.h"
 #include "seam/particles.h"
 
-namespace drape {
+namespace drape::api {
 namespace {
 
 // How often the outline cuts, and what became of it.
-void counts_fill(const Grid& grid, drape_cloth::Piece& piece) {
+void counts_fill(const piece::Grid& grid, drape_cloth::Piece& piece) {
   for (const double a : grid.area) piece.area += a;
   piece.twins = int(grid.twin.size() - grid.on_outline.size());
   if (grid.paper) return;
-  for (const GridCell& cell : grid.cells) piece.cut += grid_is_cut(grid, cell.i, cell.j);
-  for (const GridPart& part : grid.parts) piece.merged += grid_is_merged(grid, part);
+  for (const piece::GridCell& cell : grid.cells) piece.cut += piece::grid_is_cut(grid, cell.i, cell.j);
+  for (const piece::GridPart& part : grid.parts) piece.merged += piece::grid_is_merged(grid, part);
 }
 
 // `number`: the particles of the grid's nodes.
-void polygons_fill(const Grid& grid, const std::vector<int>& number, drape_cloth::Piece& piece) {
-  Surface surface = surface_make(grid);
-  for (const GridPoint& point : surface.points) {
+void polygons_fill(const piece::Grid& grid, const std::vector<int>& number, drape_cloth::Piece& piece) {
+  piece::Surface surface = piece::surface_make(grid);
+  for (const piece::GridPoint& point : surface.points) {
     for (const int node : point.node) piece.point_node.push_back(number[std::size_t(node)]);
     piece.point_weight.insert(piece.point_weight.end(), point.weight, point.weight + 4);
   }
@@ -31,10 +31,10 @@ void polygons_fill(const Grid& grid, const std::vector<int>& number, drape_cloth
 }  // namespace
 
 void pieces_describe(drape_cloth& c) {
-  const std::vector<Grid> grids = grids_make(c.scene);
+  const std::vector<piece::Grid> grids = seam::grids_make(c.scene);
   int particle = 0, point = int(c.system.particle.size());
-  for (const Lattice& l : c.system.lattices) {
-    const Grid& grid = grids[std::size_t(l.piece)];
+  for (const model::Lattice& l : c.system.lattices) {
+    const piece::Grid& grid = grids[std::size_t(l.piece)];
     drape_cloth::Piece piece;
     piece.first = particle;
     piece.point_first = point;
@@ -45,7 +45,7 @@ void pieces_describe(drape_cloth& c) {
       const Vec2 place = grid.place(n);
       piece.rest.insert(piece.rest.end(), place.begin(), place.end());
     }
-    for (const GridCell& cell : grid.cells)
+    for (const piece::GridCell& cell : grid.cells)
       for (int k : {0, 1, 3, 2}) piece.corner.push_back(number[std::size_t(cell.node[k])]);
     polygons_fill(grid, number, piece);
     counts_fill(grid, piece);
@@ -54,13 +54,13 @@ void pieces_describe(drape_cloth& c) {
   }
 }
 
-}  // namespace drape
+}  // namespace drape::api
 
 int drape_piece_count(const drape_cloth* c) { return int(c->system.lattices.size()); }
 
 drape_piece drape_piece_at(drape_cloth* c, int index) {
-  if (c->pieces.empty()) drape::pieces_describe(*c);
-  const drape::Lattice& l = c->system.lattices[std::size_t(index)];
+  if (c->pieces.empty()) drape::api::pieces_describe(*c);
+  const drape::model::Lattice& l = c->system.lattices[std::size_t(index)];
   const drape_cloth::Piece& p = c->pieces[std::size_t(index)];
   return {c->scene.pieces[std::size_t(l.piece)].name.c_str(),
           l.cell,

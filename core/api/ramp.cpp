@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::api {
 
 Ramp ramp_at(const ParameterValues& values) {
   const std::vector<double> none(values.value.size(), 0.0);
@@ -44,4 +44,4 @@ ParameterValues ramp_values(const Ramp& ramp) {
   return values;
 }
 
-}  // namespace drape
+}  // namespace drape::api

@@ -2,7 +2,7 @@
 #pragma once
 #include "api/parameters.h"
 
-namespace drape {
+namespace drape::api {
 
 struct Ramp {
   ParameterValues from, to;  // where each value set out, and what has been committed
@@ -26,4 +26,4 @@ void ramp_go(Ramp& ramp, double intervals);
 // The values at present: from + (to - from) min(1, gone/span).
 ParameterValues ramp_values(const Ramp& ramp);
 
-}  // namespace drape
+}  // namespace drape::api

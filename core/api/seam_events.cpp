@@ -3,28 +3,28 @@
 #include <algorithm>
 
 #include "api/cloth.h"
-#include "math/vector3.h"
 #include "dynamics/seam_welding.h"
-#include "outputs/energy.h"
+#include "math/vector3.h"
 #include "model/seam_rows.h"
+#include "outputs/energy.h"
 
-namespace drape {
+namespace drape::api {
 namespace {
 
 // Tells of seams that pairs of `due` have closed.
 void closed_tell(const drape_cloth& c, const std::vector<std::size_t>& due) {
-  const std::vector<Seam>& seams = c.system.seams.seam;
+  const std::vector<model::Seam>& seams = c.system.seams.seam;
   for (std::size_t k = 0; k < seams.size(); ++k) {
     const std::size_t first = seams[k].first, end = first + seams[k].count;
     bool closed = true, now = false;
-    for (std::size_t p = first; p < end; ++p) closed = closed && c.state.sewn[p] == Sewn::kWelded;
+    for (std::size_t p = first; p < end; ++p) closed = closed && c.state.sewn[p] == model::Sewn::kWelded;
     for (std::size_t p : due) now = now || (p >= first && p < end);
     if (!closed || !now) continue;
-    const std::string place = "at " + number(state_time(c.state, c.system.communication), 9) +
+    const std::string place = "at " + number(model::state_time(c.state, c.system.communication), 9) +
                               " s the seam '" + c.scene.seams[k].name + "' is ";
     double gap = 0;  // m
     for (std::size_t p = first; p < end; ++p)
-      gap = std::max(gap, vector3::norm(row_value(c.system.seams.pair[p].gap, c.state)));
+      gap = std::max(gap, math::vector3::norm(model::row_value(c.system.seams.pair[p].gap, c.state)));
     if (gap <= seams[k].gap_tolerance / 100) say(c, DRAPE_LOG_EVENT, place + "closed");
     else
       say(c, DRAPE_LOG_WARNING,
@@ -37,19 +37,19 @@ void closed_tell(const drape_cloth& c, const std::vector<std::size_t>& due) {
 
 bool sewing_go(drape_cloth& c) {
   if (c.system.seams.seam.empty()) return false;
-  bool changed = seams_pull_begin(c.system, c.state);
-  const std::vector<std::size_t> due = seams_due(c.system, c.state);
+  bool changed = dynamics::seams_pull_begin(c.system, c.state);
+  const std::vector<std::size_t> due = dynamics::seams_due(c.system, c.state);
   if (!due.empty()) {
-    leapfrog_complete(c.system, c.motion, c.state);
+    dynamics::leapfrog_complete(c.system, c.motion, c.state);
     const double before = balance_error(c);
-    seams_weld(c.system, c.motion, c.state, due);
-    if (c.state.steps == 0) energy_begin(c.system, c.state);
+    dynamics::seams_weld(c.system, c.motion, c.state, due);
+    if (c.state.steps == 0) outputs::energy_begin(c.system, c.state);
     c.state.input += balance_error(c) - before;
     closed_tell(c, due);
     changed = true;
   }
-  if (changed) leapfrog_retuned(c.system, c.motion, c.state);
+  if (changed) dynamics::leapfrog_retuned(c.system, c.motion, c.state);
   return changed;
 }
 
-}  // namespace drape
+}  // namespace drape::api

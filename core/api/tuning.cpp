@@ -5,11 +5,11 @@
 #include <cstdio>
 
 #include "api/cloth.h"
+#include "assembly/assemble.h"
 #include "dynamics/step_size/step_limit.h"
 #include "outputs/energy.h"
-#include "assembly/assemble.h"
 
-namespace drape {
+namespace drape::api {
 
 void say(const drape_cloth& c, drape_log_kind kind, const std::string& message) {
   if (c.log) c.log(c.log_user, kind, message.c_str());
@@ -30,19 +30,20 @@ namespace {
 // omega^2 now; where the scene gives the step, with the pull of the seams that are still open.
 double omega2_to_come(const drape_cloth& c) {
   if (!(c.system.step_given > 0) || c.state.sewn.empty())
-    return step_limit_omega2(c.system, *c.motion.kernel, c.state);
+    return dynamics::step_limit_omega2(c.system, *c.motion.kernel, c.state);
   State pulled = c.state;
-  std::replace(pulled.sewn.begin(), pulled.sewn.end(), Sewn::kOpen, Sewn::kPulled);
-  return step_limit_omega2(c.system, *c.motion.kernel, pulled);
+  std::replace(pulled.sewn.begin(), pulled.sewn.end(), model::Sewn::kOpen, model::Sewn::kPulled);
+  return dynamics::step_limit_omega2(c.system, *c.motion.kernel, pulled);
 }
 
 }  // namespace
 
 void step_check(const drape_cloth& c, std::vector<Problem>& problems) {
   const double omega2 = omega2_to_come(c), q = c.system.communication,
-               limit = step_limit_of(c.system, omega2), steps = leapfrog_steps(c.system, omega2),
-               most = kSubsMost, given = c.system.step_given, longest = given > 0 ? given : c.system.step_max;
-  const auto set_by = [&] { return ", set by the " + step_limit_link(c.system, c.scene, c.state); };
+               limit = dynamics::step_limit_of(c.system, omega2),
+               steps = dynamics::leapfrog_steps(c.system, omega2), most = dynamics::kSubsMost,
+               given = c.system.step_given, longest = given > 0 ? given : c.system.step_max;
+  const auto set_by = [&] { return ", set by the " + dynamics::step_limit_link(c.system, c.scene, c.state); };
   if (!(limit > 0) || !std::isfinite(omega2)) {
     problems.push_back({"scene.step", "has no limit above 0 s: stiffness over mass is not finite" +
                                           (omega2 > 0 ? set_by() : std::string())});
@@ -67,8 +68,9 @@ namespace {
 int step_fabric(const drape_cloth& c) {
   int fabric = 0;
   double most = -1;
-  for (const Lattice& l : c.system.lattices)
-    if (const double omega2 = step_limit_lattice(c.system, *c.motion.kernel, l, c.state); !(omega2 <= most))
+  for (const model::Lattice& l : c.system.lattices)
+    if (const double omega2 = dynamics::step_limit_lattice(c.system, *c.motion.kernel, l, c.state);
+        !(omega2 <= most))
       most = omega2, fabric = l.fabric;
   return fabric;
 }
@@ -76,8 +78,8 @@ int step_fabric(const drape_cloth& c) {
 void threads_take(drape_cloth& c, int threads) {
   if (threads == c.system.threads) return;
   c.system.threads = threads;
-  Workspace& w = c.motion.workspace;
-  w = workspace_make(c.system, threads_wanted(c.system));
+  dynamics::Workspace& w = c.motion.workspace;
+  w = dynamics::workspace_make(c.system, dynamics::threads_wanted(c.system));
   if (w.threads.size() > 1 && !w.workers)
     say(c, DRAPE_LOG_WARNING,
         "threads = " + std::to_string(threads) +
@@ -87,7 +89,7 @@ void threads_take(drape_cloth& c, int threads) {
 // Takes the numbers of c.parameters into the system. The masses and the limit may have changed: look again at
 // once.
 void parameters_take(drape_cloth& c, std::vector<Problem>& problems) {
-  system_retune(c.system, parameters_fabrics(c.parameters, c.scene), problems);
+  assembly::system_retune(c.system, parameters_fabrics(c.parameters, c.scene), problems);
   if (!problems.empty()) return;
   const drape_parameters& p = c.parameters.shown;
   c.system.damping = p.damping;
@@ -95,7 +97,7 @@ void parameters_take(drape_cloth& c, std::vector<Problem>& problems) {
   c.system.air.normal = p.air_normal;
   c.system.air.tangential = p.air_tangential;
   c.system.step_max = p.step_max;
-  constraints_refactor(c.motion.constraints, c.system.inverse_mass);
+  constraint::constraints_refactor(c.motion.constraints, c.system.inverse_mass);
   for (int k = 0; k < p.seam_count; ++k) c.system.seams.seam[std::size_t(k)].close = p.seam[k].close != 0;
   threads_take(c, int(p.threads));
   c.tuning.in_force = parameters_read(c.parameters);
@@ -125,7 +127,7 @@ bool parameters_try(drape_cloth& c, const ParameterValues& before, std::vector<P
   if (found.empty()) return false;
   if (found[0].place == "step.max") return put_back("step.max", "step.max", found[0].message);
   const std::string fabric = "fabric." + c.scene.fabrics[std::size_t(step_fabric(c))].name;
-  const std::string why = "keeps its values: with those set, " + problem_text(found[0]);
+  const std::string why = "keeps its values: with those set, " + scene::problem_text(found[0]);
   // Where neither has been set, the motion itself has come to this: a matter of the next advance.
   return put_back(fabric + ".", fabric, why) || put_back("damping", "damping", why) ||
          put_back("air.", "air", why);
@@ -133,8 +135,8 @@ bool parameters_try(drape_cloth& c, const ParameterValues& before, std::vector<P
 
 // The system has been changed at the present state.
 void tuning_changed(drape_cloth& c, double error_before) {
-  if (c.state.steps == 0) energy_begin(c.system, c.state);
-  leapfrog_retuned(c.system, c.motion, c.state);
+  if (c.state.steps == 0) outputs::energy_begin(c.system, c.state);
+  dynamics::leapfrog_retuned(c.system, c.motion, c.state);
   c.state.input += balance_error(c) - error_before;
 }
 
@@ -156,7 +158,7 @@ void parameters_commit(drape_cloth& c, const ParameterValues& before, std::vecto
   if (parameters_read(c.parameters) == before) return;
   const ParameterValues in_force = c.tuning.in_force;
   const State untouched = c.state;
-  leapfrog_complete(c.system, c.motion, c.state);
+  dynamics::leapfrog_complete(c.system, c.motion, c.state);
   const double error_before = balance_error(c);
   while (parameters_try(c, before, problems)) continue;
   // Before the first step there is nothing to spare: the values are there at once.
@@ -173,7 +175,7 @@ void parameters_commit(drape_cloth& c, const ParameterValues& before, std::vecto
 
 double balance_error(drape_cloth& c) {
   if (!c.system.energy || c.state.steps == 0) return 0;
-  outputs_fill(c.outputs, c.system, c.motion, c.state, DRAPE_ENERGY);
+  outputs::outputs_fill(c.outputs, c.system, c.motion, c.state, DRAPE_ENERGY);
   return c.outputs.shown.energy.balance_error;
 }
 
@@ -188,16 +190,17 @@ bool tuning_go(drape_cloth& c, double intervals) {
   ramp_go(ramp, intervals);
   const ParameterValues values = ramp_values(ramp);
   const bool moves = parameters_move_otherwise(c.parameters, c.tuning.in_force, values);
-  if (moves) leapfrog_complete(c.system, c.motion, c.state);
+  if (moves) dynamics::leapfrog_complete(c.system, c.motion, c.state);
   const double error_before = moves ? balance_error(c) : 0;
   std::vector<Problem> problems;
   values_take(c, values, problems);
   // Both ends of the way make laws, but a law in between may not: the values wait for the next interval.
-  for (const Problem& p : problems) say(c, DRAPE_LOG_WARNING, "on its way, " + problem_text(p));
+  for (const Problem& p : problems) say(c, DRAPE_LOG_WARNING, "on its way, " + scene::problem_text(p));
   if (moves && problems.empty()) tuning_changed(c, error_before);
   if (!ramp_under_way(ramp))
     say(c, DRAPE_LOG_EVENT,
-        "at " + number(state_time(c.state, c.system.communication), 9) + " s the tuned values are reached");
+        "at " + number(model::state_time(c.state, c.system.communication), 9) +
+            " s the tuned values are reached");
   return moves;
 }
 
@@ -207,9 +210,10 @@ void tuning_restore(drape_cloth& c, const Tuning& tuning) {
   c.tuning = tuning;
 }
 
-}  // namespace drape
+}  // namespace drape::api
 
 using namespace drape;
+using namespace drape::api;
 
 drape_status drape_commit(drape_cloth* c) {
   std::vector<Problem> problems;

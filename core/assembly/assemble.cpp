@@ -3,24 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
-#include "assembly/pin_rows.h"
 #include "assembly/bodies.h"
-#include "piece/place.h"
-#include "seam/particles.h"
+#include "assembly/pin_rows.h"
 #include "assembly/seam_rows.h"
+#include "assembly/weave.h"
+#include "contact/edge/elements.h"
 #include "contact/self/mesh.h"
 #include "model/composition.h"
-#include "contact/edge/elements.h"
-#include "assembly/weave.h"
+#include "piece/place.h"
+#include "seam/particles.h"
 
-namespace drape {
+namespace drape::assembly {
 namespace {
 
 // Reserves a lattice's rows: a guard row below and above, and at least one unused node at the end of each
 // row. Its twins follow.
-Lattice lattice_reserve(const Grid& grid, const PieceSpec& spec, int piece, std::size_t& nodes) {
-  const auto padded = [](int n) { return (n + kRowUnit - 1) / kRowUnit * kRowUnit; };
-  Lattice l;
+model::Lattice lattice_reserve(const piece::Grid& grid, const scene::PieceSpec& spec, int piece,
+                               std::size_t& nodes) {
+  const auto padded = [](int n) { return (n + math::kRowUnit - 1) / math::kRowUnit * math::kRowUnit; };
+  model::Lattice l;
   l.columns = grid.columns;
   l.rows = grid.rows;
   l.stride = padded(grid.columns + 1);
@@ -44,10 +45,11 @@ void node_place(State& state, std::size_t n, const Vec3& r) {
 }
 
 // Unused nodes get the place the flat grid would give them, so that no edge is of length 0.
-void lattice_flatten(const Lattice& l, const Grid& grid, const PlaceSpec& place, State& state) {
+void lattice_flatten(const model::Lattice& l, const piece::Grid& grid, const scene::PlaceSpec& place,
+                     State& state) {
   const auto at = [&](int i, int j) {
     const double x = grid.x0 + i * grid.cell, y = grid.y0 + j * grid.cell;
-    return place_point(place, {x * grid.cosine - y * grid.sine, x * grid.sine + y * grid.cosine});
+    return piece::place_point(place, {x * grid.cosine - y * grid.sine, x * grid.sine + y * grid.cosine});
   };
   for (int j = -1; j <= l.rows; ++j)
     for (int i = 0; i < l.stride; ++i)
@@ -56,9 +58,10 @@ void lattice_flatten(const Lattice& l, const Grid& grid, const PlaceSpec& place,
 }
 
 // Shares, areas and places of all particles.
-void lattice_fill(const Lattice& l, const Grid& grid, const Scene& scene, System& system, State& state) {
-  const PieceSpec& spec = scene.pieces[std::size_t(l.piece)];
-  const Waves waves = waves_make(scene, l.piece);
+void lattice_fill(const model::Lattice& l, const piece::Grid& grid, const Scene& scene, System& system,
+                  State& state) {
+  const scene::PieceSpec& spec = scene.pieces[std::size_t(l.piece)];
+  const piece::Waves waves = piece::waves_make(scene, l.piece);
   lattice_flatten(l, grid, spec.place, state);
   for (int c = 0; c < grid.regular; ++c)
     system.share[l.node(grid.cells[std::size_t(c)].i, grid.cells[std::size_t(c)].j)] =
@@ -67,7 +70,7 @@ void lattice_fill(const Lattice& l, const Grid& grid, const Scene& scene, System
     if (grid.area[std::size_t(k)] == 0) continue;
     const std::size_t n = l.node_of(k);
     system.area[n] = grid.area[std::size_t(k)];
-    node_place(state, n, place_start(spec.place, waves, grid.place(k)));
+    node_place(state, n, piece::place_start(spec.place, waves, grid.place(k)));
     state.vx[n] = spec.velocity[0];
     state.vy[n] = spec.velocity[1];
     state.vz[n] = spec.velocity[2];
@@ -76,20 +79,21 @@ void lattice_fill(const Lattice& l, const Grid& grid, const Scene& scene, System
 }
 
 // Where the rows around each have particles.
-std::vector<Columns> lattice_reach(const Lattice& l, const Array& area) {
+std::vector<model::Columns> lattice_reach(const model::Lattice& l, const Array& area) {
   const auto used = [&](int i, int j) { return area[l.node(i, j)] > 0; };
-  std::vector<Columns> row, reach;  // of the particles of each row; of each and its neighbours
+  std::vector<model::Columns> row, reach;  // of the particles of each row; of each and its neighbours
   for (int j = 0; j < l.rows; ++j) {
-    Columns c{l.columns, 0};
+    model::Columns c{l.columns, 0};
     for (int i = 0; i < l.columns; ++i)
       if (used(i, j)) c = {std::min(c.begin, i), i + 1};
     row.push_back(c);
   }
   for (int j = 0; j < l.rows; ++j) {
-    Columns c{l.columns, 0};
+    model::Columns c{l.columns, 0};
     for (int k = std::max(j - 1, 0); k <= std::min(j + 1, l.rows - 1); ++k)
       c = {std::min(c.begin, row[std::size_t(k)].begin), std::max(c.end, row[std::size_t(k)].end)};
-    const int begin = c.begin / kRowUnit * kRowUnit, end = (c.end + kRowUnit) / kRowUnit * kRowUnit;
+    const int begin = c.begin / math::kRowUnit * math::kRowUnit,
+              end = (c.end + math::kRowUnit) / math::kRowUnit * math::kRowUnit;
     reach.push_back({std::min(begin, end), end});
   }
   return reach;
@@ -97,7 +101,7 @@ std::vector<Columns> lattice_reach(const Lattice& l, const Array& area) {
 
 // m = rho a
 void masses_set(System& system) {
-  for (const Lattice& l : system.lattices) {
+  for (const model::Lattice& l : system.lattices) {
     for (std::size_t n = l.first; n < l.end(); ++n) {
       system.mass[n] = l.law.areal_density * system.area[n];
       system.inverse_mass[n] = system.area[n] > 0 ? 1 / system.mass[n] : 0;
@@ -106,16 +110,16 @@ void masses_set(System& system) {
 }
 
 // The slopes that clamps hold on a piece.
-std::vector<ClampSlopes> clamp_slopes(const Scene& scene, int piece, const Grid& grid) {
+std::vector<ClampSlopes> clamp_slopes(const Scene& scene, int piece, const piece::Grid& grid) {
   std::vector<ClampSlopes> clamps;
   for (std::size_t p = 0; p < scene.pins.size(); ++p)
     if (scene.pins[p].clamp && scene.pins[p].piece == piece)
-      clamps.push_back({int(p), hold_make(grid, scene, scene.pins[p]).slopes});
+      clamps.push_back({int(p), piece::hold_make(grid, scene, scene.pins[p]).slopes});
   return clamps;
 }
 
-Probe probe_make(const Lattice& l, const GridPoint& at) {
-  Probe probe{};
+model::Probe probe_make(const model::Lattice& l, const piece::GridPoint& at) {
+  model::Probe probe{};
   for (int k = 0; k < 4; ++k) {
     probe.node[k] = l.node_of(at.node[k]);
     probe.weight[k] = at.weight[k];
@@ -125,22 +129,24 @@ Probe probe_make(const Lattice& l, const GridPoint& at) {
 
 // The penalty's stiffness over mass is a small share of omega^2 of the flat lattice at rest; a larger one in
 // a fit, whose inertia pays for it.
-ContactLaw touch_law(const Lattice& l, const FabricSpec& fabric, double communication, bool fit) {
+model::ContactLaw touch_law(const model::Lattice& l, const scene::FabricSpec& fabric, double communication,
+                            bool fit) {
   constexpr double kShare = 0.05, kShareFit = 0.25;
-  const Law& law = l.law;
-  const double b2 = l.cell * l.cell, slope = std::max(curve_slope(law.warp, 0), curve_slope(law.weft, 0));
-  const double rest = 4 * (slope + curve_slope(law.bias, 0)) / (law.areal_density * b2) +
+  const fabric::Law& law = l.law;
+  const double b2 = l.cell * l.cell,
+               slope = std::max(math::curve_slope(law.warp, 0), math::curve_slope(law.weft, 0));
+  const double rest = 4 * (slope + math::curve_slope(law.bias, 0)) / (law.areal_density * b2) +
                       32 * std::max(law.bending_warp, law.bending_weft) / (law.areal_density * b2 * b2);
   const double nothing = 1 / (communication * communication);  // no law acts
   return {fabric.thickness / 2, (fit ? kShareFit : kShare) * (rest > 0 ? rest : nothing), fabric.friction};
 }
 
-std::vector<Law> laws_make(const System& system, const std::vector<FabricSpec>& fabrics,
-                           std::vector<Problem>& problems) {
-  std::vector<Law> laws;
-  for (const Lattice& l : system.lattices) {
-    const FabricSpec& fabric = fabrics[std::size_t(l.fabric)];
-    laws.push_back(law_make(fabric, system.options, l.cell, "fabric." + fabric.name, problems));
+std::vector<fabric::Law> laws_make(const System& system, const std::vector<scene::FabricSpec>& fabrics,
+                                   std::vector<Problem>& problems) {
+  std::vector<fabric::Law> laws;
+  for (const model::Lattice& l : system.lattices) {
+    const scene::FabricSpec& fabric = fabrics[std::size_t(l.fabric)];
+    laws.push_back(fabric::law_make(fabric, system.options, l.cell, "fabric." + fabric.name, problems));
   }
   return laws;
 }
@@ -150,32 +156,32 @@ std::vector<Law> laws_make(const System& system, const std::vector<FabricSpec>& 
 System system_assemble(const Scene& scene, State& start, std::vector<Problem>& problems) {
   System system;
   system.integrator = scene.integrator;
-  system.composition = composition_of(scene.order);
+  system.composition = model::composition_of(scene.order);
   system.communication = scene.communication;
   system.step_given = scene.step;
   system.step_max = scene.communication;
   system.damping = scene.damping;
   system.gravity = scene.gravity;
   if (scene.has_air) system.air = {scene.air_density, scene.air_normal, scene.air_tangential};
-  system.energy = scene.energy && scene.mode == Mode::kDynamic;
-  system.fit = scene.mode == Mode::kFit;
+  system.energy = scene.energy && scene.mode == scene::Mode::kDynamic;
+  system.fit = scene.mode == scene::Mode::kFit;
   system.options = {scene.scaling, scene.bias_model, scene.clamp_correction};
 
-  std::vector<std::vector<GridTie>> ties;
-  const std::vector<Grid> grids = grids_make(scene, &ties);
-  system.nodes = kRowUnit;  // rows are read from one node before to one after them
+  std::vector<std::vector<seam::GridTie>> ties;
+  const std::vector<piece::Grid> grids = seam::grids_make(scene, &ties);
+  system.nodes = math::kRowUnit;  // rows are read from one node before to one after them
   for (std::size_t p = 0; p < scene.pieces.size(); ++p) {
     system.lattices.push_back(lattice_reserve(grids[p], scene.pieces[p], int(p), system.nodes));
-    Lattice& l = system.lattices.back();
-    if (!ties[p].empty()) l.mass_kept = kEdgeKeeps;
-    for (const GridTie& t : ties[p])
+    model::Lattice& l = system.lattices.back();
+    if (!ties[p].empty()) l.mass_kept = seam::kEdgeKeeps;
+    for (const seam::GridTie& t : ties[p])
       system.links.push_back({{l.node_of(t.node[0]), l.node_of(t.node[1])}, t.pair, t.length});
   }
-  system.nodes += kRowUnit;
+  system.nodes += math::kRowUnit;
   for (Array* a : {&system.share, &system.hinge_warp, &system.hinge_weft, &system.area, &system.mass,
                    &system.inverse_mass})
     a->assign(system.nodes, 0.0);
-  state_resize(start, system.nodes, scene.pins.size());
+  model::state_resize(start, system.nodes, scene.pins.size());
   start.wind = scene.wind;
   for (std::size_t p = 0; p < scene.pieces.size(); ++p) {
     lattice_fill(system.lattices[p], grids[p], scene, system, start);
@@ -183,15 +189,15 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
     threads_lay(system, int(p), grids[p], clamp_slopes(scene, int(p), grids[p]), start);
   }
   system.bodies = bodies_make(scene, problems);
-  for (const Body& body : system.bodies) {
-    BodyContact& contact = start.body.emplace_back();
+  for (const model::Body& body : system.bodies) {
+    model::BodyContact& contact = start.body.emplace_back();
     contact.frame = body.start;
-    contact.turn = rotation_matrix(body.start.turn);
+    contact.turn = math::rotation_matrix(body.start.turn);
   }
   if (!problems.empty()) return system;
   seams_tie(scene, grids, system);
   side_number(system);
-  start.sewn.assign(system.seams.pair.size(), Sewn::kOpen);
+  start.sewn.assign(system.seams.pair.size(), model::Sewn::kOpen);
   start.gap_rate.assign(3 * system.seams.pair.size(), 0.0);
   start.gap_hold.assign(system.seams.pair.size(), 0.0);
   start.pulled_for.assign(system.seams.pair.size(), 0.0);
@@ -204,25 +210,26 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
                           "= \"auto\" finds no stiffness in any piece; wanted: a number, 1/s"});
   if (!problems.empty()) return system;
   system.pin_rows = pin_rows(scene, grids, system, start);
-  system.constraints =
-      constraints_make(system.pin_rows, system.inverse_mass, pins_make(scene, grids), problems, system.links);
+  system.constraints = constraint::constraints_make(system.pin_rows, system.inverse_mass,
+                                                    pins_make(scene, grids), problems, system.links);
   for (std::size_t p = 0; p < scene.pins.size(); ++p)
     start.pin_frame[p].position = system.constraints.pins[p].centre;
-  for (const ProbeSpec& probe : scene.probes) {
+  for (const scene::ProbeSpec& probe : scene.probes) {
     const auto p = std::size_t(probe.piece);
-    system.probes.push_back(probe_make(system.lattices[p], grid_locate(grids[p], probe.at)));
+    system.probes.push_back(probe_make(system.lattices[p], piece::grid_locate(grids[p], probe.at)));
   }
-  if (scene.self_contact) system.self = self_mesh_make(system, start);
-  ridges_find(system);
+  if (scene.self_contact) system.self = contact::self_mesh_make(system, start);
+  contact::ridges_find(system);
   return system;
 }
 
-void system_retune(System& system, const std::vector<FabricSpec>& fabrics, std::vector<Problem>& problems) {
+void system_retune(System& system, const std::vector<scene::FabricSpec>& fabrics,
+                   std::vector<Problem>& problems) {
   const std::size_t before = problems.size();
-  std::vector<Law> laws = laws_make(system, fabrics, problems);
+  std::vector<fabric::Law> laws = laws_make(system, fabrics, problems);
   if (problems.size() > before) return;
   for (std::size_t k = 0; k < laws.size(); ++k) {
-    Lattice& l = system.lattices[k];
+    model::Lattice& l = system.lattices[k];
     l.law = std::move(laws[k]);
     l.touch = touch_law(l, fabrics[std::size_t(l.fabric)], system.communication, system.fit);
   }
@@ -230,4 +237,4 @@ void system_retune(System& system, const std::vector<FabricSpec>& fabrics, std::
   seams_retune(system);
 }
 
-}  // namespace drape
+}  // namespace drape::assembly

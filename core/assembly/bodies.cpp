@@ -2,21 +2,23 @@
 
 #include <cmath>
 
-#include "math/vector3.h"
 #include "body/library.h"
+#include "math/vector3.h"
 #include "scene/diagnostics.h"
 
-namespace drape {
+namespace drape::assembly {
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
 constexpr double kSmallest = 0.005, kLargest = 20;  // m: bodies of other sizes are likely in another unit
 
-Vec3 posed(const Frame& frame, const Vec3& x) { return frame.position + x + turned_away(frame.turn, x); }
+Vec3 posed(const math::Frame& frame, const Vec3& x) {
+  return frame.position + x + math::turned_away(frame.turn, x);
+}
 
 // The triangles of a file, scaled; a body that stays is put in its place.
-bool mesh_take(const BodySpec& spec, const Frame& frame, const drape_contact_library& library,
+bool mesh_take(const scene::BodySpec& spec, const math::Frame& frame, const drape_contact_library& library,
                std::vector<Vec3>& point, std::vector<std::array<int, 3>>& corner, std::string& trouble) {
   char text[512];
   drape_mesh_file* mesh = library.mesh_read(spec.mesh.c_str(), text, sizeof text);
@@ -32,8 +34,8 @@ bool mesh_take(const BodySpec& spec, const Frame& frame, const drape_contact_lib
   return true;
 }
 
-void findings_tell(const std::string& path, const BodySurface& surface, const SurfaceFindings& found,
-                   std::vector<std::string>& remarks) {
+void findings_tell(const std::string& path, const body::BodySurface& surface,
+                   const body::SurfaceFindings& found, std::vector<std::string>& remarks) {
   const auto tell = [&](std::size_t count, const char* what) {
     if (count > 0) remarks.push_back(path + ".mesh has " + std::to_string(count) + what);
   };
@@ -45,41 +47,41 @@ void findings_tell(const std::string& path, const BodySurface& surface, const Su
                   : " edges that do not join two triangles that face alike; it is taken as a sheet with "
                     "two sides, which has no inside");
   if (surface.size < kSmallest || surface.size > kLargest)
-    remarks.push_back(path + ".scale makes the body " + number_text(surface.size) +
-                      " m across; usual: " + number_text(kSmallest) + " to " + number_text(kLargest) +
-                      " m; is the mesh in another unit?");
+    remarks.push_back(path + ".scale makes the body " + scene::number_text(surface.size) +
+                      " m across; usual: " + scene::number_text(kSmallest) + " to " +
+                      scene::number_text(kLargest) + " m; is the mesh in another unit?");
 }
 
 }  // namespace
 
-std::vector<Body> bodies_make(const Scene& scene, std::vector<Problem>& problems) {
-  std::vector<Body> bodies;
-  for (const BodySpec& spec : scene.bodies) {
+std::vector<model::Body> bodies_make(const Scene& scene, std::vector<Problem>& problems) {
+  std::vector<model::Body> bodies;
+  for (const scene::BodySpec& spec : scene.bodies) {
     const std::string path = "body." + spec.name;
     std::string trouble;
-    const drape_contact_library* library = contact_library(trouble);
+    const drape_contact_library* library = body::contact_library(trouble);
     if (!library) {
       problems.push_back({path, "needs the contact library: " + trouble});
       return bodies;
     }
-    Body& body = bodies.emplace_back();
+    model::Body& body = bodies.emplace_back();
     body.name = spec.name;
     body.moves = spec.moves;
     body.has_friction = spec.friction[0] >= 0;
     body.friction = spec.friction;
     body.damping = spec.damping;
     body.start.position = spec.position;
-    body.start.turn = quaternion_normalised(spec.orientation);
+    body.start.turn = math::quaternion_normalised(spec.orientation);
     std::vector<Vec3> point;
     std::vector<std::array<int, 3>> corner;
-    SurfaceFindings findings;
+    body::SurfaceFindings findings;
     if (mesh_take(spec, body.start, *library, point, corner, trouble))
-      body.mesh.surface = surface_make(point, corner, findings, trouble);
+      body.mesh.surface = body::surface_make(point, corner, findings, trouble);
     if (!trouble.empty()) {
-      problems.push_back({path + ".mesh", "= " + in_quotes(spec.mesh) + " " + trouble});
+      problems.push_back({path + ".mesh", "= " + scene::in_quotes(spec.mesh) + " " + trouble});
       continue;
     }
-    const BodySurface& s = body.mesh.surface;
+    const body::BodySurface& s = body.mesh.surface;
     findings_tell(path, s, findings, body.remarks);
     body.mesh.library = library;
     body.mesh.query = {
@@ -89,4 +91,4 @@ std::vector<Body> bodies_make(const Scene& scene, std::vector<Problem>& problems
   return bodies;
 }
 
-}  // namespace drape
+}  // namespace drape::assembly

@@ -3,9 +3,9 @@
 #include "model/contact.h"
 #include "scene/scene.h"
 
-namespace drape {
+namespace drape::assembly {
 
 // Reads the meshes.
-std::vector<Body> bodies_make(const Scene& scene, std::vector<Problem>& problems);
+std::vector<model::Body> bodies_make(const Scene& scene, std::vector<Problem>& problems);
 
-}  // namespace drape
+}  // namespace drape::assembly

@@ -1,13 +1,13 @@
 #include "assembly/pin_rows.h"
 
-#include "piece/support/support.h"
 #include "piece/place.h"
+#include "piece/support/support.h"
 
-namespace drape {
+namespace drape::assembly {
 namespace {
 
-ConstraintRow row_at(const Lattice& l, const GridPoint& at, const State& start) {
-  ConstraintRow row{};
+constraint::ConstraintRow row_at(const model::Lattice& l, const piece::GridPoint& at, const State& start) {
+  constraint::ConstraintRow row{};
   for (int k = 0; k < 4; ++k) {
     if (at.weight[k] == 0) continue;
     const std::size_t n = l.node_of(at.node[k]);
@@ -22,22 +22,22 @@ ConstraintRow row_at(const Lattice& l, const GridPoint& at, const State& start) 
 
 }  // namespace
 
-std::vector<PinBase> pins_make(const Scene& scene, const std::vector<Grid>& grids) {
-  std::vector<PinBase> pins;
-  for (const PinSpec& pin : scene.pins) {
-    const Hold hold = hold_make(grids[std::size_t(pin.piece)], scene, pin);
-    const Vec3 centre = place_point(scene.pieces[std::size_t(pin.piece)].place, hold.centre);
+std::vector<constraint::PinBase> pins_make(const Scene& scene, const std::vector<piece::Grid>& grids) {
+  std::vector<constraint::PinBase> pins;
+  for (const scene::PinSpec& pin : scene.pins) {
+    const piece::Hold hold = piece::hold_make(grids[std::size_t(pin.piece)], scene, pin);
+    const Vec3 centre = piece::place_point(scene.pieces[std::size_t(pin.piece)].place, hold.centre);
     pins.push_back({pin.name, centre, pin.clamp, pin.drive});
   }
   return pins;
 }
 
-std::vector<ConstraintRow> pin_rows(const Scene& scene, const std::vector<Grid>& grids, const System& system,
-                                    const State& start) {
-  std::vector<ConstraintRow> rows;
+std::vector<constraint::ConstraintRow> pin_rows(const Scene& scene, const std::vector<piece::Grid>& grids,
+                                                const System& system, const State& start) {
+  std::vector<constraint::ConstraintRow> rows;
   for (std::size_t p = 0; p < scene.pins.size(); ++p) {
     const auto piece = std::size_t(scene.pins[p].piece);
-    for (const GridPoint& at : hold_make(grids[piece], scene, scene.pins[p]).at) {
+    for (const piece::GridPoint& at : piece::hold_make(grids[piece], scene, scene.pins[p]).at) {
       rows.push_back(row_at(system.lattices[piece], at, start));
       rows.back().pin = int(p);
     }
@@ -45,4 +45,4 @@ std::vector<ConstraintRow> pin_rows(const Scene& scene, const std::vector<Grid>&
   return rows;
 }
 
-}  // namespace drape
+}  // namespace drape::assembly

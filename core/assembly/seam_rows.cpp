@@ -14,13 +14,13 @@
 #include <map>
 #include <unordered_map>
 
-#include "forces/seam_closing.h"
 #include "forces/seam_bending.h"
+#include "forces/seam_closing.h"
+#include "model/seam_rows.h"
 #include "seam/layout.h"
 #include "seam/particles.h"
-#include "model/seam_rows.h"
 
-namespace drape {
+namespace drape::assembly {
 namespace {
 
 constexpr double kPullShare = 0.1;  // of omega at rest
@@ -28,14 +28,15 @@ constexpr double kInside = 1e-6;    // cells: how far off the outline the cell o
 constexpr double kEase = 1e-6;      // of R: sides that differ by more are gathered
 
 // A particle of its own, on the outline.
-SeamPoint particle_tie(const Grid& grid, const Lattice& l, Vec2 p) {
-  const std::size_t n = l.node_of(seam_particle(grid, p));
+model::SeamPoint particle_tie(const piece::Grid& grid, const model::Lattice& l, Vec2 p) {
+  const std::size_t n = l.node_of(seam::seam_particle(grid, p));
   return {{n, n, n, n}, {1, 0, 0, 0}};
 }
 
-SeamPoint point_tie(const Grid& grid, const Lattice& l, Vec2 p, Vec2 looked_up) {
-  const GridPoint at = grid_point(grid, grid_cell_of(grid, looked_up), grid_coordinates(grid, p));
-  SeamPoint point;
+model::SeamPoint point_tie(const piece::Grid& grid, const model::Lattice& l, Vec2 p, Vec2 looked_up) {
+  const piece::GridPoint at =
+      piece::grid_point(grid, piece::grid_cell_of(grid, looked_up), piece::grid_coordinates(grid, p));
+  model::SeamPoint point;
   for (int k = 0; k < 4; ++k) {
     point.node[k] = l.node_of(at.node[k]);
     point.weight[k] = at.weight[k];
@@ -46,22 +47,23 @@ SeamPoint point_tie(const Grid& grid, const Lattice& l, Vec2 p, Vec2 looked_up) 
 Vec2 inside(Vec2 p, Vec2 inward, double d) { return {p[0] + d * inward[0], p[1] + d * inward[1]}; }
 
 // The pairs of a seam and the hinges across them.
-void pairs_tie(const std::vector<Grid>& grids, const SeamLayout& layout, const Seam& seam, System& system) {
+void pairs_tie(const std::vector<piece::Grid>& grids, const seam::SeamLayout& layout, const model::Seam& seam,
+               System& system) {
   for (std::size_t n = 0; n < seam.count; ++n) {
-    SeamPair pair;
-    SeamPoint inner[2];
-    SeamHinge hinge;
+    model::SeamPair pair;
+    model::SeamPoint inner[2];
+    model::SeamHinge hinge;
     const bool end = n == 0 || n + 1 == seam.count;
     hinge.width = seam.rest * (end && !seam.closed ? 0.5 : 1);
     for (std::size_t k = 0; k < 2; ++k) {
       const auto piece = std::size_t(seam.piece[k]);
-      const Grid& grid = grids[piece];
+      const piece::Grid& grid = grids[piece];
       const Vec2 p = layout.point[k][n], in = layout.inward[k][n], deep = inside(p, in, grid.cell);
       pair.side[k] = grid.paper
                          ? particle_tie(grid, system.lattices[piece], p)
                          : point_tie(grid, system.lattices[piece], p, inside(p, in, kInside * grid.cell));
       inner[k] = point_tie(grid, system.lattices[piece], deep, deep);
-      row_add(pair.gap, pair.side[k], k == 0 ? -1 : 1);
+      model::row_add(pair.gap, pair.side[k], k == 0 ? -1 : 1);
       const double warp = in[1] * grid.cosine - in[0] * grid.sine,
                    weft = in[0] * grid.cosine + in[1] * grid.sine;
       hinge.reach[k] = grid.cell;
@@ -70,26 +72,26 @@ void pairs_tie(const std::vector<Grid>& grids, const SeamLayout& layout, const S
     }
     for (std::size_t k = 0; k < 2; ++k) {
       const double sign = k == 0 ? 1 : -1;
-      for (const SeamPoint& x : pair.side) row_add(hinge.arm[k], x, sign / 2);
-      row_add(hinge.arm[k], inner[k], -sign);
+      for (const model::SeamPoint& x : pair.side) model::row_add(hinge.arm[k], x, sign / 2);
+      model::row_add(hinge.arm[k], inner[k], -sign);
     }
-    if (std::all_of(pair.gap.begin(), pair.gap.end(), [](const SeamTerm& t) { return t.weight == 0; }))
+    if (std::all_of(pair.gap.begin(), pair.gap.end(), [](const model::SeamTerm& t) { return t.weight == 0; }))
       hinge.width = 0;  // a corner sewn to itself
     system.seams.pair.push_back(pair);
     system.seams.hinge.push_back(hinge);
   }
 }
 
-void links_tie(bool paper, Seam& seam, System& system) {
+void links_tie(bool paper, model::Seam& seam, System& system) {
   seam.link_first = system.seams.link.size();
   const bool gathered = std::abs(seam.spacing[0] - seam.spacing[1]) > kEase * seam.rest;
   if (!paper && !gathered && seam.tape == 0) return;
   const std::size_t steps = seam.closed ? seam.count : seam.count - 1;
   for (std::size_t n = 0; n < steps; ++n) {
-    SeamLink link{{seam.first + n, seam.first + (n + 1) % seam.count}, {}};
+    model::SeamLink link{{seam.first + n, seam.first + (n + 1) % seam.count}, {}};
     for (std::size_t side : {0u, 1u}) {
-      row_add(link.edge, system.seams.pair[link.pair[1]].side[side], 0.5);
-      row_add(link.edge, system.seams.pair[link.pair[0]].side[side], -0.5);
+      model::row_add(link.edge, system.seams.pair[link.pair[1]].side[side], 0.5);
+      model::row_add(link.edge, system.seams.pair[link.pair[0]].side[side], -0.5);
     }
     system.seams.link.push_back(link);
   }
@@ -97,15 +99,15 @@ void links_tie(bool paper, Seam& seam, System& system) {
 }
 
 // omega^2 of a piece at rest: core/README.md, section 4.
-double omega2_at_rest(const Lattice& l) {
-  const Law& law = l.law;
-  const double b = l.cell, k = std::max(curve_slope(law.warp, 0), curve_slope(law.weft, 0));
-  return (4 * k + 4 * curve_slope(law.bias, 0) + 16 * (law.bending_warp + law.bending_weft) / (b * b)) /
+double omega2_at_rest(const model::Lattice& l) {
+  const fabric::Law& law = l.law;
+  const double b = l.cell, k = std::max(math::curve_slope(law.warp, 0), math::curve_slope(law.weft, 0));
+  return (4 * k + 4 * math::curve_slope(law.bias, 0) + 16 * (law.bending_warp + law.bending_weft) / (b * b)) /
          (law.areal_density * b * b);
 }
 
 struct Bond {
-  const SeamRow* row;
+  const model::SeamRow* row;
   double strength;  // k, N/m for rows of lengths
 };
 
@@ -113,13 +115,13 @@ struct Bond {
 double gram_bound(const System& system, const std::vector<Bond>& bonds) {
   std::unordered_map<std::size_t, std::vector<std::pair<std::size_t, double>>> by_node;
   for (std::size_t p = 0; p < bonds.size(); ++p)
-    for (const SeamTerm& t : *bonds[p].row) by_node[t.node].push_back({p, t.weight});
+    for (const model::SeamTerm& t : *bonds[p].row) by_node[t.node].push_back({p, t.weight});
   double most = 0;
   std::map<std::size_t, double> gram;
   for (std::size_t p = 0; p < bonds.size(); ++p) {
-    const SeamRow& row = *bonds[p].row;
+    const model::SeamRow& row = *bonds[p].row;
     gram.clear();
-    for (const SeamTerm& t : row)
+    for (const model::SeamTerm& t : row)
       for (const auto& [q, weight] : by_node[t.node])
         gram[q] += t.weight * weight * system.inverse_mass[t.node];
     double sum = 0;
@@ -131,38 +133,39 @@ double gram_bound(const System& system, const std::vector<Bond>& bonds) {
 }
 
 // c/|c| - a/|a| of a hinge, in flat cloth the rate of its angle.
-SeamRow angle_row(const SeamHinge& hinge) {
-  SeamRow row;
+model::SeamRow angle_row(const model::SeamHinge& hinge) {
+  model::SeamRow row;
   for (std::size_t k = 0; k < 2; ++k)
-    for (const SeamTerm& t : hinge.arm[k])
-      row_add(row, {{t.node, 0, 0, 0}, {t.weight, 0, 0, 0}}, (k == 0 ? -1 : 1) / hinge.reach[k]);
+    for (const model::SeamTerm& t : hinge.arm[k])
+      model::row_add(row, {{t.node, 0, 0, 0}, {t.weight, 0, 0, 0}}, (k == 0 ? -1 : 1) / hinge.reach[k]);
   return row;
 }
 
 void welded_bound(System& system) {
-  Seams& seams = system.seams;
-  std::vector<SeamRow> angles;
+  model::Seams& seams = system.seams;
+  std::vector<model::SeamRow> angles;
   std::vector<Bond> bonds;
   angles.reserve(seams.hinge.size());
-  for (const Seam& seam : seams.seam) {
+  for (const model::Seam& seam : seams.seam) {
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
-      const double kappa = seams.hinge[p].stiffness = seam_hinge_stiffness(system, seam, seams.hinge[p]);
+      const double kappa = seams.hinge[p].stiffness =
+          forces::seam_hinge_stiffness(system, seam, seams.hinge[p]);
       if (kappa == 0) continue;
       angles.push_back(angle_row(seams.hinge[p]));
       bonds.push_back({&angles.back(), kappa});
     }
     for (std::size_t k = seam.link_first; k < seam.link_first + seam.link_count; ++k)
-      bonds.push_back({&seams.link[k].edge, seam_link_slope(system, seam) / seam.rest});
+      bonds.push_back({&seams.link[k].edge, forces::seam_link_slope(system, seam) / seam.rest});
   }
   seams.omega2_welded = gram_bound(system, bonds);
 }
 
 }  // namespace
 
-void seams_tie(const Scene& scene, const std::vector<Grid>& grids, System& system) {
-  for (const SeamSpec& spec : scene.seams) {
-    const SeamLayout layout = seam_layout(scene, spec);
-    Seam seam;
+void seams_tie(const Scene& scene, const std::vector<piece::Grid>& grids, System& system) {
+  for (const scene::SeamSpec& spec : scene.seams) {
+    const seam::SeamLayout layout = seam::seam_layout(scene, spec);
+    model::Seam seam;
     seam.first = system.seams.pair.size();
     seam.count = layout.point[0].size();
     seam.closed = layout.closed;
@@ -178,7 +181,7 @@ void seams_tie(const Scene& scene, const std::vector<Grid>& grids, System& syste
     seam.speed = spec.speed;
     seam.pull_given = spec.pull;
     seam.tape = spec.tape;
-    const Grid& grid = grids[std::size_t(seam.piece[seam.shorter])];
+    const piece::Grid& grid = grids[std::size_t(seam.piece[seam.shorter])];
     const std::vector<Vec2>& line = layout.point[seam.shorter];
     const Vec2 chord{line.back()[0] - line.front()[0], line.back()[1] - line.front()[1]};
     seam.along_warp = std::abs(chord[1] * grid.cosine - chord[0] * grid.sine) >=
@@ -191,15 +194,15 @@ void seams_tie(const Scene& scene, const std::vector<Grid>& grids, System& syste
 }
 
 void seams_retune(System& system) {
-  Seams& seams = system.seams;
+  model::Seams& seams = system.seams;
   if (seams.seam.empty()) return;
   double stiffest = 0;
-  for (const Lattice& l : system.lattices) stiffest = std::max(stiffest, omega2_at_rest(l));
+  for (const model::Lattice& l : system.lattices) stiffest = std::max(stiffest, omega2_at_rest(l));
   std::vector<Bond> springs, dampers;
-  for (Seam& seam : seams.seam) {
+  for (model::Seam& seam : seams.seam) {
     seam.pull = seam.pull_given > 0 ? seam.pull_given : kPullShare * std::sqrt(stiffest);
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
-      const double mass = seam_mass(system, seams.pair[p]);
+      const double mass = forces::seam_mass(system, seams.pair[p]);
       springs.push_back({&seams.pair[p].gap, mass * seam.pull * seam.pull});
       dampers.push_back({&seams.pair[p].gap, 2 * mass * seam.pull});
     }
@@ -209,4 +212,4 @@ void seams_retune(System& system) {
   welded_bound(system);
 }
 
-}  // namespace drape
+}  // namespace drape::assembly

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::assembly {
 namespace {
 
 // A link of a thread by its lower and upper node in Grid's numbering, [0] and [1] below.
@@ -26,21 +26,21 @@ struct Span {
 
 using Odd = std::vector<char>;  // [nodes of Grid]
 
-Odd odd_nodes(const Grid& grid, const std::vector<ClampSlopes>& clamps) {
+Odd odd_nodes(const piece::Grid& grid, const std::vector<ClampSlopes>& clamps) {
   Odd odd(std::size_t(grid.nodes()), false);
   for (std::size_t c = std::size_t(grid.regular); c < grid.cells.size(); ++c)
     for (int n : grid.cells[c].node) odd[std::size_t(n)] = true;
   for (const ClampSlopes& clamp : clamps)
-    for (const HeldSlope& slope : clamp.slopes)
+    for (const piece::HeldSlope& slope : clamp.slopes)
       odd[std::size_t(slope.from)] = odd[std::size_t(slope.to)] = true;
   return odd;
 }
 
 // Of the links with an odd end.
-std::vector<Span> spans_of(const Grid& grid, const Odd& odd, bool warp) {
+std::vector<Span> spans_of(const piece::Grid& grid, const Odd& odd, bool warp) {
   std::vector<Span> all;
   for (int c = 0; c < int(grid.cells.size()); ++c) {
-    const GridCell& cell = grid.cells[std::size_t(c)];
+    const piece::GridCell& cell = grid.cells[std::size_t(c)];
     const double half = grid.cell * cell.share / 2;
     const auto [a, b, up, opposite] = cell.node;
     const int low[2] = {a, warp ? b : up}, high[2] = {warp ? up : b, opposite};
@@ -85,11 +85,11 @@ Vec3 direction(const State& s, std::size_t from, std::size_t to) {
 // is known when all are there.
 void clamps_lay(System& system, int lattice, std::vector<Span>& spans, bool warp,
                 const std::vector<ClampSlopes>& clamps, const State& start) {
-  const Lattice& l = system.lattices[std::size_t(lattice)];
+  const model::Lattice& l = system.lattices[std::size_t(lattice)];
   const std::size_t first = system.side.clamps.size();
   std::vector<Span*> link;
   for (const ClampSlopes& clamp : clamps)
-    for (const HeldSlope& slope : clamp.slopes) {
+    for (const piece::HeldSlope& slope : clamp.slopes) {
       Span* s = slope.warp == warp ? span_between(spans, slope.from, slope.to) : nullptr;
       if (!s) continue;
       const int held = s->node[0] == slope.from ? 0 : 1;
@@ -117,7 +117,7 @@ void clamps_lay(System& system, int lattice, std::vector<Span>& spans, bool warp
 
 // Of all nodes that are not odd.
 void hinges_fill(System& system, int lattice, const Odd& odd, bool warp) {
-  const Lattice& l = system.lattices[std::size_t(lattice)];
+  const model::Lattice& l = system.lattices[std::size_t(lattice)];
   const std::ptrdiff_t along = warp ? l.stride : 1, across = warp ? 1 : l.stride;
   Array& rows = warp ? system.hinge_warp : system.hinge_weft;
   for (int j = 0; j < l.rows; ++j)
@@ -134,7 +134,7 @@ void hinges_fill(System& system, int lattice, const Odd& odd, bool warp) {
 
 // Of the odd nodes.
 void hinges_lay(System& system, int lattice, const std::vector<Span>& spans, const Odd& odd, bool warp) {
-  const Lattice& l = system.lattices[std::size_t(lattice)];
+  const model::Lattice& l = system.lattices[std::size_t(lattice)];
   std::vector<const Span*> ending;  // by their upper node
   for (const Span& s : spans)
     if (odd[std::size_t(s.node[1])]) ending.push_back(&s);
@@ -165,8 +165,8 @@ void hinges_lay(System& system, int lattice, const std::vector<Span>& spans, con
 }
 
 // Links and diagonals of cells with a twin: widths from those cells alone.
-void links_lay(System& system, int lattice, const std::vector<Span>& spans, Thread along) {
-  const Lattice& l = system.lattices[std::size_t(lattice)];
+void links_lay(System& system, int lattice, const std::vector<Span>& spans, model::Thread along) {
+  const model::Lattice& l = system.lattices[std::size_t(lattice)];
   for (const Span& s : spans)
     if (s.width > s.dense)
       system.side.links.push_back({{l.node_of(s.node[0]), l.node_of(s.node[1])},
@@ -177,24 +177,24 @@ void links_lay(System& system, int lattice, const std::vector<Span>& spans, Thre
                                    l.cell,
                                    s.dense > 0});
 }
-void cells_lay(System& system, int lattice, const Grid& grid) {
-  const Lattice& l = system.lattices[std::size_t(lattice)];
+void cells_lay(System& system, int lattice, const piece::Grid& grid) {
+  const model::Lattice& l = system.lattices[std::size_t(lattice)];
   const double diagonal = std::sqrt(2.0) * l.cell;
   for (std::size_t c = std::size_t(grid.regular); c < grid.cells.size(); ++c) {
-    const GridCell& cell = grid.cells[c];
-    SideCell side{{}, {}, lattice, cell.share};
+    const piece::GridCell& cell = grid.cells[c];
+    model::SideCell side{{}, {}, lattice, cell.share};
     for (int k = 0; k < 4; ++k) side.node[k] = l.node_of(cell.node[k]);
     const double width = l.cell * l.cell / diagonal * cell.share;
     const auto [a, b, up, opposite] = side.node;
-    system.side.links.push_back({{a, opposite}, {}, lattice, Thread::kBias, width, diagonal, false});
-    system.side.links.push_back({{b, up}, {}, lattice, Thread::kBias, width, diagonal, false});
+    system.side.links.push_back({{a, opposite}, {}, lattice, model::Thread::kBias, width, diagonal, false});
+    system.side.links.push_back({{b, up}, {}, lattice, model::Thread::kBias, width, diagonal, false});
     system.side.cells.push_back(side);
   }
 }
 
 }  // namespace
 
-void threads_lay(System& system, int lattice, const Grid& grid, const std::vector<ClampSlopes>& clamps,
+void threads_lay(System& system, int lattice, const piece::Grid& grid, const std::vector<ClampSlopes>& clamps,
                  const State& start) {
   const Odd odd = odd_nodes(grid, clamps);
   for (bool warp : {true, false}) {
@@ -202,30 +202,30 @@ void threads_lay(System& system, int lattice, const Grid& grid, const std::vecto
     std::vector<Span> spans = spans_of(grid, odd, warp);
     clamps_lay(system, lattice, spans, warp, clamps, start);
     hinges_lay(system, lattice, spans, odd, warp);
-    links_lay(system, lattice, spans, warp ? Thread::kWarp : Thread::kWeft);
+    links_lay(system, lattice, spans, warp ? model::Thread::kWarp : model::Thread::kWeft);
   }
   cells_lay(system, lattice, grid);
 }
 
 void side_number(System& system) {
-  Side& side = system.side;
+  model::Side& side = system.side;
   std::vector<std::size_t> touched;
   const auto each_node = [&](auto visit) {
-    for (SideLink& s : side.links)
+    for (model::SideLink& s : side.links)
       for (int k = 0; k < 2; ++k) visit(s.node[k], s.slot[k]);
-    for (SideHinge& s : side.hinges)
+    for (model::SideHinge& s : side.hinges)
       for (int k = 0; k < 3; ++k) visit(s.node[k], s.slot[k]);
-    for (SideCell& s : side.cells)
+    for (model::SideCell& s : side.cells)
       for (int k = 0; k < 4; ++k) visit(s.node[k], s.slot[k]);
-    for (SideClamp& s : side.clamps)
+    for (model::SideClamp& s : side.clamps)
       for (int k = 0; k < 2; ++k) visit(s.node[k], s.slot[k]);
-    const auto row = [&](SeamRow& r) {
-      for (SeamTerm& t : r) visit(t.node, t.slot);
+    const auto row = [&](model::SeamRow& r) {
+      for (model::SeamTerm& t : r) visit(t.node, t.slot);
     };
-    for (SeamPair& s : system.seams.pair) row(s.gap);
-    for (SeamHinge& s : system.seams.hinge)
-      for (SeamRow& arm : s.arm) row(arm);
-    for (SeamLink& s : system.seams.link) row(s.edge);
+    for (model::SeamPair& s : system.seams.pair) row(s.gap);
+    for (model::SeamHinge& s : system.seams.hinge)
+      for (model::SeamRow& arm : s.arm) row(arm);
+    for (model::SeamLink& s : system.seams.link) row(s.edge);
   };
   each_node([&](std::size_t node, int&) { touched.push_back(node); });
   std::sort(touched.begin(), touched.end());
@@ -233,7 +233,7 @@ void side_number(System& system) {
 
   auto next = touched.begin();
   std::vector<std::size_t> slot_of(touched.size());
-  for (Lattice& l : system.lattices) {
+  for (model::Lattice& l : system.lattices) {
     l.twin_slot = int(side.node.size());
     for (int k = 0; k < l.twin_stride; ++k) side.node.push_back(l.twin_first + std::size_t(k));
     const std::size_t rows_end = l.node(0, l.rows);
@@ -248,7 +248,7 @@ void side_number(System& system) {
     }
     for (; next != touched.end() && *next < l.end(); ++next)
       slot_of[std::size_t(next - touched.begin())] = std::size_t(l.twin_slot) + (*next - l.twin_first);
-    while (side.node.size() % kRowUnit != 0) side.node.push_back(l.first);
+    while (side.node.size() % math::kRowUnit != 0) side.node.push_back(l.first);
   }
   each_node([&](std::size_t node, int& slot) {
     slot =
@@ -256,4 +256,4 @@ void side_number(System& system) {
   });
 }
 
-}  // namespace drape
+}  // namespace drape::assembly

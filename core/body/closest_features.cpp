@@ -6,10 +6,10 @@
 
 #include "math/vector3.h"
 
-namespace drape {
+namespace drape::body {
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
 enum class On { kFace, kEdge, kVertex };
 
@@ -234,4 +234,4 @@ double nearest_signed(const BodySurface& s, int triangle, const Vec3& x) {
   return inside ? -distance : distance;
 }
 
-}  // namespace drape
+}  // namespace drape::body

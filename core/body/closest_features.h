@@ -13,7 +13,7 @@
 
 #include "body/surface.h"
 
-namespace drape {
+namespace drape::body {
 
 struct Touch {
   Vec3 point;                   // p, m
@@ -41,4 +41,4 @@ double nearest_distance(const BodySurface& surface, int triangle, const Vec3& x)
 // make no inside.
 double nearest_signed(const BodySurface& surface, int triangle, const Vec3& x);
 
-}  // namespace drape
+}  // namespace drape::body

@@ -4,13 +4,13 @@
 #include <bit>
 #include <cmath>
 
-#include "math/vector3.h"
 #include "body/closest_features.h"
+#include "math/vector3.h"
 
-namespace drape {
+namespace drape::body {
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
 constexpr double kFiner = 4;                           // a voxel's size over that of the next level
 constexpr double kEdges = 2;                           // a smallest voxel over the mean edge
@@ -139,4 +139,4 @@ double voxels_depth(Voxels& v, const Vec3& x) {
   return std::max(-signed_distance(v, x), 0.0);
 }
 
-}  // namespace drape
+}  // namespace drape::body

@@ -11,10 +11,10 @@
 #include <unordered_map>
 #include <vector>
 
-#include "body/surface.h"
 #include "body/query.h"
+#include "body/surface.h"
 
-namespace drape {
+namespace drape::body {
 
 struct Voxel {
   double distance = 0;  // m, of the centre, at least; where there are triangles, within which all are listed
@@ -54,4 +54,4 @@ Neighbourhood voxels_at(Voxels& voxels, const Vec3& x);
 // How deep x is inside a solid surface (m), about; 0: it is not.
 double voxels_depth(Voxels& voxels, const Vec3& x);
 
-}  // namespace drape
+}  // namespace drape::body

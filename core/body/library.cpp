@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <mutex>
 
-namespace drape {
+namespace drape::body {
 
 const drape_contact_library* contact_library(std::string& hindrance) {
   static std::mutex one_at_a_time;
@@ -26,4 +26,4 @@ const drape_contact_library* contact_library(std::string& hindrance) {
   return library = get();
 }
 
-}  // namespace drape
+}  // namespace drape::body

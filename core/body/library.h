@@ -4,9 +4,9 @@
 
 #include "body/query.h"
 
-namespace drape {
+namespace drape::body {
 
 // Null: `hindrance` says why. Opened once in a process, and kept.
 const drape_contact_library* contact_library(std::string& hindrance);
 
-}  // namespace drape
+}  // namespace drape::body

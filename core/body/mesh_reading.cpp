@@ -24,7 +24,7 @@
 #include <tiny_obj_loader.h>
 #pragma GCC diagnostic pop
 
-namespace drape {
+namespace drape::body {
 namespace {
 
 struct Triangles {
@@ -173,4 +173,4 @@ void mesh_free(drape_mesh_file* mesh) {
   delete mesh;
 }
 
-}  // namespace drape
+}  // namespace drape::body

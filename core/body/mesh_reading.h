@@ -2,9 +2,9 @@
 #pragma once
 #include "body/query.h"
 
-namespace drape {
+namespace drape::body {
 
 drape_mesh_file* mesh_read(const char* file, char* problem, size_t room);
 void mesh_free(drape_mesh_file* mesh);
 
-}  // namespace drape
+}  // namespace drape::body

@@ -64,7 +64,7 @@ size_t within(const drape_query* query, const double* at, double radius, int* tr
 }  // namespace
 
 const drape_contact_library* drape_contact_library_1() {
-  static const drape_contact_library library{drape::mesh_read, drape::mesh_free, query_make,
-                                             query_free,       distance,         within};
+  static const drape_contact_library library{
+      drape::body::mesh_read, drape::body::mesh_free, query_make, query_free, distance, within};
   return &library;
 }

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/vector3.h"
 #include "math/closest_points.h"
+#include "math/vector3.h"
 
-namespace drape {
+namespace drape::body {
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
 constexpr double kBucketsMost = 2e5;    // along all ridges
 constexpr double kBucketFar = 1 << 20;  // buckets from the origin, beyond which places share names
@@ -158,8 +158,8 @@ double ridges_distance(const Ridges& ridges, const Vec3& x, double most) {
   ridges_in(ridges, x - way, x + way, found);
   double least2 = most * most;
   for (std::uint32_t r : found)
-    least2 = std::min(least2, segment_distance2(x, ridges.ridge[r].from, ridges.ridge[r].to));
+    least2 = std::min(least2, math::segment_distance2(x, ridges.ridge[r].from, ridges.ridge[r].to));
   return std::sqrt(least2);
 }
 
-}  // namespace drape
+}  // namespace drape::body

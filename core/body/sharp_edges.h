@@ -8,7 +8,7 @@
 
 #include "body/surface.h"
 
-namespace drape {
+namespace drape::body {
 
 // A ridge runs between two points; those of a tip are one. The surface falls away along `fall`, of length 1:
 // into the triangles of an edge, along the edges of a tip, for `length`.
@@ -43,4 +43,4 @@ void ridges_in(const Ridges& ridges, const Vec3& low, const Vec3& high, std::vec
 // How far from x the nearest is (m), at most `most`.
 double ridges_distance(const Ridges& ridges, const Vec3& x, double most);
 
-}  // namespace drape
+}  // namespace drape::body

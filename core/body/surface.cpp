@@ -6,10 +6,10 @@
 
 #include "math/vector3.h"
 
-namespace drape {
+namespace drape::body {
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
 // A few bad edges are mended badly in most scans; a body with more of them is a sheet with two sides.
 constexpr double kBadEdges = 0.01;  // of all
@@ -152,4 +152,4 @@ BodySurface surface_make(const std::vector<Vec3>& point, const std::vector<std::
   return s;
 }
 
-}  // namespace drape
+}  // namespace drape::body

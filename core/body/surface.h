@@ -7,7 +7,7 @@
 
 #include "scene/scene.h"
 
-namespace drape {
+namespace drape::body {
 
 // A corner pair of the surface; its triangles, and the unit vectors in each triangle's plane that point from
 // the edge into it.
@@ -50,4 +50,4 @@ struct SurfaceFindings {
 BodySurface surface_make(const std::vector<Vec3>& point, const std::vector<std::array<int, 3>>& corner,
                          SurfaceFindings& findings, std::string& trouble);
 
-}  // namespace drape
+}  // namespace drape::body

@@ -7,10 +7,10 @@
 
 #include "math/vector3.h"
 
-namespace drape {
+namespace drape::constraint {
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
 constexpr double kRankTolerance = 1e-10;  // of A M^-1 A^T, relative to the row's own diagonal
 // The same of a weld beside pins and other welds. What little those leave free would have to take up all of a
@@ -24,7 +24,7 @@ constexpr double kShareTolerance = 1e-4;
 // A row while it is sorted.
 struct OpenRow {
   int pin;
-  SparseRow on;
+  math::SparseRow on;
   std::vector<TargetPart> parts;
 };
 
@@ -41,7 +41,7 @@ using Fixed = std::unordered_map<std::size_t, std::vector<TargetPart>>;
 
 // Takes fixed nodes out of a row.
 void row_reduce(OpenRow& row, const Fixed& fixed) {
-  SparseRow kept;
+  math::SparseRow kept;
   for (std::size_t k = 0; k < row.on.node.size(); ++k) {
     const auto f = fixed.find(row.on.node[k]);
     if (f != fixed.end()) {
@@ -66,7 +66,7 @@ void contradiction_tell(const std::vector<PinBase>& pins, int pin, const std::ve
     off += part.start;
     const bool shifts = std::abs(part.share) > kShareTolerance,
                turns = base.clamp && norm(part.start - part.share * base.centre) > kTargetTolerance;
-    if (base.drive != Drive::kNone && (shifts || turns)) driven = &base;
+    if (base.drive != scene::Drive::kNone && (shifts || turns)) driven = &base;
     if (base.name != name) other = &base;
   }
   if (norm(off) > kTargetTolerance)
@@ -83,7 +83,8 @@ using RowsByNode = std::unordered_map<std::size_t, std::vector<std::pair<std::si
 // What is left of a dependent row's target less those that the kept rows, of which it is a combination, give
 // it.
 std::vector<TargetPart> rest_of(const OpenRow& row, const std::vector<OpenRow>& kept,
-                                const RowsByNode& by_node, const Factor& factor, const Array& inverse_mass) {
+                                const RowsByNode& by_node, const math::Factor& factor,
+                                const Array& inverse_mass) {
   std::vector<double> b(3 * kept.size(), 0.0);
   for (std::size_t k = 0; k < row.on.node.size(); ++k) {
     const auto found = by_node.find(row.on.node[k]);
@@ -91,15 +92,15 @@ std::vector<TargetPart> rest_of(const OpenRow& row, const std::vector<OpenRow>& 
     for (const auto& [r, weight] : found->second)
       b[3 * r] += row.on.weight[k] * weight * inverse_mass[row.on.node[k]];
   }
-  factor_solve(factor, b.data());
+  math::factor_solve(factor, b.data());
   std::vector<TargetPart> rest = row.parts;
   for (std::size_t r = 0; r < kept.size(); ++r)
     if (b[3 * r] != 0) parts_add(rest, kept[r].parts, -b[3 * r]);
   return rest;
 }
 
-std::vector<const SparseRow*> pointers_to(const std::vector<OpenRow>& rows) {
-  std::vector<const SparseRow*> pointers;
+std::vector<const math::SparseRow*> pointers_to(const std::vector<OpenRow>& rows) {
+  std::vector<const math::SparseRow*> pointers;
   for (const OpenRow& row : rows) pointers.push_back(&row.on);
   return pointers;
 }
@@ -109,8 +110,8 @@ std::vector<OpenRow> rows_independent(std::vector<OpenRow> rows, const Array& in
                                       const std::vector<PinBase>& pins, std::vector<Problem>& problems) {
   const auto welds =
       std::stable_partition(rows.begin(), rows.end(), [](const OpenRow& r) { return r.pin >= 0; });
-  const Factor all = factor_make(pointers_to(rows), inverse_mass, kRankTolerance,
-                                 std::size_t(welds - rows.begin()), kWeldTolerance);
+  const math::Factor all = math::factor_make(pointers_to(rows), inverse_mass, kRankTolerance,
+                                             std::size_t(welds - rows.begin()), kWeldTolerance);
   if (all.row.size() == rows.size()) return rows;
   std::vector<char> independent(rows.size(), 0);
   for (int r : all.row) independent[std::size_t(r)] = 1;
@@ -121,7 +122,7 @@ std::vector<OpenRow> rows_independent(std::vector<OpenRow> rows, const Array& in
   for (std::size_t r = 0; r < kept.size(); ++r)
     for (std::size_t k = 0; k < kept[r].on.node.size(); ++k)
       by_node[kept[r].on.node[k]].push_back({r, kept[r].on.weight[k]});
-  const Factor factor = factor_make(pointers_to(kept), inverse_mass, 0);
+  const math::Factor factor = math::factor_make(pointers_to(kept), inverse_mass, 0);
   for (const OpenRow& row : dependent)
     contradiction_tell(pins, row.pin, rest_of(row, kept, by_node, factor, inverse_mass), problems);
   return kept;
@@ -134,7 +135,7 @@ Target target_make(Constraints& c, const std::vector<TargetPart>& parts) {
     c.parts.push_back(part);
     ++t.count;
     t.start += part.start;
-    t.moves = t.moves || c.pins[std::size_t(part.pin)].drive != Drive::kNone;
+    t.moves = t.moves || c.pins[std::size_t(part.pin)].drive != scene::Drive::kNone;
   }
   return t;
 }
@@ -192,7 +193,7 @@ void rows_take(Constraints& c, std::vector<OpenRow> rows) {
   for (std::size_t k = 0; k < order.size(); ++k) {
     if (k == 0 || part[order[k]] != part[order[k - 1]]) c.part.push_back({k, k, {}, {}, {}, {}});
     OpenRow& row = rows[order[k]];
-    for (std::size_t n : row.on.node) c.part.back().line.push_back(std::uint32_t(n / kRowUnit));
+    for (std::size_t n : row.on.node) c.part.back().line.push_back(std::uint32_t(n / math::kRowUnit));
     c.part.back().end = k + 1;
     const Target target = target_make(c, row.parts);
     if (target.count > 0) c.led.push_back(k);
@@ -225,19 +226,19 @@ Constraints constraints_make(const std::vector<ConstraintRow>& rows, const Array
 
 void constraints_refactor(Constraints& c, const Array& inverse_mass) {
   for (RowPart& part : c.part) {
-    std::vector<const SparseRow*> rows;
+    std::vector<const math::SparseRow*> rows;
     part.term.clear();
     part.last.clear();
     for (std::size_t r = part.begin; r < part.end; ++r) {
-      const SparseRow& row = c.rows[r].on;
+      const math::SparseRow& row = c.rows[r].on;
       rows.push_back(&row);
       for (std::size_t k = 0; k < row.node.size(); ++k)
         part.term.push_back(
             {std::uint32_t(row.node[k]), row.weight[k], row.weight[k] * inverse_mass[row.node[k]]});
       part.last.push_back(part.term.size());
     }
-    part.factor = factor_make(rows, inverse_mass, 0);
+    part.factor = math::factor_make(rows, inverse_mass, 0);
   }
 }
 
-}  // namespace drape
+}  // namespace drape::constraint

@@ -17,18 +17,18 @@
 #include <string>
 #include <vector>
 
-#include "math/cholesky.h"
 #include "constraint/rigid_links.h"
+#include "math/cholesky.h"
 #include "scene/scene.h"
 
-namespace drape {
+namespace drape::constraint {
 
 // What a pin is before it moves.
 struct PinBase {
   std::string name;
   Vec3 centre{0, 0, 0};  // p_0, m
   bool clamp = false;    // the frame may turn
-  Drive drive = Drive::kNone;
+  scene::Drive drive = scene::Drive::kNone;
 };
 
 // One constraint as the scene states it; nodes by index into the State's arrays.
@@ -57,7 +57,7 @@ struct FixedNode {
 };
 
 struct HeldRow {
-  SparseRow on;  // two nodes or more, none of them fixed
+  math::SparseRow on;  // two nodes or more, none of them fixed
   Target target;
 };
 
@@ -73,7 +73,7 @@ struct RowPart {
   std::vector<RowTerm> term;        // theirs
   std::vector<std::size_t> last;    // [rows] where the terms of a row end
   std::vector<std::uint32_t> line;  // nodes over kRowUnit, sorted, each once
-  Factor factor;                    // of A M^-1 A^T
+  math::Factor factor;              // of A M^-1 A^T
 };
 
 struct Constraints {
@@ -95,4 +95,4 @@ Constraints constraints_make(const std::vector<ConstraintRow>& rows, const Array
 // Anew after a change of the masses.
 void constraints_refactor(Constraints& constraints, const Array& inverse_mass);
 
-}  // namespace drape
+}  // namespace drape::constraint

@@ -5,14 +5,14 @@
 #include <cstdio>
 #include <limits>
 
-#include "math/vector3.h"
 #include "dynamics/relaxation.h"
 #include "dynamics/step_size/step_limit.h"
+#include "math/vector3.h"
 
-namespace drape {
+namespace drape::dynamics {
 namespace {
 
-using vector3::operator*;
+using math::vector3::operator*;
 
 constexpr int kWatchLongest = 32;    // steps between two looks at the step limit, at most
 constexpr int kWatchGiven = 8;       // the same where the scene gives the step
@@ -20,7 +20,7 @@ constexpr std::int64_t kCalm = 100;  // intervals before the step may grow
 
 // Room for v_{n-3/2} where forces depend on velocity; while it is not known, v_{n-1/2} stands for it.
 void rates_begin(const System& system, State& s) {
-  const bool rates = system_has_rates(system);
+  const bool rates = model::system_has_rates(system);
   if (rates != s.wx.empty()) return;
   const Array none;
   s.wx = rates ? s.vx : none;
@@ -59,7 +59,7 @@ void look(const System& system, const Motion& motion, State& s, double h) {
     s.watch_wait = kWatchGiven;
     return;
   }
-  s.step_most = touch_step_most(system, s);
+  s.step_most = contact::touch_step_most(system, s);
   for (;; s.watch_period = std::max(s.watch_period / 4, 1)) {
     s.omega2 = step_limit_omega2(system, *motion.kernel, s, s.watch_period * h);
     if (h <= step_now(system, s, s.omega2) || s.watch_period == 1) break;
@@ -86,7 +86,7 @@ void subs_relax(const System& system, State& s, std::string& event) {
   if (wanted >= s.subs) return;
   s.subs = wanted;
   s.watch_wait = 0;
-  say_step(event, "grows", state_time(s, q), q / double(wanted), s);
+  say_step(event, "grows", model::state_time(s, q), q / double(wanted), s);
 }
 
 // Looks at the step limit after `done` of the n steps that fill `length`; where it has fallen, n doubles, in
@@ -109,7 +109,7 @@ Advance watch(const System& system, Motion& motion, State& s, double length, std
     s.subs *= 2;
     s.calm = 0;
     s.omega2_most = s.omega2;
-    say_step(event, "falls", state_time(s, system.communication) + double(done) * h(), h(), s);
+    say_step(event, "falls", model::state_time(s, system.communication) + double(done) * h(), h(), s);
   }
   return Advance::kDone;
 }
@@ -130,7 +130,7 @@ Advance interval_run(const System& system, Motion& motion, State& s, double leng
 }
 
 void subs_begin(const System& system, const Motion& motion, State& s) {
-  if (system.step_given == 0) s.step_most = touch_step_most(system, s);
+  if (system.step_given == 0) s.step_most = contact::touch_step_most(system, s);
   s.omega2 = s.omega2_most = step_limit_omega2(system, *motion.kernel, s);
   s.subs = subs_for(system.communication, step_now(system, s, s.omega2));
   s.watch_wait = 0;
@@ -146,9 +146,9 @@ double kinetic_energy(const System& system, const State& s) {
 // Links on ridges share nodes with each other and with particles that touch, so that what bodies have been
 // told of the half step before this advance is found as it was then, and taken out of the first step of it.
 void ridges_told(const System& system, Motion& motion, State& s) {
-  motion.touch.told = ridge_any(s) && last_half(system, s) > 0 && !system.fit;
+  motion.touch.told = contact::ridge_any(s) && last_half(system, s) > 0 && !system.fit;
   if (!motion.touch.told) return;
-  std::vector<PinLoad> pins;
+  std::vector<math::PinLoad> pins;
   leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(), motion.now_z.data(),
                        pins);
   for (std::size_t b = 0; b < s.body.size(); ++b)
@@ -158,11 +158,11 @@ void ridges_told(const System& system, Motion& motion, State& s) {
 // Lays the paths of an advance and begins them. Where the velocity of a pin jumps, so do those of the cloth;
 // the impulse is the first of the advance. (The paper's scheme takes it up in its first step.)
 void inputs_begin(const System& system, Motion& motion, State& s, double length) {
-  s.pin_impulse.assign(s.pin_impulse.size(), PinLoad{});
-  for (BodyContact& body : s.body) body.impulse = PinLoad{};
+  s.pin_impulse.assign(s.pin_impulse.size(), math::PinLoad{});
+  for (model::BodyContact& body : s.body) body.impulse = math::PinLoad{};
   motion.path = path_make(system, s, motion.inputs, length);
   if (system.fit && path_moves(motion.path)) fit_wake(s);
-  const bool jumps = path_jumps(motion.path, s) && system.integrator == Integrator::kLeapfrog;
+  const bool jumps = path_jumps(motion.path, s) && system.integrator == scene::Integrator::kLeapfrog;
   if (jumps) leapfrog_complete(system, motion, s);
   ridges_told(system, motion, s);
   path_follow(motion.path, 0, s);
@@ -174,7 +174,8 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
                       &s.pin_impulse);
   if (!s.wx.empty()) s.wx = s.vx, s.wy = s.vy, s.wz = s.vz;
-  if (!s.body.empty()) touch_watch(system, motion.kernel->contact, motion.touch, s, 0, step_next(system, s));
+  if (!s.body.empty())
+    contact::touch_watch(system, motion.kernel->contact, motion.touch, s, 0, model::step_next(system, s));
   if (system.energy) s.input += kinetic_energy(system, s) - before;
 }
 
@@ -198,8 +199,8 @@ Motion motion_make(const System& system) {
   m.constraints = system.constraints;
   m.held = held_make(m.constraints);
   m.balance = balance_make(system);
-  m.touch = touch_make(system);
-  touch_tie(system, m.constraints, m.touch);
+  m.touch = contact::touch_make(system);
+  contact::touch_tie(system, m.constraints, m.touch);
   m.torque.resize(system.constraints.pins.size());
   for (Array* a : {&m.now_x, &m.now_y, &m.now_z}) a->assign(system.nodes, 0.0);
   return m;
@@ -214,9 +215,9 @@ void leapfrog_begin(const System& system, Motion& motion, State& s) {
                       nullptr);
   rates_begin(system, s);
   subs_begin(system, motion, s);
-  if (s.body.empty() && !self_touches(system)) return;
-  touch_begin(system, motion.kernel->contact, motion.touch, s);
-  self_begin(system, s);
+  if (s.body.empty() && !contact::self_touches(system)) return;
+  contact::touch_begin(system, motion.kernel->contact, motion.touch, s);
+  contact::self_begin(system, s);
   subs_begin(system, motion, s);  // with what is near
 }
 
@@ -234,12 +235,12 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
   const double whole = std::round(length / q);
   // A master's own clock rounds: the length may be off by some units in the last place of the time.
   const double rounding =
-      1e-12 * length + 8 * std::numeric_limits<double>::epsilon() * std::abs(state_time(s, q));
+      1e-12 * length + 8 * std::numeric_limits<double>::epsilon() * std::abs(model::state_time(s, q));
   const bool on_grid = whole >= 1 && std::abs(length - whole * q) <= rounding;
   s.advance_length = length;
   s.advance_begins = true;
   inputs_begin(system, motion, s, length);
-  self_hurry(system, s, 0);
+  contact::self_hurry(system, s, 0);
   motion.path.intervals = on_grid ? std::int64_t(whole) : 1;
   Advance result = Advance::kDone;
   if (on_grid) {
@@ -256,7 +257,7 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
     subs_relax(system, s, event);
     result = interval_run(system, motion, s, length, subs_for(length, q / double(s.subs)), event);
     s.calm += std::max<std::int64_t>(1, std::int64_t(length / q));
-    s.origin = state_time(s, q) + length;
+    s.origin = model::state_time(s, q) + length;
     s.tick = 0;
   }
   if (result == Advance::kDone && !all_finite(system, s)) result = Advance::kNotFinite;
@@ -264,4 +265,4 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
   return result;
 }
 
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -3,30 +3,30 @@
 #include <functional>
 #include <string>
 
+#include "contact/particle/contact.h"
+#include "contact/self/self_contact.h"
 #include "dynamics/constraint_projection.h"
 #include "dynamics/energy_balance.h"
-#include "dynamics/prescribed_motion.h"
 #include "dynamics/kernel/kernel.h"
-#include "contact/self/self_contact.h"
-#include "contact/particle/contact.h"
+#include "dynamics/prescribed_motion.h"
 
-namespace drape {
+namespace drape::dynamics {
 
 // Room that steps and outputs work in; made once per System.
 struct Motion {
   const Kernel* kernel = nullptr;
   Workspace workspace;
-  Constraints constraints;   // at work: those of the pins and of the pairs of seams in `welded`
-  std::vector<char> welded;  // [pairs]
-  Array gap_rate;            // as in State, of the present step
+  constraint::Constraints constraints;  // at work: those of the pins and of the pairs of seams in `welded`
+  std::vector<char> welded;             // [pairs]
+  Array gap_rate;                       // as in State, of the present step
   HeldMotion held;
   Inputs inputs;              // where the next advance goes
   Path path;                  // of the present advance
   Array now_x, now_y, now_z;  // [nodes] a field of t_n while somebody works with it: velocities or forces
   std::vector<Vec3> torque;   // [pins] N m, of the slopes that clamps hold
   Balance balance;
-  TouchRoom touch;
-  SelfRoom self;
+  contact::TouchRoom touch;
+  contact::SelfRoom self;
 };
 Motion motion_make(const System& system);
 
@@ -81,15 +81,15 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& state, dou
 // on the outside world (load [pins]): their mean over the last half step, which the impulses of the state
 // lack; before the first step, the present ones.
 void leapfrog_synchronous(const System& system, Motion& motion, const State& state, double* vx, double* vy,
-                          double* vz, std::vector<PinLoad>& load);
+                          double* vz, std::vector<math::PinLoad>& load);
 
 // What stops of bodies hold now: of the forces at t_n, whatever the velocity.
-TouchStops leapfrog_stops(const System& system, Motion& motion, const State& state);
+contact::TouchStops leapfrog_stops(const System& system, Motion& motion, const State& state);
 
 // What is held, then what touches, on synchronous velocities in the last half kick of `half` s, or on
 // accelerations (half = 0). What touching changes is held again, so that it meets the velocities that pins
 // and welds leave, as in a step. Adds to the loads where `load` is not null.
 void synchronous_meet(const System& system, Motion& motion, const State& state, Rate which, double half,
-                      double centred, Field field, std::vector<PinLoad>* load);
+                      double centred, Field field, std::vector<math::PinLoad>* load);
 
-}  // namespace drape
+}  // namespace drape::dynamics

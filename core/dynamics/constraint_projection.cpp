@@ -5,10 +5,10 @@
 
 #include "math/vector3.h"
 
-namespace drape {
+namespace drape::dynamics {
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
 Vec3 at(const Array& a, std::size_t k) { return {a[3 * k], a[3 * k + 1], a[3 * k + 2]}; }
 void set(Array& a, std::size_t k, const Vec3& v) {
@@ -19,93 +19,95 @@ void set(const Field& f, std::size_t n, const Vec3& v) { f.x[n] = v[0], f.y[n] =
 
 // Visits the targets of fixed nodes and rows by their number.
 template <class Visit>
-void each_target(const Constraints& c, Visit visit) {
+void each_target(const constraint::Constraints& c, Visit visit) {
   std::size_t k = 0;
-  for (const FixedNode& f : c.fixed) visit(k++, f.target);
-  for (const HeldRow& r : c.rows) visit(k++, r.target);
+  for (const constraint::FixedNode& f : c.fixed) visit(k++, f.target);
+  for (const constraint::HeldRow& r : c.rows) visit(k++, r.target);
 }
 
 // The target of a part less its start: share (p - p_0) + (R - 1)(start - share p_0), exactly 0 before the pin
 // moves.
-Vec3 part_shift(const PinBase& base, const Frame& frame, const TargetPart& part) {
+Vec3 part_shift(const constraint::PinBase& base, const math::Frame& frame,
+                const constraint::TargetPart& part) {
   const Vec3 reach = part.start - part.share * base.centre;
-  return part.share * (frame.position - base.centre) + turned_away(frame.turn, reach);
+  return part.share * (frame.position - base.centre) + math::turned_away(frame.turn, reach);
 }
 
-Vec3 target_now(const Constraints& c, const State& s, const Target& t) {
+Vec3 target_now(const constraint::Constraints& c, const State& s, const constraint::Target& t) {
   Vec3 sum = t.start;
   for (int p = t.first; p < t.first + t.count; ++p) {
-    const TargetPart& part = c.parts[std::size_t(p)];
+    const constraint::TargetPart& part = c.parts[std::size_t(p)];
     sum += part_shift(c.pins[std::size_t(part.pin)], s.pin_frame[std::size_t(part.pin)], part);
   }
   return sum;
 }
 
-void arms_set(const Constraints& c, const State& s, HeldMotion& held) {
+void arms_set(const constraint::Constraints& c, const State& s, HeldMotion& held) {
   for (std::size_t p = 0; p < c.parts.size(); ++p) {
-    const TargetPart& part = c.parts[p];
+    const constraint::TargetPart& part = c.parts[p];
     const Vec3 reach = part.start - part.share * c.pins[std::size_t(part.pin)].centre;
-    set(held.arm, p, reach + turned_away(s.pin_frame[std::size_t(part.pin)].turn, reach));
+    set(held.arm, p, reach + math::turned_away(s.pin_frame[std::size_t(part.pin)].turn, reach));
   }
 }
 
 // share v + w x arm; share a + w' x arm + w x (w x arm)
-Vec3 part_rate(const Frame& f, double share, const Vec3& arm, Rate which) {
+Vec3 part_rate(const math::Frame& f, double share, const Vec3& arm, Rate which) {
   if (which == Rate::kVelocity) return share * f.velocity + cross(f.spin, arm);
   return share * f.acceleration + cross(f.spin_rate, arm) + cross(f.spin, cross(f.spin, arm));
 }
 
-void load_add(const Constraints& c, const Array& arm, const Target& t, const Vec3& impulse,
-              std::vector<PinLoad>& load) {
+void load_add(const constraint::Constraints& c, const Array& arm, const constraint::Target& t,
+              const Vec3& impulse, std::vector<math::PinLoad>& load) {
   for (int p = t.first; p < t.first + t.count; ++p) {
-    const TargetPart& part = c.parts[std::size_t(p)];
-    PinLoad& sum = load[std::size_t(part.pin)];
+    const constraint::TargetPart& part = c.parts[std::size_t(p)];
+    math::PinLoad& sum = load[std::size_t(part.pin)];
     sum.force += part.share * impulse;
     sum.torque += cross(at(arm, std::size_t(p)), impulse);
   }
 }
 
-Vec3 row_sum(const SparseRow& row, const Field& f) {
+Vec3 row_sum(const math::SparseRow& row, const Field& f) {
   Vec3 sum{0, 0, 0};
   for (std::size_t k = 0; k < row.node.size(); ++k) sum += row.weight[k] * at(f, row.node[k]);
   return sum;
 }
 
 // y <- (A M^-1 A^T)^-1 (A f - target) of a part
-void part_solve(const RowPart& part, const Field& f, const double* target, double* y) {
-  const RowTerm* t = part.term.data();
+void part_solve(const constraint::RowPart& part, const Field& f, const double* target, double* y) {
+  const constraint::RowTerm* t = part.term.data();
   for (std::size_t k = part.begin; k < part.end; ++k) {
     double sum[3] = {-target[3 * k], -target[3 * k + 1], -target[3 * k + 2]};
-    for (const RowTerm* end = part.term.data() + part.last[k - part.begin]; t != end; ++t) {
+    for (const constraint::RowTerm* end = part.term.data() + part.last[k - part.begin]; t != end; ++t) {
       sum[0] += t->weight * f.x[t->node];
       sum[1] += t->weight * f.y[t->node];
       sum[2] += t->weight * f.z[t->node];
     }
     std::copy_n(sum, 3, y + 3 * k);
   }
-  factor_solve(part.factor, y + 3 * part.begin);
+  math::factor_solve(part.factor, y + 3 * part.begin);
 }
 
 // f <- f - M^-1 A^T y;  kRate: of v as well, by `rate` of it.
 template <bool kRate>
-void part_correct(const RowPart& part, const double* y, const Field& f, const Field& v, double rate) {
-  const RowTerm* t = part.term.data();
+void part_correct(const constraint::RowPart& part, const double* y, const Field& f, const Field& v,
+                  double rate) {
+  const constraint::RowTerm* t = part.term.data();
   for (std::size_t k = part.begin; k < part.end; ++k)
-    for (const RowTerm* end = part.term.data() + part.last[k - part.begin]; t != end; ++t) {
+    for (const constraint::RowTerm* end = part.term.data() + part.last[k - part.begin]; t != end; ++t) {
       const double dx = t->pull * y[3 * k], dy = t->pull * y[3 * k + 1], dz = t->pull * y[3 * k + 2];
       f.x[t->node] -= dx, f.y[t->node] -= dy, f.z[t->node] -= dz;
       if constexpr (kRate) v.x[t->node] -= rate * dx, v.y[t->node] -= rate * dy, v.z[t->node] -= rate * dz;
     }
 }
 
-void rows_project(const Constraints& c, const double* target, Array& y, const Field& f) {
-  for (const RowPart& part : c.part) {
+void rows_project(const constraint::Constraints& c, const double* target, Array& y, const Field& f) {
+  for (const constraint::RowPart& part : c.part) {
     part_solve(part, f, target, y.data());
     part_correct<false>(part, y.data(), f, f, 0);
   }
 }
 
-bool is_hit(const RowPart& part, const char* hit) {
+bool is_hit(const constraint::RowPart& part, const char* hit) {
   return std::any_of(part.line.begin(), part.line.end(), [&](std::uint32_t l) { return hit[l] != 0; });
 }
 
@@ -120,8 +122,8 @@ Vec3 told_again(const HeldStep& step, const Vec3& change) { return (step.half / 
 // The work of an impulse on the outside world while what it acts on goes from one velocity to the next.
 double work(const Vec3& impulse, const Vec3& old, const Vec3& now) { return -0.5 * dot(impulse, old + now); }
 
-void fixed_apply(const System& system, const Constraints& c, const HeldStep& step, HeldMotion& held,
-                 State& s) {
+void fixed_apply(const System& system, const constraint::Constraints& c, const HeldStep& step,
+                 HeldMotion& held, State& s) {
   const Field r{s.x.data(), s.y.data(), s.z.data()}, v{s.vx.data(), s.vy.data(), s.vz.data()};
   for (std::size_t k = 0; k < c.fixed.size(); ++k) {
     const std::size_t n = c.fixed[k].node;
@@ -137,25 +139,25 @@ void fixed_apply(const System& system, const Constraints& c, const HeldStep& ste
   }
 }
 
-void rows_apply(const System& system, const Constraints& c, const HeldStep& step, HeldMotion& held,
-                State& s) {
+void rows_apply(const System& system, const constraint::Constraints& c, const HeldStep& step,
+                HeldMotion& held, State& s) {
   const Field r{s.x.data(), s.y.data(), s.z.data()}, v{s.vx.data(), s.vy.data(), s.vz.data()};
   const std::size_t fixed = c.fixed.size();
   const bool tells = step.begins && !step.again;
   std::size_t entry = fixed;
-  const auto old_of = [&](const SparseRow& row) {
+  const auto old_of = [&](const math::SparseRow& row) {
     Vec3 sum{0, 0, 0};
     for (double w : row.weight) sum += w * at(held.old, entry++);
     return sum;
   };
   if (tells) {
     for (std::size_t k = 0; k < c.rows.size(); ++k) {
-      const SparseRow& row = c.rows[k].on;
+      const math::SparseRow& row = c.rows[k].on;
       set(held.z, k, told(step, old_of(row), row_sum(row, v), at(held.rate, fixed + k)));
     }
-    for (const RowPart& part : c.part) factor_solve(part.factor, &held.z[3 * part.begin]);
+    for (const constraint::RowPart& part : c.part) math::factor_solve(part.factor, &held.z[3 * part.begin]);
   }
-  for (const RowPart& part : c.part) {
+  for (const constraint::RowPart& part : c.part) {
     if (step.again && step.hit && !is_hit(part, step.hit)) {
       std::fill_n(&held.y[3 * part.begin], 3 * (part.end - part.begin), 0.0);
       continue;
@@ -166,7 +168,7 @@ void rows_apply(const System& system, const Constraints& c, const HeldStep& step
   const auto impulse_of = [&](std::size_t k) { return (step.impulse / step.h) * at(held.y, k); };
   entry = fixed;
   for (std::size_t k = 0; system.energy && k < c.rows.size(); ++k) {
-    const SparseRow& row = c.rows[k].on;
+    const math::SparseRow& row = c.rows[k].on;
     s.input += work(impulse_of(k), step.before * old_of(row), row_sum(row, v));
   }
   for (std::size_t k : c.led) {
@@ -178,7 +180,7 @@ void rows_apply(const System& system, const Constraints& c, const HeldStep& step
 
 // The scalar rows of rows and links: what is left of the rows, as in `left`, and what `excess` says of links.
 template <class Left, class Excess>
-void rigid_ask(const Constraints& c, RigidNow& now, Left left, Excess excess) {
+void rigid_ask(const constraint::Constraints& c, constraint::RigidNow& now, Left left, Excess excess) {
   for (std::size_t k = 0; k < c.rows.size(); ++k) {
     const Vec3 v = left(k);
     std::copy(v.begin(), v.end(), &now.b[3 * k]);
@@ -186,66 +188,66 @@ void rigid_ask(const Constraints& c, RigidNow& now, Left left, Excess excess) {
   for (std::size_t k = 0; k < c.rigid.link.size(); ++k) now.b[c.rigid.held + k] = excess(k);
 }
 
-double largest_excess(const Constraints& c, const Field& r) {  // over the length of a link
+double largest_excess(const constraint::Constraints& c, const Field& r) {  // over the length of a link
   double most = 0;
-  for (const RigidLink& link : c.rigid.link)
-    most = std::max(most, std::abs(rigid_excess(link, r.x, r.y, r.z)) / link.length);
+  for (const constraint::RigidLink& link : c.rigid.link)
+    most = std::max(most, std::abs(constraint::rigid_excess(link, r.x, r.y, r.z)) / link.length);
   return most;
 }
 
 // Rows and links met at positions r, by sweeps; what they took in now.y. `v` follows by 1/h.
-void rigid_meet(const System& system, const Constraints& c, const Array& target, const Field& r,
-                const Field* v, double h, RigidNow& now) {
+void rigid_meet(const System& system, const constraint::Constraints& c, const Array& target, const Field& r,
+                const Field* v, double h, constraint::RigidNow& now) {
   constexpr int kSweeps = 4;
   constexpr double kMet = 1e-9;
-  const RigidField fields[] = {{r.x, r.y, r.z, 1},
-                               {v ? v->x : r.x, v ? v->y : r.y, v ? v->z : r.z, v ? 1 / h : 0}};
+  const constraint::RigidField fields[] = {{r.x, r.y, r.z, 1},
+                                           {v ? v->x : r.x, v ? v->y : r.y, v ? v->z : r.z, v ? 1 / h : 0}};
   std::fill(now.y.begin(), now.y.end(), 0.0);
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     if (sweep > 0 && largest_excess(c, r) <= kMet) break;
     rigid_ask(
         c, now, [&](std::size_t k) { return row_sum(c.rows[k].on, r) - at(target, c.fixed.size() + k); },
-        [&](std::size_t k) { return rigid_excess(c.rigid.link[k], r.x, r.y, r.z); });
-    rigid_take(c.rigid, system.inverse_mass, now, fields, v ? 2 : 1);
+        [&](std::size_t k) { return constraint::rigid_excess(c.rigid.link[k], r.x, r.y, r.z); });
+    constraint::rigid_take(c.rigid, system.inverse_mass, now, fields, v ? 2 : 1);
   }
 }
 
 // A field brought to the rates of rows and links; what they took in held.y.
-void rigid_project(const System& system, const Constraints& c, const Field& f, HeldMotion& held) {
+void rigid_project(const System& system, const constraint::Constraints& c, const Field& f, HeldMotion& held) {
   constexpr int kSweeps = 4;
-  RigidNow& now = held.rigid;
-  const RigidField field{f.x, f.y, f.z, 1};
+  constraint::RigidNow& now = held.rigid;
+  const constraint::RigidField field{f.x, f.y, f.z, 1};
   std::fill(now.y.begin(), now.y.end(), 0.0);
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     rigid_ask(
         c, now, [&](std::size_t k) { return row_sum(c.rows[k].on, f) - at(held.rate, c.fixed.size() + k); },
-        [&](std::size_t k) { return rigid_along(c.rigid, now, k, f.x, f.y, f.z) - now.rate[k]; });
-    rigid_take(c.rigid, system.inverse_mass, now, &field, 1);
+        [&](std::size_t k) { return constraint::rigid_along(c.rigid, now, k, f.x, f.y, f.z) - now.rate[k]; });
+    constraint::rigid_take(c.rigid, system.inverse_mass, now, &field, 1);
   }
   std::copy_n(now.y.begin(), held.y.size(), held.y.begin());
 }
 
 // Of a link along itself: what turning asks, and what a step does against what it is off; in a fit a step
 // moves by h^2 times the lightness.
-double link_acceleration(const RigidLink& link, const State& s) {
+double link_acceleration(const constraint::RigidLink& link, const State& s) {
   const auto [a, b] = link.node;
   const Vec3 turns = Vec3{s.vx[b], s.vy[b], s.vz[b]} - Vec3{s.vx[a], s.vy[a], s.vz[a]};
   const double turning = -dot(turns, turns) / link.length;
   if (s.h_old == 0) return turning;
   const double step2 = s.h_old * s.h_old * (s.lightness.empty() ? 1 : s.lightness[a]);
-  return turning - rigid_excess(link, s.x.data(), s.y.data(), s.z.data()) / step2;
+  return turning - constraint::rigid_excess(link, s.x.data(), s.y.data(), s.z.data()) / step2;
 }
 
 // As rows_apply, with links.
-void rigid_apply(const System& system, const Constraints& c, const HeldStep& step, HeldMotion& held,
-                 State& s) {
+void rigid_apply(const System& system, const constraint::Constraints& c, const HeldStep& step,
+                 HeldMotion& held, State& s) {
   const Field r{s.x.data(), s.y.data(), s.z.data()}, v{s.vx.data(), s.vy.data(), s.vz.data()};
   const std::size_t fixed = c.fixed.size();
-  RigidNow& now = held.rigid;
+  constraint::RigidNow& now = held.rigid;
   std::size_t entry = fixed;
   const bool tells = step.begins && !step.again;
   std::vector<Vec3> old;
-  for (const HeldRow& row : c.rows) {
+  for (const constraint::HeldRow& row : c.rows) {
     Vec3 sum{0, 0, 0};
     for (double w : row.on.weight) sum += w * at(held.old, entry++);
     old.push_back(sum);
@@ -263,8 +265,8 @@ void rigid_apply(const System& system, const Constraints& c, const HeldStep& ste
           const double* u = &now.weight[c.rigid.begin[c.rigid.held + k] + 3];
           return u[0] * sum[0] + u[1] * sum[1] + u[2] * sum[2];
         });
-    rigid_factor(c.rigid, system.inverse_mass, now);
-    factor_solve_scalar(now.factor, now.b.data());
+    constraint::rigid_factor(c.rigid, system.inverse_mass, now);
+    math::factor_solve_scalar(now.factor, now.b.data());
     std::copy_n(now.b.begin(), held.z.size(), held.z.begin());
   }
   rigid_meet(system, c, held.next, r, &v, step.h, now);
@@ -278,18 +280,18 @@ void rigid_apply(const System& system, const Constraints& c, const HeldStep& ste
 
 }  // namespace
 
-HeldMotion held_make(const Constraints& c) {
+HeldMotion held_make(const constraint::Constraints& c) {
   HeldMotion held;
   std::size_t entries = c.fixed.size();
-  for (const HeldRow& row : c.rows) entries += row.on.node.size();
+  for (const constraint::HeldRow& row : c.rows) entries += row.on.node.size();
   entries += 2 * c.rigid.link.size();
-  held.rigid = rigid_now(c.rigid);
+  held.rigid = constraint::rigid_now(c.rigid);
   for (Array* a : {&held.now, &held.next, &held.rate, &held.out, &held.taken})
     a->assign(3 * (c.fixed.size() + c.rows.size()), 0.0);
   for (Array* a : {&held.y, &held.z}) a->assign(3 * c.rows.size(), 0.0);
   held.arm.assign(3 * c.parts.size(), 0.0);
   held.old.assign(3 * entries, 0.0);
-  each_target(c, [&](std::size_t k, const Target& t) {
+  each_target(c, [&](std::size_t k, const constraint::Target& t) {
     set(held.now, k, t.start);
     set(held.next, k, t.start);
     held.moves = held.moves || t.moves;
@@ -297,19 +299,19 @@ HeldMotion held_make(const Constraints& c) {
   return held;
 }
 
-void held_refresh(const Constraints& c, const State& s, HeldMotion& held) {
+void held_refresh(const constraint::Constraints& c, const State& s, HeldMotion& held) {
   arms_set(c, s, held);
-  rigid_aim(c.rigid, s.x.data(), s.y.data(), s.z.data(), held.rigid);
-  each_target(c, [&](std::size_t k, const Target& t) {
+  constraint::rigid_aim(c.rigid, s.x.data(), s.y.data(), s.z.data(), held.rigid);
+  each_target(c, [&](std::size_t k, const constraint::Target& t) {
     if (t.moves) set(held.now, k, target_now(c, s, t));
   });
 }
 
-void held_rates(const Constraints& c, const State& s, Rate which, HeldMotion& held) {
-  each_target(c, [&](std::size_t k, const Target& t) {
+void held_rates(const constraint::Constraints& c, const State& s, Rate which, HeldMotion& held) {
+  each_target(c, [&](std::size_t k, const constraint::Target& t) {
     Vec3 sum{0, 0, 0};
     for (int p = t.first; t.moves && p < t.first + t.count; ++p) {
-      const TargetPart& part = c.parts[std::size_t(p)];
+      const constraint::TargetPart& part = c.parts[std::size_t(p)];
       sum += part_rate(s.pin_frame[std::size_t(part.pin)], part.share, at(held.arm, std::size_t(p)), which);
     }
     set(held.rate, k, sum);
@@ -318,20 +320,20 @@ void held_rates(const Constraints& c, const State& s, Rate which, HeldMotion& he
     held.rigid.rate[k] = which == Rate::kVelocity ? 0 : link_acceleration(c.rigid.link[k], s);
 }
 
-void held_keep(const Constraints& c, const State& s, HeldMotion& held) {
+void held_keep(const constraint::Constraints& c, const State& s, HeldMotion& held) {
   std::size_t entry = 0;
   const auto keep = [&](std::size_t n) { set(held.old, entry++, {s.vx[n], s.vy[n], s.vz[n]}); };
-  for (const FixedNode& f : c.fixed) keep(f.node);
-  for (const HeldRow& row : c.rows)
+  for (const constraint::FixedNode& f : c.fixed) keep(f.node);
+  for (const constraint::HeldRow& row : c.rows)
     for (std::size_t n : row.on.node) keep(n);
-  for (const RigidLink& link : c.rigid.link)
+  for (const constraint::RigidLink& link : c.rigid.link)
     for (std::size_t n : link.node) keep(n);
 }
 
-void constraints_meet(const System& system, const Constraints& c, const HeldStep& step, HeldMotion& held,
-                      State& s) {
+void constraints_meet(const System& system, const constraint::Constraints& c, const HeldStep& step,
+                      HeldMotion& held, State& s) {
   if (held.moves && !step.again)
-    each_target(c, [&](std::size_t k, const Target& t) {
+    each_target(c, [&](std::size_t k, const constraint::Target& t) {
       if (t.moves) set(held.next, k, target_now(c, s, t));
     });
   fixed_apply(system, c, step, held, s);
@@ -339,26 +341,26 @@ void constraints_meet(const System& system, const Constraints& c, const HeldStep
   else if (!c.rows.empty()) rows_apply(system, c, step, held, s);
 }
 
-void constraints_end(const Constraints& c, const State& s, HeldMotion& held) {
-  rigid_aim(c.rigid, s.x.data(), s.y.data(), s.z.data(), held.rigid);
+void constraints_end(const constraint::Constraints& c, const State& s, HeldMotion& held) {
+  constraint::rigid_aim(c.rigid, s.x.data(), s.y.data(), s.z.data(), held.rigid);
   if (!held.moves) return;
   held.now.swap(held.next);
   held.next = held.now;
   arms_set(c, s, held);
 }
 
-void constraints_place(const System& system, const Constraints& c, HeldMotion& held, Field r) {
+void constraints_place(const System& system, const constraint::Constraints& c, HeldMotion& held, Field r) {
   for (std::size_t k = 0; k < c.fixed.size(); ++k) set(r, c.fixed[k].node, at(held.now, k));
   if (!c.rigid.link.empty()) {
     rigid_meet(system, c, held.now, r, nullptr, 1, held.rigid);
-    rigid_aim(c.rigid, r.x, r.y, r.z, held.rigid);
+    constraint::rigid_aim(c.rigid, r.x, r.y, r.z, held.rigid);
     return;
   }
   rows_project(c, held.now.data() + 3 * c.fixed.size(), held.y, r);
 }
 
-void constraints_project(const System& system, const Constraints& c, HeldMotion& held, Field field,
-                         std::vector<PinLoad>* load) {
+void constraints_project(const System& system, const constraint::Constraints& c, HeldMotion& held,
+                         Field field, std::vector<math::PinLoad>* load) {
   const std::size_t fixed = c.fixed.size();
   for (std::size_t k = 0; k < fixed; ++k) {
     const std::size_t n = c.fixed[k].node;
@@ -373,10 +375,12 @@ void constraints_project(const System& system, const Constraints& c, HeldMotion&
   for (std::size_t k = 0; k < c.rows.size(); ++k) set(held.out, fixed + k, at(held.y, k));
   for (std::size_t k = 0; k < held.out.size(); ++k) held.taken[k] += held.out[k];
   if (load)
-    each_target(c, [&](std::size_t k, const Target& t) { load_add(c, held.arm, t, at(held.out, k), *load); });
+    each_target(c, [&](std::size_t k, const constraint::Target& t) {
+      load_add(c, held.arm, t, at(held.out, k), *load);
+    });
 }
 
-double held_work(const Constraints& c, const State& s, double before, double centred,
+double held_work(const constraint::Constraints& c, const State& s, double before, double centred,
                  const HeldMotion& held) {
   double sum = 0;
   for (std::size_t k = 0; k < c.fixed.size(); ++k) {
@@ -384,7 +388,7 @@ double held_work(const Constraints& c, const State& s, double before, double cen
     sum += work(centred * at(held.taken, k), before * Vec3{s.vx[n], s.vy[n], s.vz[n]}, at(held.rate, k));
   }
   for (std::size_t r = 0; r < c.rows.size(); ++r) {
-    const SparseRow& row = c.rows[r].on;
+    const math::SparseRow& row = c.rows[r].on;
     Vec3 old{0, 0, 0};
     for (std::size_t k = 0; k < row.node.size(); ++k)
       old += row.weight[k] * Vec3{s.vx[row.node[k]], s.vy[row.node[k]], s.vz[row.node[k]]};
@@ -394,4 +398,4 @@ double held_work(const Constraints& c, const State& s, double before, double cen
   return sum;
 }
 
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -7,7 +7,7 @@
 #pragma once
 #include "model/system.h"
 
-namespace drape {
+namespace drape::dynamics {
 
 // Where held points are and are to be; "held" counts the fixed nodes, then the rows.
 struct HeldMotion {
@@ -18,20 +18,20 @@ struct HeldMotion {
   Array y, z;       // [rows x 3]
   Array out;        // [held x 3] what the last projection took out, times m
   Array taken;      // [held x 3] the sum of these since it was 0
-  RigidNow rigid;   // links
-  bool moves = false;  // a target does
-  double work = 0;     // J, of the pins on the cloth in the half step that the state's sums lack
+  constraint::RigidNow rigid;  // links
+  bool moves = false;          // a target does
+  double work = 0;             // J, of the pins on the cloth in the half step that the state's sums lack
 };
-HeldMotion held_make(const Constraints& constraints);
+HeldMotion held_make(const constraint::Constraints& constraints);
 
 // Targets and arms at the frames of a state.
-void held_refresh(const Constraints& constraints, const State& state, HeldMotion& held);
+void held_refresh(const constraint::Constraints& constraints, const State& state, HeldMotion& held);
 
 enum class Rate { kVelocity, kAcceleration };
-void held_rates(const Constraints& constraints, const State& state, Rate which, HeldMotion& held);
+void held_rates(const constraint::Constraints& constraints, const State& state, Rate which, HeldMotion& held);
 
 // Keeps v_{n-1/2} of the held nodes.
-void held_keep(const Constraints& constraints, const State& state, HeldMotion& held);
+void held_keep(const constraint::Constraints& constraints, const State& state, HeldMotion& held);
 
 // How a step turned v_{n-1/2} into the free velocity: v <- keep v + kick a.
 struct HeldStep {
@@ -47,11 +47,11 @@ struct HeldStep {
 
 // Puts held nodes where the frames of the state (at t_{n+1}) want them after the free step, and adds to the
 // impulses of the pins. With system.energy (and held_keep), adds their work on the cloth to state.input.
-void constraints_meet(const System& system, const Constraints& constraints, const HeldStep& step,
+void constraints_meet(const System& system, const constraint::Constraints& constraints, const HeldStep& step,
                       HeldMotion& held, State& state);
 
 // Ends a step: what is held at t_{n+1} is so now.
-void constraints_end(const Constraints& constraints, const State& state, HeldMotion& held);
+void constraints_end(const constraint::Constraints& constraints, const State& state, HeldMotion& held);
 
 // Three components of a nodal field, [nodes] each.
 struct Field {
@@ -60,15 +60,15 @@ struct Field {
 
 // Projects a field of accelerations or velocities onto held.rate; `load` [pins], where it is not null,
 // receives m times what was taken out: for accelerations, the pins' forces on the outside world.
-void constraints_project(const System& system, const Constraints& constraints, HeldMotion& held, Field field,
-                         std::vector<PinLoad>* load);
+void constraints_project(const System& system, const constraint::Constraints& constraints, HeldMotion& held,
+                         Field field, std::vector<math::PinLoad>* load);
 
 // Puts held points where they are to be at t_n, by the least change in the norm of the masses.
-void constraints_place(const System& system, const Constraints& constraints, HeldMotion& held,
+void constraints_place(const System& system, const constraint::Constraints& constraints, HeldMotion& held,
                        Field positions);
 
 // The work of the pins on the cloth while a projection of `centred` m v turned `before` v_{n-1/2} into v_n.
-double held_work(const Constraints& constraints, const State& state, double before, double centred,
-                 const HeldMotion& held);
+double held_work(const constraint::Constraints& constraints, const State& state, double before,
+                 double centred, const HeldMotion& held);
 
-}  // namespace drape
+}  // namespace drape::dynamics

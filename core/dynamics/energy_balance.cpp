@@ -13,31 +13,32 @@
 #include "dynamics/energy_balance.h"
 
 #include "forces/hinge_energy.h"
-#include "forces/seam_closing.h"
-#include "forces/rates.h"
 #include "forces/irregular_elements.h"
-#include "model/seam_rows.h"
+#include "forces/rates.h"
+#include "forces/seam_closing.h"
 #include "model/elements.h"
+#include "model/seam_rows.h"
 
-namespace drape {
+namespace drape::dynamics {
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
 void rates_set(const System& system, Balance& b, const State& s, double lead) {
   b.air = {0, 0, 0};
-  if (system_has_rates(system)) b.air = rate_forces(system, s, lead, b.fx.data(), b.fy.data(), b.fz.data());
+  if (model::system_has_rates(system))
+    b.air = forces::rate_forces(system, s, lead, b.fx.data(), b.fy.data(), b.fz.data());
 }
 
 // sum F.v over the particles
 double power(const System& system, const Balance& b, const Array& vx, const Array& vy, const Array& vz) {
-  if (!system_has_rates(system)) return 0;
+  if (!model::system_has_rates(system)) return 0;
   double sum = 0;
   for (std::size_t n : system.particle) sum += b.fx[n] * vx[n] + b.fy[n] * vy[n] + b.fz[n] * vz[n];
   return sum;
 }
 
-Vec3 link_now(const SideClamp& c, const State& s) {
+Vec3 link_now(const model::SideClamp& c, const State& s) {
   const std::size_t from = c.node[0], to = c.node[1];
   return {s.x[to] - s.x[from], s.y[to] - s.y[from], s.z[to] - s.z[from]};
 }
@@ -46,11 +47,12 @@ Vec3 link_now(const SideClamp& c, const State& s) {
 double clamps_work(const System& system, const Balance& b, const State& s) {
   double sum = 0;
   for (std::size_t k = 0; k < system.side.clamps.size(); ++k) {
-    const SideClamp& c = system.side.clamps[k];
-    const Vec3 held = clamp_direction(c, s), link = link_now(c, s);
-    const double turned = hinge_energy_between(held, link) - hinge_energy_between(b.held[k], link) +
-                          hinge_energy_between(held, b.link[k]) - hinge_energy_between(b.held[k], b.link[k]);
-    sum += law_bending(system.lattices[std::size_t(c.lattice)].law, c.warp) * c.share * turned / 2;
+    const model::SideClamp& c = system.side.clamps[k];
+    const Vec3 held = forces::clamp_direction(c, s), link = link_now(c, s);
+    const double turned =
+        forces::hinge_energy_between(held, link) - forces::hinge_energy_between(b.held[k], link) +
+        forces::hinge_energy_between(held, b.link[k]) - forces::hinge_energy_between(b.held[k], b.link[k]);
+    sum += model::law_bending(system.lattices[std::size_t(c.lattice)].law, c.warp) * c.share * turned / 2;
   }
   return sum;
 }
@@ -71,10 +73,10 @@ Balance balance_make(const System& system) {
 namespace {
 
 void pull_set(const System& system, Balance& b, const State& s, double lead) {
-  for (const Seam& seam : system.seams.seam)
+  for (const model::Seam& seam : system.seams.seam)
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
-      b.pull[p] = seam_pull(system, seam, p, s, lead);
-      b.rate[p] = row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz);
+      b.pull[p] = forces::seam_pull(system, seam, p, s, lead);
+      b.rate[p] = model::row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz);
     }
 }
 
@@ -82,7 +84,7 @@ void pull_set(const System& system, Balance& b, const State& s, double lead) {
 double pull_power(const System& system, const Balance& b, const Array& vx, const Array& vy, const Array& vz) {
   double sum = 0;
   for (std::size_t p = 0; p < b.pull.size(); ++p)
-    sum += dot(b.pull[p], row_value(system.seams.pair[p].gap, vx, vy, vz));
+    sum += dot(b.pull[p], model::row_value(system.seams.pair[p].gap, vx, vy, vz));
   return sum;
 }
 
@@ -96,13 +98,13 @@ void balance_begin(const System& system, Balance& b, const State& s, double lead
   b.wind = s.wind;
   pull_set(system, b, s, lead);
   for (std::size_t k = 0; k < b.held.size(); ++k) {
-    b.held[k] = clamp_direction(system.side.clamps[k], s);
+    b.held[k] = forces::clamp_direction(system.side.clamps[k], s);
     b.link[k] = link_now(system.side.clamps[k], s);
   }
 }
 
 void balance_end(const System& system, const Balance& b, State& s, double h_old, double h) {
-  const bool paper = system.integrator == Integrator::kPaper;
+  const bool paper = system.integrator == scene::Integrator::kPaper;
   const double span = paper ? h : (h_old + h) / 2;
   const double before = paper ? h : h_old / 2, after = paper ? 0 : h / 2;  // of -m c v
   double damped = 0;
@@ -119,7 +121,7 @@ void balance_end(const System& system, const Balance& b, State& s, double h_old,
   s.dissipated += system.damping * damped - (rates - wind);
   double pulled = 0;
   for (std::size_t p = 0; p < b.pull.size(); ++p)
-    pulled += dot(b.pull[p], b.rate[p] + row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz));
+    pulled += dot(b.pull[p], b.rate[p] + model::row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz));
   s.input += wind + clamps_work(system, b, s) + span / 2 * pulled;
 }
 
@@ -134,7 +136,7 @@ void balance_drifted(const System& system, const Balance& b, State& s, double de
 
 BalanceNow balance_now(const System& system, Balance& b, const State& s, double lead, const Array& vx,
                        const Array& vy, const Array& vz) {
-  if (system.integrator == Integrator::kPaper || system.composition) return {s.dissipated, s.input};
+  if (system.integrator == scene::Integrator::kPaper || system.composition) return {s.dissipated, s.input};
   rates_set(system, b, s, lead);
   pull_set(system, b, s, lead);
   double damped = 0;
@@ -146,4 +148,4 @@ BalanceNow balance_now(const System& system, Balance& b, const State& s, double 
           s.input + half * (wind + pull_power(system, b, vx, vy, vz))};
 }
 
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -3,7 +3,7 @@
 #pragma once
 #include "model/system.h"
 
-namespace drape {
+namespace drape::dynamics {
 
 // Room of one step; made once per System.
 struct Balance {
@@ -32,4 +32,4 @@ struct BalanceNow {
 BalanceNow balance_now(const System& system, Balance& balance, const State& state, double lead,
                        const Array& vx, const Array& vy, const Array& vz);
 
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -6,10 +6,10 @@
 #include "math/vector3.h"
 #include "model/system.h"
 
-namespace drape {
+namespace drape::dynamics {
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
 // Through the ends by `reach`, with the slopes a and b (all over z).
 void cubic(Vec3 (&c)[3], const Vec3& reach, const Vec3& a, const Vec3& b) {
@@ -36,8 +36,9 @@ Vec3 bend_at(const Vec3 (&c)[3], double z) { return 2 * c[1] + (6 * z) * c[2]; }
 
 bool is_zero(const Vec3& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
 
-Quaternion turned(const Vec3& f, const Quaternion& from) {
-  return is_zero(f) ? from : quaternion_normalised(quaternion_product(rotation_exp(f), from));
+math::Quaternion turned(const Vec3& f, const math::Quaternion& from) {
+  return is_zero(f) ? from
+                    : math::quaternion_normalised(math::quaternion_product(math::rotation_exp(f), from));
 }
 
 // H (w_0 + w_1)/2 + H^2 w_1 x w_0/12: the turn under an angular velocity along a line, to the fourth order in
@@ -47,35 +48,36 @@ void turn_by_velocity(PinPath& p) {
   const Vec3 reach = (h / 2) * (p.from.spin + p.to.spin) + (h * h / 12) * cross(p.to.spin, p.from.spin);
   if (is_zero(cross(p.from.spin, p.to.spin)) || norm(reach) > std::numbers::pi)
     parabola(p.turn, h * p.from.spin, h * p.to.spin);
-  else cubic(p.turn, reach, h * p.from.spin, h * rotation_rate(reach, p.to.spin));
+  else cubic(p.turn, reach, h * p.from.spin, h * math::rotation_rate(reach, p.to.spin));
 }
 
-void pin_path_lay(PinPath& p, Drive drive, bool clamp) {
+void pin_path_lay(PinPath& p, scene::Drive drive, bool clamp) {
   const double h = p.length;
-  p.jumps = drive == Drive::kPosition;
+  p.jumps = drive == scene::Drive::kPosition;
   if (!clamp) p.to.turn = p.from.turn, p.to.spin = {0, 0, 0};
-  if (drive == Drive::kVelocity) {
+  if (drive == scene::Drive::kVelocity) {
     parabola(p.shift, h * p.from.velocity, h * p.to.velocity);
     p.to.position = p.from.position + at(p.shift, 1);
     turn_by_velocity(p);
     p.to.turn = turned(at(p.turn, 1), p.from.turn);
     p.uniform = p.from.velocity == p.to.velocity && p.from.spin == p.to.spin;
   } else {
-    const Vec3 reach = p.to.position - p.from.position, f = rotation_between(p.from.turn, p.to.turn);
-    if (drive == Drive::kPosition) {
+    const Vec3 reach = p.to.position - p.from.position, f = math::rotation_between(p.from.turn, p.to.turn);
+    if (drive == scene::Drive::kPosition) {
       line(p.shift, reach);
       line(p.turn, f);
       p.to.velocity = (1 / h) * reach;
     } else {
       cubic(p.shift, reach, h * p.from.velocity, h * p.to.velocity);
-      cubic(p.turn, f, h * p.from.spin, h * rotation_rate(f, p.to.spin));
+      cubic(p.turn, f, h * p.from.spin, h * math::rotation_rate(f, p.to.spin));
     }
   }
   const Vec3 f = at(p.turn, 1), f1 = (1 / h) * slope_at(p.turn, 1), f2 = (1 / (h * h)) * bend_at(p.turn, 1);
-  if (drive == Drive::kPosition) p.to.spin = f1;
-  if (drive == Drive::kVelocity && !p.uniform && norm(f) > std::numbers::pi) p.to.spin = rotation_spin(f, f1);
+  if (drive == scene::Drive::kPosition) p.to.spin = f1;
+  if (drive == scene::Drive::kVelocity && !p.uniform && norm(f) > std::numbers::pi)
+    p.to.spin = math::rotation_spin(f, f1);
   p.to.acceleration = (1 / (h * h)) * bend_at(p.shift, 1);
-  p.to.spin_rate = rotation_spin_rate(f, f1, f2);
+  p.to.spin_rate = math::rotation_spin_rate(f, f1, f2);
 }
 
 // Differences that rounding makes between two ways to tell the same velocity: `size` over `length`.
@@ -88,7 +90,7 @@ bool jumps(const Vec3& a, const Vec3& b, double size, double length) {
 
 Inputs inputs_at(const State& s) {
   Inputs inputs{s.wind, s.pin_frame, {}};
-  for (const BodyContact& b : s.body) inputs.body.push_back(b.frame);
+  for (const model::BodyContact& b : s.body) inputs.body.push_back(b.frame);
   return inputs;
 }
 
@@ -97,14 +99,14 @@ Path path_make(const System& system, const State& s, const Inputs& inputs, doubl
   path.wind_from = s.wind;
   path.wind_to = inputs.wind;
   for (std::size_t p = 0; p < system.constraints.pins.size(); ++p) {
-    const PinBase& pin = system.constraints.pins[p];
-    if (pin.drive == Drive::kNone) continue;
+    const constraint::PinBase& pin = system.constraints.pins[p];
+    if (pin.drive == scene::Drive::kNone) continue;
     PinPath one;
     one.pin = int(p);
     one.length = length;
     one.from = s.pin_frame[p];
     one.to = inputs.pin[p];
-    one.to.turn = quaternion_normalised(one.to.turn);
+    one.to.turn = math::quaternion_normalised(one.to.turn);
     pin_path_lay(one, pin.drive, pin.clamp);
     path.pins.push_back(one);
   }
@@ -115,8 +117,8 @@ Path path_make(const System& system, const State& s, const Inputs& inputs, doubl
     one.length = length;
     one.from = s.body[b].frame;
     one.to = inputs.body[b];
-    one.to.turn = quaternion_normalised(one.to.turn);
-    pin_path_lay(one, Drive::kBoth, true);
+    one.to.turn = math::quaternion_normalised(one.to.turn);
+    pin_path_lay(one, scene::Drive::kBoth, true);
     path.bodies.push_back(one);
   }
   return path;
@@ -132,8 +134,8 @@ bool path_moves(const Path& path) {
 
 bool path_jumps(const Path& path, const State& s) {
   for (const PinPath& p : path.pins) {
-    const Frame begin = path_frame(p, 0);
-    const Frame& now = s.pin_frame[std::size_t(p.pin)];
+    const math::Frame begin = path_frame(p, 0);
+    const math::Frame& now = s.pin_frame[std::size_t(p.pin)];
     if (jumps(begin.velocity, now.velocity, norm(p.from.position) + norm(p.to.position), p.length) ||
         jumps(begin.spin, now.spin, 1, p.length))
       return true;
@@ -147,17 +149,17 @@ void path_interval(Path& path, const State& s, std::int64_t k, double length) {
     if (!p.uniform) continue;
     p.from = s.pin_frame[std::size_t(p.pin)];
     p.length = length;
-    pin_path_lay(p, Drive::kVelocity, true);
+    pin_path_lay(p, scene::Drive::kVelocity, true);
   }
 }
 
-Frame path_frame(const PinPath& p, double z) {
+math::Frame path_frame(const PinPath& p, double z) {
   if (z == 1) return p.to;
   const double h = p.length;
   const Vec3 f = at(p.turn, z), f1 = (1 / h) * slope_at(p.turn, z), f2 = (1 / (h * h)) * bend_at(p.turn, z);
-  Frame frame{p.from.position + at(p.shift, z),    turned(f, p.from.turn),
-              (1 / h) * slope_at(p.shift, z),      rotation_spin(f, f1),
-              (1 / (h * h)) * bend_at(p.shift, z), rotation_spin_rate(f, f1, f2)};
+  math::Frame frame{p.from.position + at(p.shift, z),    turned(f, p.from.turn),
+                    (1 / h) * slope_at(p.shift, z),      math::rotation_spin(f, f1),
+                    (1 / (h * h)) * bend_at(p.shift, z), math::rotation_spin_rate(f, f1, f2)};
   if (z == 0 && !p.jumps) frame.velocity = p.from.velocity, frame.spin = p.from.spin;  // not h v/h
   return frame;
 }
@@ -170,18 +172,18 @@ void path_follow(const Path& path, double u, State& s) {
   const double z = share_of(path, u);
   s.wind = z == 1 ? path.wind_to : path.wind_from + z * (path.wind_to - path.wind_from);
   for (const PinPath& p : path.pins) {
-    Frame& frame = s.pin_frame[std::size_t(p.pin)];
+    math::Frame& frame = s.pin_frame[std::size_t(p.pin)];
     frame = path_frame(p, p.uniform ? u : z);
-    s.pin_turn[std::size_t(p.pin)] = rotation_matrix(frame.turn);
+    s.pin_turn[std::size_t(p.pin)] = math::rotation_matrix(frame.turn);
   }
 }
 
 void bodies_follow(const Path& path, double u, State& s) {
   for (const PinPath& p : path.bodies) {
-    BodyContact& body = s.body[std::size_t(p.pin)];
+    model::BodyContact& body = s.body[std::size_t(p.pin)];
     body.frame = path_frame(p, share_of(path, u));
-    body.turn = rotation_matrix(body.frame.turn);
+    body.turn = math::rotation_matrix(body.frame.turn);
   }
 }
 
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "dynamics/step_size/step_limit.h"
 #include "dynamics/seam_welding.h"
+#include "dynamics/step_size/step_limit.h"
 #include "model/elements.h"
 
-namespace drape {
+namespace drape::dynamics {
 namespace {
 
 constexpr int kScaleEvery = 16;         // steps, at most
@@ -39,19 +39,20 @@ bool nodes_even(const Nodes& nodes, State& s) {
 // Rows on several nodes and links are projected with the true masses, which is right where the nodes of
 // connected rows have one lightness: the least of theirs. Fixed nodes do not move; theirs is 1, for the force
 // on the pin.
-void rows_even(const Constraints& constraints, State& s) {
+void rows_even(const constraint::Constraints& constraints, State& s) {
   for (bool changed = true; changed;) {
     changed = false;
-    for (const HeldRow& row : constraints.rows) changed = nodes_even(row.on.node, s) || changed;
-    for (const RigidLink& link : constraints.rigid.link) changed = nodes_even(link.node, s) || changed;
+    for (const constraint::HeldRow& row : constraints.rows) changed = nodes_even(row.on.node, s) || changed;
+    for (const constraint::RigidLink& link : constraints.rigid.link)
+      changed = nodes_even(link.node, s) || changed;
   }
-  for (const FixedNode& f : constraints.fixed) s.lightness[f.node] = 1;
+  for (const constraint::FixedNode& f : constraints.fixed) s.lightness[f.node] = 1;
 }
 
 // Steps until the inertia is scaled anew: what is pulled onto a seam can cross a cell within kScaleEvery.
 int steps_ahead(const System& system, const State& s, double h) {
   double cell = INFINITY, fastest = 0;
-  for (const Lattice& l : system.lattices) cell = std::min(cell, l.cell);
+  for (const model::Lattice& l : system.lattices) cell = std::min(cell, l.cell);
   for (std::size_t n : system.particle)
     fastest = std::max(fastest, s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n]);
   const double steps = kScaleWithin * cell / (h * std::sqrt(fastest));
@@ -61,7 +62,7 @@ int steps_ahead(const System& system, const State& s, double h) {
 double kinetic(const System& system, const State& s) {
   double sum = 0;
   for (std::size_t n : system.particle)
-    sum += inertia_of(system, s, n) * (s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n]);
+    sum += model::inertia_of(system, s, n) * (s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n]);
   return sum / 2;
 }
 
@@ -75,17 +76,17 @@ double norm(const Vec3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] *
 
 }  // namespace
 
-void fit_scale(const System& system, const Constraints& constraints, State& s, double h) {
+void fit_scale(const System& system, const constraint::Constraints& constraints, State& s, double h) {
   const int steps = steps_ahead(system, s, h);
   const Array before = std::move(s.lightness);
   s.lightness.assign(system.nodes, 0.0);  // holds m'/rho at first
   const double drag = step_limit_drag(system, s);
   const SeamsBound seams = step_limit_seams(system, s);
   double most = 0;
-  for (const Lattice& l : system.lattices) {
+  for (const model::Lattice& l : system.lattices) {
     const double clamps = step_limit_clamps(system, l, s, steps * h);
-    const double contact = touch_omega2(system, s, l.piece);
-    each_cell(system, l, [&](const std::size_t* corner, double share) {
+    const double contact = contact::touch_omega2(system, s, l.piece);
+    model::each_cell(system, l, [&](const std::size_t* corner, double share) {
       const double bare = step_limit_cell(l, s, corner, steps * h) + clamps;
       const double omega2 = step_limit_rated(system, l, bare, drag, seams, contact);
       const double ratio = h / (kSafetyDamped * step_limit_of(system, omega2));
@@ -119,7 +120,7 @@ double omega_moved(const System& system, Motion& motion, State& s) {
       for (std::size_t n : system.particle) {
         const double u = (*r[k])[n] - place[n];
         stiff += u * (force[n] - (*f[k])[n]);
-        moved += inertia_of(system, s, n) * u * u;
+        moved += model::inertia_of(system, s, n) * u * u;
       }
     place = *r[k];
     force = *f[k];
@@ -154,12 +155,12 @@ Left forces_left(const System& system, Motion& motion, const State& s) {
   const Vec3 g = gravity_of(system, s);
   for (std::size_t n : system.particle)
     for (std::size_t k = 0; k < 3; ++k) (*a[k])[n] = (*a[k])[n] * system.inverse_mass[n] + g[k];
-  std::vector<PinLoad> load(s.pin_impulse.size());
+  std::vector<math::PinLoad> load(s.pin_impulse.size());
   held_refresh(motion.constraints, s, motion.held);
   synchronous_meet(system, motion, s, Rate::kAcceleration, 0, 1,
                    {motion.now_x.data(), motion.now_y.data(), motion.now_z.data()}, &load);
   Left left;
-  for (const PinLoad& l : load) left.pins += norm(l.force);
+  for (const math::PinLoad& l : load) left.pins += norm(l.force);
   for (std::size_t n : system.particle)
     left.sum += system.mass[n] * norm({motion.now_x[n], motion.now_y[n], motion.now_z[n]});
   return left;
@@ -170,7 +171,7 @@ double rounding(const System& system, const State& s) {
   double far = 0, inertia = 0;
   for (std::size_t n : system.particle) {
     far = std::max({far, std::abs(s.x[n]), std::abs(s.y[n]), std::abs(s.z[n])});
-    inertia += inertia_of(system, s, n);
+    inertia += model::inertia_of(system, s, n);
   }
   return std::numeric_limits<double>::epsilon() * far * s.omega2 * inertia;
 }
@@ -182,7 +183,7 @@ void fit_judge(const System& system, Motion& motion, State& s) {
   const Left left = forces_left(system, motion, s);
   double weight = 0, size = 0;
   for (std::size_t n : system.particle) weight += system.mass[n] * norm(system.gravity);
-  for (const Lattice& l : system.lattices) size = std::max(size, l.cell * std::max(l.columns, l.rows));
+  for (const model::Lattice& l : system.lattices) size = std::max(size, l.cell * std::max(l.columns, l.rows));
   s.fit.most = std::max(s.fit.most, left.sum + left.pins);
   s.fit.load = std::max(weight, left.pins);
   if (weight == 0)
@@ -206,4 +207,4 @@ void fit_wake(State& s) {
   s.watch_wait = 0;
 }
 
-}  // namespace drape
+}  // namespace drape::dynamics

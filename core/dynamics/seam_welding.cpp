@@ -5,12 +5,12 @@
 
 #include "model/seam_rows.h"
 
-namespace drape {
+namespace drape::dynamics {
 namespace {
 
-ConstraintRow weld_row(const SeamRow& gap) {
-  ConstraintRow row{-1, {}, {}, {0, 0, 0}};
-  for (const SeamTerm& t : gap) {
+constraint::ConstraintRow weld_row(const model::SeamRow& gap) {
+  constraint::ConstraintRow row{-1, {}, {}, {0, 0, 0}};
+  for (const model::SeamTerm& t : gap) {
     if (t.weight == 0) continue;
     row.node.push_back(t.node);
     row.weight.push_back(t.weight);
@@ -18,19 +18,19 @@ ConstraintRow weld_row(const SeamRow& gap) {
   return row;
 }
 
-bool is_welded(const State& s, std::size_t pair) { return s.sewn[pair] == Sewn::kWelded; }
+bool is_welded(const State& s, std::size_t pair) { return s.sewn[pair] == model::Sewn::kWelded; }
 
 }  // namespace
 
 bool seams_pull_begin(const System& system, State& s) {
-  const double time = state_time(s, system.communication), rounding = 1e-9 * system.communication;
+  const double time = model::state_time(s, system.communication), rounding = 1e-9 * system.communication;
   bool begins = false;
-  for (const Seam& seam : system.seams.seam) {
+  for (const model::Seam& seam : system.seams.seam) {
     if (!seam.close && time < seam.closed_at - rounding) continue;
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
-      if (s.sewn[p] != Sewn::kOpen) continue;
-      s.sewn[p] = Sewn::kPulled;
-      const Vec3 rate = row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz);
+      if (s.sewn[p] != model::Sewn::kOpen) continue;
+      s.sewn[p] = model::Sewn::kPulled;
+      const Vec3 rate = model::row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz);
       std::copy(rate.begin(), rate.end(), &s.gap_rate[3 * p]);
       begins = true;
     }
@@ -39,30 +39,31 @@ bool seams_pull_begin(const System& system, State& s) {
 }
 
 bool seams_to_close(const System& system, const State& s) {
-  for (const Seam& seam : system.seams.seam)
+  for (const model::Seam& seam : system.seams.seam)
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p)
-      if (s.sewn[p] == Sewn::kPulled || (s.sewn[p] == Sewn::kOpen && std::isfinite(seam.closed_at)))
+      if (s.sewn[p] == model::Sewn::kPulled ||
+          (s.sewn[p] == model::Sewn::kOpen && std::isfinite(seam.closed_at)))
         return true;
   return false;
 }
 
 std::vector<std::size_t> seams_due(const System& system, const State& s) {
   std::vector<std::size_t> due;
-  for (const Seam& seam : system.seams.seam)
+  for (const model::Seam& seam : system.seams.seam)
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p)
-      if (s.sewn[p] == Sewn::kPulled &&
-          vector3::norm(row_value(system.seams.pair[p].gap, s)) <= seam.gap_tolerance)
+      if (s.sewn[p] == model::Sewn::kPulled &&
+          math::vector3::norm(model::row_value(system.seams.pair[p].gap, s)) <= seam.gap_tolerance)
         due.push_back(p);
   return due;
 }
 
 void seams_weld(const System& system, Motion& motion, State& s, const std::vector<std::size_t>& pairs) {
   double moved = 0;
-  for (const Seam& seam : system.seams.seam) moved = std::max(moved, seam.gap_tolerance);
+  for (const model::Seam& seam : system.seams.seam) moved = std::max(moved, seam.gap_tolerance);
   leapfrog_complete(system, motion, s);
-  const double lost = ridge_note(system, s, moved);
+  const double lost = contact::ridge_note(system, s, moved);
   if (system.energy) s.dissipated += lost;
-  for (std::size_t p : pairs) s.sewn[p] = Sewn::kWelded;
+  for (std::size_t p : pairs) s.sewn[p] = model::Sewn::kWelded;
   seams_restore(system, motion, s);
   held_refresh(motion.constraints, s, motion.held);
   held_rates(motion.constraints, s, Rate::kVelocity, motion.held);
@@ -70,9 +71,10 @@ void seams_weld(const System& system, Motion& motion, State& s, const std::vecto
   constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
                       &s.pin_impulse);
   if (!s.wx.empty()) s.wx = s.vx, s.wy = s.vy, s.wz = s.vz;
-  touch_hurry(s);
-  if (!s.body.empty()) touch_watch(system, motion.kernel->contact, motion.touch, s, 0, step_next(system, s));
-  self_hurry(system, s, moved);
+  contact::touch_hurry(s);
+  if (!s.body.empty())
+    contact::touch_watch(system, motion.kernel->contact, motion.touch, s, 0, model::step_next(system, s));
+  contact::self_hurry(system, s, moved);
 }
 
 void seams_restore(const System& system, Motion& motion, const State& s) {
@@ -81,16 +83,16 @@ void seams_restore(const System& system, Motion& motion, const State& s) {
   bool same = true;
   for (std::size_t p = 0; p < pairs; ++p) same = same && bool(motion.welded[p]) == is_welded(s, p);
   if (same) return;
-  std::vector<ConstraintRow> rows = system.pin_rows;
+  std::vector<constraint::ConstraintRow> rows = system.pin_rows;
   for (std::size_t p = 0; p < pairs; ++p) {
     motion.welded[p] = is_welded(s, p);
     if (is_welded(s, p)) rows.push_back(weld_row(system.seams.pair[p].gap));
   }
   std::vector<Problem> none;  // the pins have been judged when the system was made
   motion.constraints =
-      constraints_make(rows, system.inverse_mass, system.constraints.pins, none, system.links);
+      constraint::constraints_make(rows, system.inverse_mass, system.constraints.pins, none, system.links);
   motion.held = held_make(motion.constraints);
-  touch_tie(system, motion.constraints, motion.touch);
+  contact::touch_tie(system, motion.constraints, motion.touch);
 }
 
-}  // namespace drape
+}  // namespace drape::dynamics

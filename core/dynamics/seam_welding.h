@@ -3,7 +3,7 @@
 #pragma once
 #include "dynamics/advance.h"
 
-namespace drape {
+namespace drape::dynamics {
 
 // Begins to pull the pairs of seams whose time has come; true if there are any new ones.
 bool seams_pull_begin(const System& system, State& state);
@@ -21,4 +21,4 @@ void seams_weld(const System& system, Motion& motion, State& state, const std::v
 // Constraints at work as the state has them; at once where they are so already.
 void seams_restore(const System& system, Motion& motion, const State& state);
 
-}  // namespace drape
+}  // namespace drape::dynamics

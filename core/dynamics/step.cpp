@@ -2,16 +2,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/vector3.h"
-#include "forces/seam_closing.h"
-#include "forces/irregular_elements.h"
 #include "dynamics/advance.h"
+#include "forces/irregular_elements.h"
+#include "forces/seam_closing.h"
+#include "math/vector3.h"
 #include "model/composition.h"
 
-namespace drape {
+namespace drape::dynamics {
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
 // v <- keep v + kick a,  r <- r + drift v.  Of the kick, `half` belongs to the step before.
 struct Stage {
@@ -28,14 +28,14 @@ struct Stage {
 // h_old = 0 is the half kick of the start.
 Stage stage_of_leapfrog(const System& system, const State& s, double h) {
   const double c = damping_of(system, s), half = s.h_old / 2;
-  if (system.integrator == Integrator::kPaper) return {1 - c * h, h, h, 0, h, h, 1, 1, 1};
+  if (system.integrator == scene::Integrator::kPaper) return {1 - c * h, h, h, 0, h, h, 1, 1, 1};
   const double centred = 1 + c * h / 2, span = (s.h_old + h) / 2;
   return {(1 - c * s.h_old / 2) / centred, span / centred, h, half, h / 2, span, centred, 1, 1 + c * half};
 }
 
 // Stage k of a composition; -m c v alone acts during its drift.
 Stage stage_of_composition(const System& system, const State& s, double h, int k) {
-  const Composition& of = *system.composition;
+  const model::Composition& of = *system.composition;
   const double c = system.damping, time = of.drift[k] * h, begun = of.kick[k] * h;
   const double before = k == 0 ? last_decay(system, s) : std::exp(-c * (of.drift[k - 1] * h));
   const double half = k == 0 ? last_half(system, s) : 0, span = half + begun;
@@ -48,27 +48,27 @@ Stage stage_of_composition(const System& system, const State& s, double h, int k
 void clamp_torques_add(const System& system, Motion& motion, State& s, double span) {
   if (system.side.clamps.empty()) return;
   motion.torque.assign(motion.torque.size(), Vec3{0, 0, 0});
-  side_clamp_torques(system, s, motion.torque);
+  forces::side_clamp_torques(system, s, motion.torque);
   for (std::size_t p = 0; p < motion.torque.size(); ++p) s.pin_impulse[p].torque += span * motion.torque[p];
 }
 
 // A stage that leads to the share u of the interval.
 void stage_run(const System& system, Motion& motion, State& s, const Stage& stage, double h, double u) {
-  const bool begins = s.advance_begins && system.integrator != Integrator::kPaper;
+  const bool begins = s.advance_begins && system.integrator != scene::Integrator::kPaper;
   const StepCoefficients c{stage.keep, stage.kick, stage.drift, gravity_of(system, s),
                            velocity_lead(system, s)};
   if (system.energy) balance_begin(system, motion.balance, s, c.lead);
   if (begins || system.energy) held_keep(motion.constraints, s, motion.held);
   clamp_torques_add(system, motion, s, begins ? stage.begun : stage.span);
-  if (!s.sewn.empty()) seams_rates(system, s, motion.gap_rate);
-  const bool touches = touch_any(s);
-  if (touches) touch_keep(system, motion.touch, s);
-  const bool rubs = self_touches(system);
-  if (rubs) self_keep(system, motion.self, s, h);
+  if (!s.sewn.empty()) forces::seams_rates(system, s, motion.gap_rate);
+  const bool touches = contact::touch_any(s);
+  if (touches) contact::touch_keep(system, motion.touch, s);
+  const bool rubs = contact::self_touches(system);
+  if (rubs) contact::self_keep(system, motion.self, s, h);
   kernel_step(*motion.kernel, system, c, motion.workspace, s);
   if (!s.sewn.empty()) s.gap_rate.swap(motion.gap_rate);
-  const double old = system.integrator == Integrator::kPaper ? 0 : s.h_old / 2;
-  const TouchStep touch{
+  const double old = system.integrator == scene::Integrator::kPaper ? 0 : s.h_old / 2;
+  const contact::TouchStep touch{
       stage.drift,  stage.keep, stage.kick, old, h / 2, stage.impulse, begins && !motion.touch.told,
       stage.centred};
   path_follow(motion.path, u, s);
@@ -80,20 +80,20 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
                 begins ? stage.half : 0,
                 begins ? stage.centred : 1,
                 stage.before};
-  if (touches) touch_carry(system, motion.touch, touch, s);
+  if (touches) contact::touch_carry(system, motion.touch, touch, s);
   constraints_meet(system, motion.constraints, step, motion.held, s);
-  if (rubs) self_apply(system, motion.self, touch, s);
-  if (touches) touch_apply(system, motion.kernel->contact, motion.touch, touch, s);
-  if (touches || (rubs && self_hits(motion.self))) {
+  if (rubs) contact::self_apply(system, motion.self, touch, s);
+  if (touches) contact::touch_apply(system, motion.kernel->contact, motion.touch, touch, s);
+  if (touches || (rubs && contact::self_hits(motion.self))) {
     step.again = true;
     if (!rubs && !motion.touch.hit.empty()) step.hit = motion.touch.hit.data();
     constraints_meet(system, motion.constraints, step, motion.held, s);
   }
   constraints_end(motion.constraints, s, motion.held);
   bodies_follow(motion.path, u, s);
-  if (!s.body.empty()) touch_watch(system, motion.kernel->contact, motion.touch, s, stage.drift, h);
-  if (rubs) self_watch(system, s, stage.drift);
-  if (!s.sewn.empty()) seams_hold(system, s, h);
+  if (!s.body.empty()) contact::touch_watch(system, motion.kernel->contact, motion.touch, s, stage.drift, h);
+  if (rubs) contact::self_watch(system, s, stage.drift);
+  if (!s.sewn.empty()) forces::seams_hold(system, s, h);
   if (system.energy && system.composition) balance_drifted(system, motion.balance, s, stage.decay);
   else if (system.energy) balance_end(system, motion.balance, s, s.h_old, h);
   s.advance_begins = false;
@@ -111,7 +111,7 @@ Vec3 gravity_of(const System& system, const State& s) {
 
 double last_half(const System& system, const State& s) {
   if (system.composition) return system.composition->kick[system.composition->stages] * s.h_old;
-  return system.integrator == Integrator::kPaper ? 0 : s.h_old / 2;
+  return system.integrator == scene::Integrator::kPaper ? 0 : s.h_old / 2;
 }
 
 double last_decay(const System& system, const State& s) {
@@ -120,7 +120,7 @@ double last_decay(const System& system, const State& s) {
 }
 
 void leapfrog_step(const System& system, Motion& motion, State& s, double h, double u, double share) {
-  if (const Composition* of = system.composition) {
+  if (const model::Composition* of = system.composition) {
     double left = 1;  // of the step
     for (int k = 0; k < of->stages; ++k) {
       left -= of->drift[k];
@@ -136,8 +136,8 @@ void leapfrog_step(const System& system, Motion& motion, State& s, double h, dou
 }
 
 void leapfrog_complete(const System& system, Motion& motion, State& s) {
-  if (s.h_old == 0 || system.integrator == Integrator::kPaper) return;
-  std::vector<PinLoad> told;
+  if (s.h_old == 0 || system.integrator == scene::Integrator::kPaper) return;
+  std::vector<math::PinLoad> told;
   const double lead = velocity_lead(system, s);
   leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(), motion.now_z.data(),
                        told);
@@ -164,19 +164,21 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
     s.vy[n] = motion.now_y[n];
     s.vz[n] = motion.now_z[n];
   }
-  if (ridge_any(s)) ridge_keep(system, s, motion.touch.ridge);  // what penalties lost is counted above
+  if (contact::ridge_any(s))
+    contact::ridge_keep(system, s, motion.touch.ridge);  // what penalties lost is counted above
   s.h_old = s.h_older = 0;
 }
 
 void synchronous_meet(const System& system, Motion& motion, const State& s, Rate which, double half,
-                      double centred, Field f, std::vector<PinLoad>* load) {
+                      double centred, Field f, std::vector<math::PinLoad>* load) {
   held_rates(motion.constraints, s, which, motion.held);
-  touch_carry_synchronous(system, motion.touch, s, half, centred, f.x, f.y, f.z);
+  contact::touch_carry_synchronous(system, motion.touch, s, half, centred, f.x, f.y, f.z);
   constraints_project(system, motion.constraints, motion.held, f, load);
-  if (self_touches(system)) self_synchronous(system, motion.self, s, half, centred, f.x, f.y, f.z);
+  if (contact::self_touches(system))
+    contact::self_synchronous(system, motion.self, s, half, centred, f.x, f.y, f.z);
   if (!s.body.empty())
-    touch_synchronous(system, motion.kernel->contact, motion.touch, s, half, centred, f.x, f.y, f.z);
-  if (touch_any(s) || (self_touches(system) && self_hits(motion.self)))
+    contact::touch_synchronous(system, motion.kernel->contact, motion.touch, s, half, centred, f.x, f.y, f.z);
+  if (contact::touch_any(s) || (contact::self_touches(system) && contact::self_hits(motion.self)))
     constraints_project(system, motion.constraints, motion.held, f, load);
 }
 
@@ -185,7 +187,7 @@ void synchronous_meet(const System& system, Motion& motion, const State& s, Rate
 // takes out of that half kick; where there was none, and in a fit, whose steps have another inertia, of the
 // accelerations f - c v_n, from which v_n then follows again.
 void leapfrog_synchronous(const System& system, Motion& motion, const State& s, double* vx, double* vy,
-                          double* vz, std::vector<PinLoad>& load) {
+                          double* vz, std::vector<math::PinLoad>& load) {
   const double half = last_half(system, s), damping = damping_of(system, s), decay = last_decay(system, s),
                centred = system.composition ? 1 : 1 + damping * half;
   const bool step = half > 0 && !system.fit;
@@ -202,7 +204,7 @@ void leapfrog_synchronous(const System& system, Motion& motion, const State& s, 
     }
   };
   HeldMotion& held = motion.held;
-  load.assign(s.pin_impulse.size(), PinLoad{});
+  load.assign(s.pin_impulse.size(), math::PinLoad{});
   held_refresh(motion.constraints, s, held);
   kernel_forces(*motion.kernel, system, s, motion.workspace, vx, vy, vz);
   held.work = 0;
@@ -227,11 +229,11 @@ void leapfrog_synchronous(const System& system, Motion& motion, const State& s, 
   }
   if (step) {
     if (system.energy) held.work = held_work(motion.constraints, s, decay, centred, held);
-    for (PinLoad& l : load) l = {(centred / half) * l.force, (centred / half) * l.torque};
+    for (math::PinLoad& l : load) l = {(centred / half) * l.force, (centred / half) * l.torque};
   }
   motion.torque.assign(load.size(), Vec3{0, 0, 0});
-  side_clamp_torques(system, s, motion.torque);
+  forces::side_clamp_torques(system, s, motion.torque);
   for (std::size_t p = 0; p < load.size(); ++p) load[p].torque += motion.torque[p];
 }
 
-}  // namespace drape
+}  // namespace drape::dynamics

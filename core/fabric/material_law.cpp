@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::fabric {
 namespace {
 
 // Where a trellis' threads meet: 1 + L = sqrt(2), less a margin that keeps l2 away from 0.
@@ -15,7 +15,7 @@ std::vector<double> below_locking(std::vector<double> e) {
 }
 
 // Elongations of a law's points, the diagram's but for what a calibration has stored.
-std::vector<double> law_elongations(const DiagramSpec& diagram) {
+std::vector<double> law_elongations(const scene::DiagramSpec& diagram) {
   std::vector<double> e(diagram.elongation);
   for (std::size_t i = 0; i < diagram.correction_elongation.size(); ++i)
     e[i] *= diagram.correction_elongation[i];
@@ -23,7 +23,7 @@ std::vector<double> law_elongations(const DiagramSpec& diagram) {
 }
 
 // Points of a diagram as force per width; the origin included.
-std::vector<double> per_width(const DiagramSpec& diagram, double strip_width, double factor) {
+std::vector<double> per_width(const scene::DiagramSpec& diagram, double strip_width, double factor) {
   std::vector<double> f(diagram.force);
   for (std::size_t i = 0; i < f.size(); ++i) {
     f[i] *= factor / strip_width;
@@ -45,44 +45,44 @@ double jaw_factor(double r) { return r * (r - 1.25) / ((r - 1) * (r - 1)); }
 // 2 g, so a half step of the residual converges at once there and by about 1/3 a sweep at 7 % of elongation.
 // A law does not fall: behind a slack toe, where the short diagonal alone would pull more than P, it stays
 // level.
-Curve odd_law(std::vector<double> e, const std::vector<double>& p, bool& at_rest) {
+math::Curve odd_law(std::vector<double> e, const std::vector<double>& p, bool& at_rest) {
   e = below_locking(std::move(e));
   const std::size_t n = e.size();
   std::vector<double> g(n), next(n, 0.0);
   for (std::size_t i = 0; i < n; ++i) g[i] = p[i] / 2;
 
-  const Continuation odd{.odd = true};
-  Curve curve = curve_make(e, g, odd);
+  const math::Continuation odd{.odd = true};
+  math::Curve curve = math::curve_make(e, g, odd);
   at_rest = curve.segments == 0;
   for (int sweep = 0; sweep < 1000 && !at_rest; ++sweep) {
     double change = 0;
     for (std::size_t i = 1; i < n; ++i) {
       const double l1 = 1 + e[i], l2 = std::sqrt(2 - l1 * l1);
-      next[i] = std::max(next[i - 1], g[i] + (p[i] - g[i] - curve_value(curve, 1 - l2) * l1 / l2) / 2);
+      next[i] = std::max(next[i - 1], g[i] + (p[i] - g[i] - math::curve_value(curve, 1 - l2) * l1 / l2) / 2);
       change = std::max(change, std::abs(next[i] - g[i]));
     }
     g = next;
-    curve = curve_make(e, g, odd);
+    curve = math::curve_make(e, g, odd);
     at_rest = change <= 1e-14 * p[n - 1];
   }
   return curve;
 }
 
-Curve bias_law(const FabricSpec& fabric, const LawOptions& options, double cell, const std::string& place,
-               std::vector<Problem>& problems) {
+math::Curve bias_law(const scene::FabricSpec& fabric, const LawOptions& options, double cell,
+                     const std::string& place, std::vector<Problem>& problems) {
   const double scale =
-      options.scaling == Scaling::kPaperArea ? std::sqrt(2.0) * cell / fabric.strip_gauge : 1.0;
+      options.scaling == scene::Scaling::kPaperArea ? std::sqrt(2.0) * cell / fabric.strip_gauge : 1.0;
   const bool corrected = !fabric.bias.correction.empty();
   const double k =
       law_takes_jaws_out(fabric, options) ? jaw_factor(fabric.strip_gauge / fabric.strip_width) : 1.0;
   const std::vector<double> e = law_elongations(fabric.bias),
                             p = per_width(fabric.bias, fabric.strip_width, scale / k);
   switch (options.bias_model) {
-    case BiasModel::kTension:
-      return curve_make(e, p, {.compression = 0, .blend = fabric.compression_blend});
-    case BiasModel::kPaper:
-      return curve_make(e, p, {.compression = fabric.compression, .blend = fabric.compression_blend});
-    case BiasModel::kOdd:
+    case scene::BiasModel::kTension:
+      return math::curve_make(e, p, {.compression = 0, .blend = fabric.compression_blend});
+    case scene::BiasModel::kPaper:
+      return math::curve_make(e, p, {.compression = fabric.compression, .blend = fabric.compression_blend});
+    case scene::BiasModel::kOdd:
       break;
   }
   if (e.size() > 1 && e[1] >= kLocked) {
@@ -90,9 +90,9 @@ Curve bias_law(const FabricSpec& fabric, const LawOptions& options, double cell,
         {place + ".bias", "its first elongation after 0 is past the trellis' locking at 41.4 percent"});
     return {};
   }
-  if (corrected) return curve_make(below_locking(e), p, {.odd = true});
+  if (corrected) return math::curve_make(below_locking(e), p, {.odd = true});
   bool at_rest = false;
-  Curve curve = odd_law(e, p, at_rest);
+  math::Curve curve = odd_law(e, p, at_rest);
   if (!at_rest)
     problems.push_back(
         {place + ".bias",
@@ -107,31 +107,32 @@ Curve bias_law(const FabricSpec& fabric, const LawOptions& options, double cell,
 namespace {
 
 // A calibration's corrections hold for the laws that it was made with.
-FabricSpec with_its_corrections(FabricSpec fabric, const LawOptions& options) {
-  if (options.bias_model == BiasModel::kOdd && options.scaling == Scaling::kWidth) return fabric;
-  for (DiagramSpec* d : {&fabric.warp, &fabric.weft, &fabric.bias})
+scene::FabricSpec with_its_corrections(scene::FabricSpec fabric, const LawOptions& options) {
+  if (options.bias_model == scene::BiasModel::kOdd && options.scaling == scene::Scaling::kWidth)
+    return fabric;
+  for (scene::DiagramSpec* d : {&fabric.warp, &fabric.weft, &fabric.bias})
     d->correction.clear(), d->correction_elongation.clear();
   return fabric;
 }
 
 }  // namespace
 
-bool law_takes_jaws_out(const FabricSpec& f, const LawOptions& options) {
+bool law_takes_jaws_out(const scene::FabricSpec& f, const LawOptions& options) {
   return options.clamp_correction && f.bias.jaws && f.bias.correction.empty();
 }
 
-Law law_make(const FabricSpec& stated, const LawOptions& options, double cell, const std::string& place,
-             std::vector<Problem>& problems) {
-  const FabricSpec fabric = with_its_corrections(stated, options);
-  const double scale = options.scaling == Scaling::kPaperArea ? cell / fabric.strip_gauge : 1.0;
-  const Continuation below{.compression = fabric.compression, .blend = fabric.compression_blend};
+Law law_make(const scene::FabricSpec& stated, const LawOptions& options, double cell,
+             const std::string& place, std::vector<Problem>& problems) {
+  const scene::FabricSpec fabric = with_its_corrections(stated, options);
+  const double scale = options.scaling == scene::Scaling::kPaperArea ? cell / fabric.strip_gauge : 1.0;
+  const math::Continuation below{.compression = fabric.compression, .blend = fabric.compression_blend};
   const double plate = 1 / (1 - fabric.poisson * fabric.poisson);
   Law law;
   law.areal_density = fabric.areal_density;
-  law.warp =
-      curve_make(law_elongations(fabric.warp), per_width(fabric.warp, fabric.strip_width, scale), below);
-  law.weft =
-      curve_make(law_elongations(fabric.weft), per_width(fabric.weft, fabric.strip_width, scale), below);
+  law.warp = math::curve_make(law_elongations(fabric.warp), per_width(fabric.warp, fabric.strip_width, scale),
+                              below);
+  law.weft = math::curve_make(law_elongations(fabric.weft), per_width(fabric.weft, fabric.strip_width, scale),
+                              below);
   law.bias = bias_law(fabric, options, cell, place, problems);
   law.bending_warp = fabric.bending_warp * plate;
   law.bending_weft = fabric.bending_weft * plate;
@@ -139,4 +140,4 @@ Law law_make(const FabricSpec& stated, const LawOptions& options, double cell, c
   return law;
 }
 
-}  // namespace drape
+}  // namespace drape::fabric

@@ -3,11 +3,11 @@
 #include "math/monotone_curve.h"
 #include "scene/scene.h"
 
-namespace drape {
+namespace drape::fabric {
 
 struct Law {
   double areal_density = 0;                   // kg/m^2
-  Curve warp, weft, bias;                     // N/m over strain
+  math::Curve warp, weft, bias;               // N/m over strain
   double bending_warp = 0, bending_weft = 0;  // B, N m
   double damping = 0;                         // beta, s
 };
@@ -16,18 +16,18 @@ inline bool law_bends(const Law& law) { return law.bending_warp > 0 || law.bendi
 
 // The choices of a scene that shape every law.
 struct LawOptions {
-  Scaling scaling = Scaling::kWidth;
-  BiasModel bias_model = BiasModel::kOdd;
+  scene::Scaling scaling = scene::Scaling::kWidth;
+  scene::BiasModel bias_model = scene::BiasModel::kOdd;
   bool clamp_correction = true;
 };
 
 // True where the diagram of bias is divided by K = r (r - 1.25)/(r - 1)^2, r = gauge/width. As a factor of
 // jaws it rises as strips get shorter, down to r = kJawRatioLeast; from there on it falls, to 0 at 1.25.
 inline constexpr double kJawRatioLeast = 5.0 / 3;
-bool law_takes_jaws_out(const FabricSpec& fabric, const LawOptions& options);
+bool law_takes_jaws_out(const scene::FabricSpec& fabric, const LawOptions& options);
 
 // The law of a fabric on cells of edge `cell`. `place` names the fabric in problems.
-Law law_make(const FabricSpec& fabric, const LawOptions& options, double cell, const std::string& place,
-             std::vector<Problem>& problems);
+Law law_make(const scene::FabricSpec& fabric, const LawOptions& options, double cell,
+             const std::string& place, std::vector<Problem>& problems);
 
-}  // namespace drape
+}  // namespace drape::fabric

@@ -8,49 +8,50 @@
 //
 //   F/4 = -(rho/16) phi [C_n |u_n| u_n c + C_t |u_t| |c| u_t]
 #pragma once
-#include "simd/vector_lanes.h"
 #include "model/system.h"
+#include "simd/vector_lanes.h"
 
-namespace drape {
+namespace drape::forces {
 namespace {
 
 // What a corner of a cell feels; `speed` the mean velocity of its corners.
 template <class L>
-DRAPE_INLINE Vec<L> air_quarter(const Air& air, const Vec3& wind, Vec<L> d1, Vec<L> d2, Vec<L> speed,
-                                L share) {
-  const Vec<L> c = cross(d1, d2), u = speed - Vec<L>{L(wind[0]), L(wind[1]), L(wind[2])};
-  const L size = sqrt(dot(c, c));
+DRAPE_INLINE simd::Vec<L> air_quarter(const model::Air& air, const Vec3& wind, simd::Vec<L> d1,
+                                      simd::Vec<L> d2, simd::Vec<L> speed, L share) {
+  const simd::Vec<L> c = simd::cross(d1, d2), u = speed - simd::Vec<L>{L(wind[0]), L(wind[1]), L(wind[2])};
+  const L size = sqrt(simd::dot(c, c));
   const L inverse = select(gt(size, L(0.0)), L(1.0) / size, L(0.0));
-  const Vec<L> normal = c * inverse;
-  const L un = dot(u, normal);
-  const Vec<L> ut = u - normal * un;
+  const simd::Vec<L> normal = c * inverse;
+  const L un = simd::dot(u, normal);
+  const simd::Vec<L> ut = u - normal * un;
   const L scale = L(-air.density / 16) * share;
   return c * (scale * L(air.normal) * (abs(un) * un)) +
-         ut * (scale * L(air.tangential) * (sqrt(dot(ut, ut)) * size));
+         ut * (scale * L(air.tangential) * (sqrt(simd::dot(ut, ut)) * size));
 }
 
 // Cells between two rows of nodes: positions r and velocities u of both. Node i is a corner of cells i - 1
 // and i. The row above takes it off what it holds: minus its sums so far.
 template <class L>
-DRAPE_INLINE void air_cells(Columns reach, const Air& air, const Vec3& wind, ConstRow r, ConstRow r_above,
-                            ConstRow u, ConstRow u_above, const double* share, PackedRow force,
-                            PackedRow force_above) {
-  Vec<L> before{L(0.0), L(0.0), L(0.0)};
+DRAPE_INLINE void air_cells(model::Columns reach, const model::Air& air, const Vec3& wind, simd::ConstRow r,
+                            simd::ConstRow r_above, simd::ConstRow u, simd::ConstRow u_above,
+                            const double* share, simd::PackedRow force, simd::PackedRow force_above) {
+  simd::Vec<L> before{L(0.0), L(0.0), L(0.0)};
   for (int i = reach.begin; i < reach.end; i += L::kWidth) {
-    const int beyond = lane_after<L>(i, reach.end);
-    const auto right = [&](ConstRow row) DRAPE_INLINE_LAMBDA {
-      return ahead(vec_load<L>(row, i), vec_load<L>(row, beyond));
+    const int beyond = simd::lane_after<L>(i, reach.end);
+    const auto right = [&](simd::ConstRow row) DRAPE_INLINE_LAMBDA {
+      return simd::ahead(simd::vec_load<L>(row, i), simd::vec_load<L>(row, beyond));
     };
-    const Vec<L> d1 = right(r_above) - vec_load<L>(r, i), d2 = vec_load<L>(r_above, i) - right(r);
-    const Vec<L> speed =
-        ((vec_load<L>(u, i) + right(u)) + (vec_load<L>(u_above, i) + right(u_above))) * L(0.25);
-    const Vec<L> quarter = air_quarter(air, wind, d1, d2, speed, L::load(share + i));
-    const Vec<L> both = shifted(before, quarter) + quarter;
-    packed_store(force, i, packed_load<L>(force, i) + both);
-    packed_store(force_above, i, packed_load<L>(force_above, i) - both);
+    const simd::Vec<L> d1 = right(r_above) - simd::vec_load<L>(r, i),
+                       d2 = simd::vec_load<L>(r_above, i) - right(r);
+    const simd::Vec<L> speed =
+        ((simd::vec_load<L>(u, i) + right(u)) + (simd::vec_load<L>(u_above, i) + right(u_above))) * L(0.25);
+    const simd::Vec<L> quarter = air_quarter(air, wind, d1, d2, speed, L::load(share + i));
+    const simd::Vec<L> both = simd::shifted(before, quarter) + quarter;
+    simd::packed_store(force, i, simd::packed_load<L>(force, i) + both);
+    simd::packed_store(force_above, i, simd::packed_load<L>(force_above, i) - both);
     before = quarter;
   }
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::forces

@@ -18,7 +18,7 @@
 #include "forces/bending_constants.h"
 #include "simd/vector_lanes.h"
 
-namespace drape {
+namespace drape::forces {
 namespace {
 
 inline constexpr double kPsiSeries[] = {
@@ -59,14 +59,15 @@ DRAPE_INLINE L bending_psi(L y) {
 // Forces on the two ends of a hinge of stiffness kappa between links (u, 1/|a|) and (v, 1/|c|).
 template <class L>
 struct HingeForces {
-  Vec<L> first, last;
+  simd::Vec<L> first, last;
 };
 template <class L>
-DRAPE_INLINE HingeForces<L> bending_hinge(Vec<L> u, L inverse_a, Vec<L> v, L inverse_c, L kappa) {
-  const L y = select(gt(kappa, L(0.0)), dot(u, v), L(1.0));  // where there is no hinge nothing is folded
+DRAPE_INLINE HingeForces<L> bending_hinge(simd::Vec<L> u, L inverse_a, simd::Vec<L> v, L inverse_c, L kappa) {
+  const L y =
+      select(gt(kappa, L(0.0)), simd::dot(u, v), L(1.0));  // where there is no hinge nothing is folded
   const L moment = kappa * bending_psi(y);
   const auto turned = [&](L a, L b) DRAPE_INLINE_LAMBDA { return fms(a, y, b); };
-  const Vec<L> first{turned(u.x, v.x), turned(u.y, v.y), turned(u.z, v.z)},
+  const simd::Vec<L> first{turned(u.x, v.x), turned(u.y, v.y), turned(u.z, v.z)},
       last{turned(v.x, u.x), turned(v.y, u.y), turned(v.z, u.z)};
   return {first * (moment * inverse_a), last * (L(0.0) - moment * inverse_c)};
 }
@@ -74,11 +75,11 @@ DRAPE_INLINE HingeForces<L> bending_hinge(Vec<L> u, L inverse_a, Vec<L> v, L inv
 // A link as its hinges see it.
 template <class L>
 struct HingeLink {
-  Vec<L> unit;
+  simd::Vec<L> unit;
   L inverse;  // 1/m
 };
 template <class L>
-DRAPE_INLINE HingeLink<L> hinge_link(Vec<L> from, Vec<L> to, L inverse) {
+DRAPE_INLINE HingeLink<L> hinge_link(simd::Vec<L> from, simd::Vec<L> to, L inverse) {
   return {(to - from) * inverse, inverse};
 }
 
@@ -88,18 +89,18 @@ DRAPE_INLINE HingeLink<L> hinge_link(Vec<L> from, Vec<L> to, L inverse) {
 //   F_i += f_i - g_(i-1),   g_i = f_i + l_i - l_(i-1);   f, l of hinge i + 1 on its first and last node
 template <class L>
 struct WeftHinges {
-  HingeLink<L> links;   // from node i on
-  Vec<L> last, passed;  // l and g of the lane before
+  HingeLink<L> links;         // from node i on
+  simd::Vec<L> last, passed;  // l and g of the lane before
 };
 template <class L>
-DRAPE_INLINE Vec<L> bending_weft(const HingeLink<L>& next, L kappa, WeftHinges<L>& w) {
-  const auto f = bending_hinge(w.links.unit, w.links.inverse, ahead(w.links.unit, next.unit),
-                               ahead(w.links.inverse, next.inverse), kappa);
-  const Vec<L> passed = f.first + (f.last - shifted(w.last, f.last));
-  const Vec<L> force = f.first - shifted(w.passed, passed);
+DRAPE_INLINE simd::Vec<L> bending_weft(const HingeLink<L>& next, L kappa, WeftHinges<L>& w) {
+  const auto f = bending_hinge(w.links.unit, w.links.inverse, simd::ahead(w.links.unit, next.unit),
+                               simd::ahead(w.links.inverse, next.inverse), kappa);
+  const simd::Vec<L> passed = f.first + (f.last - simd::shifted(w.last, f.last));
+  const simd::Vec<L> force = f.first - simd::shifted(w.passed, passed);
   w = {next, f.last, passed};
   return force;
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::forces

@@ -9,7 +9,7 @@
 #pragma once
 #include "simd/lane.h"
 
-namespace drape {
+namespace drape::forces {
 namespace {
 
 template <class L, class Tension>
@@ -18,4 +18,4 @@ DRAPE_INLINE L damped_tension(Tension tension, L e, L rate, double beta) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::forces

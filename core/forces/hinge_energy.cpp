@@ -4,7 +4,7 @@
 
 #include "forces/bending_constants.h"
 
-namespace drape {
+namespace drape::forces {
 namespace {
 
 double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -28,4 +28,4 @@ double hinge_energy_between(const Vec3& a, const Vec3& c) {
   return theta * theta / 2;
 }
 
-}  // namespace drape
+}  // namespace drape::forces

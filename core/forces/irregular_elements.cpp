@@ -7,26 +7,26 @@
 #include "forces/bending.h"
 #include "forces/damping.h"
 #include "forces/node_lane.h"
-#include "forces/seam_closing.h"
 #include "forces/seam_bending.h"
+#include "forces/seam_closing.h"
 #include "forces/tension.h"
 #include "model/elements.h"
 
-namespace drape {
+namespace drape::forces {
 namespace {
 
 void links_add(const System& system, const State& s, bool rates, double lead, NodeForces f) {
-  for (const SideLink& link : system.side.links) {
-    const Law& law = system.lattices[std::size_t(link.lattice)].law;
-    const Curve& curve = law_curve(law, link.along);
+  for (const model::SideLink& link : system.side.links) {
+    const fabric::Law& law = system.lattices[std::size_t(link.lattice)].law;
+    const math::Curve& curve = model::law_curve(law, link.along);
     if (curve.segments == 0) continue;
     const NodeEdge edge = node_edge(s, link.node[0], link.node[1]);
-    const NodeLane inverse_rest = 1 / link.rest, e = fma(edge.length, inverse_rest, NodeLane(-1.0));
+    const NodeLane inverse_rest = 1 / link.rest, e = simd::fma(edge.length, inverse_rest, NodeLane(-1.0));
     const CurveTension tension{&curve};
     NodeLane pull = tension(e);
     if (rates && law.damping > 0) {
       const NodeVec du = node_speed(s, link.node[1], lead) - node_speed(s, link.node[0], lead);
-      pull = damped_tension(tension, e, dot(du, edge.unit) * inverse_rest, law.damping);
+      pull = damped_tension(tension, e, simd::dot(du, edge.unit) * inverse_rest, law.damping);
     }
     const NodeVec force = edge.unit * (NodeLane(link.width) * pull);
     force_add(f, std::size_t(link.slot[0]), force);
@@ -35,8 +35,8 @@ void links_add(const System& system, const State& s, bool rates, double lead, No
 }
 
 void hinges_add(const System& system, const State& s, NodeForces f) {
-  for (const SideHinge& h : system.side.hinges) {
-    const double rigidity = law_bending(system.lattices[std::size_t(h.lattice)].law, h.warp);
+  for (const model::SideHinge& h : system.side.hinges) {
+    const double rigidity = model::law_bending(system.lattices[std::size_t(h.lattice)].law, h.warp);
     if (!(rigidity > 0)) continue;
     const NodeEdge a = node_edge(s, h.node[0], h.node[1]), c = node_edge(s, h.node[1], h.node[2]);
     const auto ends = bending_hinge(a.unit, a.inverse, c.unit, c.inverse, NodeLane(rigidity * h.share));
@@ -46,14 +46,14 @@ void hinges_add(const System& system, const State& s, NodeForces f) {
   }
 }
 
-NodeVec clamp_turned(const SideClamp& c, const State& s) {
+NodeVec clamp_turned(const model::SideClamp& c, const State& s) {
   const Vec3 d = clamp_direction(c, s);
   return {d[0], d[1], d[2]};
 }
 
 void clamps_add(const System& system, const State& s, NodeForces f) {
-  for (const SideClamp& c : system.side.clamps) {
-    const double rigidity = law_bending(system.lattices[std::size_t(c.lattice)].law, c.warp);
+  for (const model::SideClamp& c : system.side.clamps) {
+    const double rigidity = model::law_bending(system.lattices[std::size_t(c.lattice)].law, c.warp);
     if (!(rigidity > 0)) continue;
     const NodeEdge edge = node_edge(s, c.node[0], c.node[1]);
     const NodeVec force = bending_hinge(clamp_turned(c, s), NodeLane(0.0), edge.unit, edge.inverse,
@@ -65,7 +65,7 @@ void clamps_add(const System& system, const State& s, NodeForces f) {
 }
 
 void air_add(const System& system, const State& s, double lead, NodeForces f) {
-  for (const SideCell& cell : system.side.cells) {
+  for (const model::SideCell& cell : system.side.cells) {
     const NodeVec quarter = node_air_quarter(system, s, cell.node, cell.share, lead);
     for (int slot : cell.slot) force_add(f, std::size_t(slot), quarter);
   }
@@ -73,8 +73,8 @@ void air_add(const System& system, const State& s, double lead, NodeForces f) {
 
 }  // namespace
 
-Vec3 clamp_direction(const SideClamp& c, const State& s) {
-  const Mat3& turn = s.pin_turn[std::size_t(c.pin)];
+Vec3 clamp_direction(const model::SideClamp& c, const State& s) {
+  const model::Mat3& turn = s.pin_turn[std::size_t(c.pin)];
   Vec3 d;
   for (std::size_t k = 0; k < 3; ++k)
     d[k] = turn[k][0] * c.direction[0] + turn[k][1] * c.direction[1] + turn[k][2] * c.direction[2];
@@ -82,23 +82,24 @@ Vec3 clamp_direction(const SideClamp& c, const State& s) {
 }
 
 void side_forces(const System& system, const State& s, bool rates, double lead, HingeKernel hinges,
-                 SideForces out) {
+                 model::SideForces out) {
   const NodeForces f{out.x, out.y, out.z};
   for (double* to : {f.x, f.y, f.z})
     for (std::size_t k = 0; k < system.side.node.size(); ++k) to[k] = 0;
   links_add(system, s, rates, lead, f);
   hinges_add(system, s, f);
   clamps_add(system, s, f);
-  if (rates && system_has_air(system)) air_add(system, s, lead, f);
+  if (rates && model::system_has_air(system)) air_add(system, s, lead, f);
   seams_pull(system, s, lead, out);
   seams_bond(system, s, hinges, out);
 }
 
 void side_clamp_torques(const System& system, const State& s, std::vector<Vec3>& torque) {
-  for (const SideClamp& c : system.side.clamps) {
-    const double rigidity = law_bending(system.lattices[std::size_t(c.lattice)].law, c.warp);
+  for (const model::SideClamp& c : system.side.clamps) {
+    const double rigidity = model::law_bending(system.lattices[std::size_t(c.lattice)].law, c.warp);
     const NodeVec held = clamp_turned(c, s), v = node_edge(s, c.node[0], c.node[1]).unit;
-    const NodeVec moment = cross(held, v) * (NodeLane(rigidity * c.share) * bending_psi(dot(held, v)));
+    const NodeVec moment =
+        simd::cross(held, v) * (NodeLane(rigidity * c.share) * bending_psi(simd::dot(held, v)));
     Vec3& sum = torque[std::size_t(c.pin)];
     sum[0] += moment.x.v;
     sum[1] += moment.y.v;
@@ -106,4 +107,4 @@ void side_clamp_torques(const System& system, const State& s, std::vector<Vec3>&
   }
 }
 
-}  // namespace drape
+}  // namespace drape::forces

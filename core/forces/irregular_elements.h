@@ -4,17 +4,17 @@
 #include "forces/hinge_batch.h"
 #include "model/system.h"
 
-namespace drape {
+namespace drape::forces {
 
 // Sets all slots. `rates`: with the forces that depend on velocity, at v + lead (v - w).
 void side_forces(const System& system, const State& state, bool rates, double lead, HingeKernel hinges,
-                 SideForces force);
+                 model::SideForces force);
 
 // The torque of every clamp on the outside world beyond that of its points' forces, kappa_c psi (R D x v),
 // added to torque [pins].
 void side_clamp_torques(const System& system, const State& state, std::vector<Vec3>& torque);
 
 // The direction R D of a clamped link now.
-Vec3 clamp_direction(const SideClamp& clamp, const State& state);
+Vec3 clamp_direction(const model::SideClamp& clamp, const State& state);
 
-}  // namespace drape
+}  // namespace drape::forces

@@ -9,10 +9,10 @@
 // pulls, the next is at its laws, and so on. Between the stages only numbers of links are kept; edges are
 // made again, which is cheap.
 #pragma once
-#include "simd/vector_lanes.h"
 #include "forces/tension.h"
+#include "simd/vector_lanes.h"
 
-namespace drape {
+namespace drape::forces {
 namespace {
 
 // Where the ends of a link are in one place, as some that are left out by the outline, it has no direction:
@@ -35,4 +35,4 @@ DRAPE_INLINE void links_measure(const L* square, L inverse_rest, LinkLane<L>* tw
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::forces

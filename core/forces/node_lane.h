@@ -2,14 +2,14 @@
 // balance.
 #pragma once
 #include "forces/air.h"
-#include "simd/lane_scalar.h"
 #include "model/system.h"
+#include "simd/lane_scalar.h"
 
-namespace drape {
+namespace drape::forces {
 namespace {
 
-using NodeLane = ScalarLane<false>;
-using NodeVec = Vec<NodeLane>;
+using NodeLane = simd::ScalarLane<false>;
+using NodeVec = simd::Vec<NodeLane>;
 
 // Force accumulators by node or by slot.
 struct NodeForces {
@@ -41,7 +41,7 @@ struct NodeEdge {
 };
 inline NodeEdge node_edge(const State& s, std::size_t from, std::size_t to) {
   const NodeVec d = node_at(s, to) - node_at(s, from);
-  const NodeLane length = sqrt(dot(d, d)), inverse = NodeLane(1.0) / length;
+  const NodeLane length = simd::sqrt(simd::dot(d, d)), inverse = NodeLane(1.0) / length;
   return {d * inverse, inverse, length};
 }
 
@@ -57,4 +57,4 @@ inline NodeVec node_air_quarter(const System& system, const State& s, const std:
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::forces

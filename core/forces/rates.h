@@ -3,9 +3,9 @@
 #pragma once
 #include "model/system.h"
 
-namespace drape {
+namespace drape::forces {
 
 // Damping along springs and air at v + lead (v - w) into fx, fy, fz [nodes], N; returns the air's total.
 Vec3 rate_forces(const System& system, const State& state, double lead, double* fx, double* fy, double* fz);
 
-}  // namespace drape
+}  // namespace drape::forces

@@ -5,16 +5,16 @@
 #include "forces/hinge_energy.h"
 #include "model/seam_rows.h"
 
-namespace drape {
+namespace drape::forces {
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
-bool is_welded(const State& s, std::size_t pair) { return s.sewn[pair] == Sewn::kWelded; }
+bool is_welded(const State& s, std::size_t pair) { return s.sewn[pair] == model::Sewn::kWelded; }
 
 // The law along the seam: that of the shorter side's threads nearest to it.
-const Curve& link_curve(const System& system, const Seam& seam) {
-  const Law& law = system.lattices[std::size_t(seam.piece[seam.shorter])].law;
+const math::Curve& link_curve(const System& system, const model::Seam& seam) {
+  const fabric::Law& law = system.lattices[std::size_t(seam.piece[seam.shorter])].law;
   return seam.along_warp ? law.warp : law.weft;
 }
 
@@ -26,11 +26,11 @@ void each_hinge_sewn(const System& system, const State& s, Visit visit) {
 
 template <class Visit>
 void each_link_sewn(const System& system, const State& s, Visit visit) {
-  for (const Seam& seam : system.seams.seam)
+  for (const model::Seam& seam : system.seams.seam)
     for (std::size_t k = seam.link_first; k < seam.link_first + seam.link_count; ++k) {
-      const SeamLink& link = system.seams.link[k];
+      const model::SeamLink& link = system.seams.link[k];
       if (is_welded(s, link.pair[0]) && is_welded(s, link.pair[1]))
-        visit(seam, link, row_value(link.edge, s));
+        visit(seam, link, model::row_value(link.edge, s));
     }
 }
 
@@ -40,22 +40,22 @@ void batch_set(HingeBatch& b, std::size_t i, const Vec3& a, const Vec3& c, doubl
 }
 
 // Bends what is in the batch, and gives the forces: on x they are the others' opposite, and a = x - p_a.
-void batch_bend(HingeBatch& b, const SeamHinge* const* of, std::size_t count, HingeKernel hinges,
-                SideForces to) {
-  for (std::size_t i = count; i < std::size_t(kRowUnit); ++i) batch_set(b, i, {1, 0, 0}, {1, 0, 0}, 0);
+void batch_bend(HingeBatch& b, const model::SeamHinge* const* of, std::size_t count, HingeKernel hinges,
+                model::SideForces to) {
+  for (std::size_t i = count; i < std::size_t(math::kRowUnit); ++i) batch_set(b, i, {1, 0, 0}, {1, 0, 0}, 0);
   hinges(b);
   for (std::size_t i = 0; i < count; ++i) {
-    row_force(of[i]->arm[0], {-b.a[0][i], -b.a[1][i], -b.a[2][i]}, to);
-    row_force(of[i]->arm[1], {b.c[0][i], b.c[1][i], b.c[2][i]}, to);
+    model::row_force(of[i]->arm[0], {-b.a[0][i], -b.a[1][i], -b.a[2][i]}, to);
+    model::row_force(of[i]->arm[1], {b.c[0][i], b.c[1][i], b.c[2][i]}, to);
   }
 }
 
 }  // namespace
 
-double seam_hinge_stiffness(const System& system, const Seam& seam, const SeamHinge& hinge) {
+double seam_hinge_stiffness(const System& system, const model::Seam& seam, const model::SeamHinge& hinge) {
   double compliance = 0;
   for (std::size_t k = 0; k < 2; ++k) {
-    const Law& law = system.lattices[std::size_t(seam.piece[k])].law;
+    const fabric::Law& law = system.lattices[std::size_t(seam.piece[k])].law;
     const double rigidity = hinge.threads[k][0] * law.bending_warp + hinge.threads[k][1] * law.bending_weft;
     if (!(rigidity > 0)) return 0;
     compliance += hinge.reach[k] / rigidity;
@@ -63,45 +63,47 @@ double seam_hinge_stiffness(const System& system, const Seam& seam, const SeamHi
   return 2 * hinge.width / compliance;
 }
 
-double seam_link_tension(const System& system, const Seam& seam, double strain) {
-  return seam.link_width * curve_value(link_curve(system, seam), strain) + seam.tape * strain;
+double seam_link_tension(const System& system, const model::Seam& seam, double strain) {
+  return seam.link_width * math::curve_value(link_curve(system, seam), strain) + seam.tape * strain;
 }
 
-double seam_link_slope(const System& system, const Seam& seam) {
-  return seam.link_width * curve_slope(link_curve(system, seam), 0) + seam.tape;
+double seam_link_slope(const System& system, const model::Seam& seam) {
+  return seam.link_width * math::curve_slope(link_curve(system, seam), 0) + seam.tape;
 }
 
-void seams_bond(const System& system, const State& s, HingeKernel hinges, SideForces to) {
+void seams_bond(const System& system, const State& s, HingeKernel hinges, model::SideForces to) {
   HingeBatch batch;
-  const SeamHinge* of[kRowUnit];
+  const model::SeamHinge* of[math::kRowUnit];
   std::size_t count = 0;
-  each_hinge_sewn(system, s, [&](const SeamHinge& hinge) {
-    batch_set(batch, count, row_value(hinge.arm[0], s), row_value(hinge.arm[1], s), hinge.stiffness);
+  each_hinge_sewn(system, s, [&](const model::SeamHinge& hinge) {
+    batch_set(batch, count, model::row_value(hinge.arm[0], s), model::row_value(hinge.arm[1], s),
+              hinge.stiffness);
     of[count++] = &hinge;
-    if (count < std::size_t(kRowUnit)) return;
+    if (count < std::size_t(math::kRowUnit)) return;
     batch_bend(batch, of, count, hinges, to);
     count = 0;
   });
   if (count > 0) batch_bend(batch, of, count, hinges, to);
-  each_link_sewn(system, s, [&](const Seam& seam, const SeamLink& link, const Vec3& edge) {
+  each_link_sewn(system, s, [&](const model::Seam& seam, const model::SeamLink& link, const Vec3& edge) {
     const double length = norm(edge);
     if (length == 0) return;
     const double tension = seam_link_tension(system, seam, length / seam.rest - 1);
-    row_force(link.edge, (-tension / length) * edge, to);
+    model::row_force(link.edge, (-tension / length) * edge, to);
   });
 }
 
 SeamEnergy seams_energy(const System& system, const State& s) {
   SeamEnergy e;
-  each_hinge_sewn(system, s, [&](const SeamHinge& h) {
-    e.bending += h.stiffness * hinge_energy_between(row_value(h.arm[0], s), row_value(h.arm[1], s));
+  each_hinge_sewn(system, s, [&](const model::SeamHinge& h) {
+    e.bending +=
+        h.stiffness * hinge_energy_between(model::row_value(h.arm[0], s), model::row_value(h.arm[1], s));
   });
-  each_link_sewn(system, s, [&](const Seam& seam, const SeamLink&, const Vec3& edge) {
+  each_link_sewn(system, s, [&](const model::Seam& seam, const model::SeamLink&, const Vec3& edge) {
     const double strain = norm(edge) / seam.rest - 1;
-    e.stretch += seam.rest * (seam.link_width * curve_energy(link_curve(system, seam), strain) +
+    e.stretch += seam.rest * (seam.link_width * math::curve_energy(link_curve(system, seam), strain) +
                               seam.tape * strain * strain / 2);
   });
   return e;
 }
 
-}  // namespace drape
+}  // namespace drape::forces

@@ -15,21 +15,21 @@
 #include "forces/irregular_elements.h"
 #include "model/system.h"
 
-namespace drape {
+namespace drape::forces {
 
 // N m: of a hinge, to be kept with it; 0 where a side does not bend.
-double seam_hinge_stiffness(const System& system, const Seam& seam, const SeamHinge& hinge);
+double seam_hinge_stiffness(const System& system, const model::Seam& seam, const model::SeamHinge& hinge);
 
 // Tension of a link, N, and its slope per strain at zero.
-double seam_link_tension(const System& system, const Seam& seam, double strain);
-double seam_link_slope(const System& system, const Seam& seam);
+double seam_link_tension(const System& system, const model::Seam& seam, double strain);
+double seam_link_slope(const System& system, const model::Seam& seam);
 
 // Adds the forces of all welded pairs to the slots.
-void seams_bond(const System& system, const State& state, HingeKernel hinges, SideForces to);
+void seams_bond(const System& system, const State& state, HingeKernel hinges, model::SideForces to);
 
 struct SeamEnergy {
   double bending = 0, stretch = 0;  // J
 };
 SeamEnergy seams_energy(const System& system, const State& state);
 
-}  // namespace drape
+}  // namespace drape::forces

@@ -5,21 +5,21 @@
 
 #include "model/seam_rows.h"
 
-namespace drape {
+namespace drape::forces {
 
-using namespace vector3;
+using namespace math::vector3;
 
-double seam_mass(const System& system, const SeamPair& pair) {
-  const SeamRow& row = pair.gap;
+double seam_mass(const System& system, const model::SeamPair& pair) {
+  const model::SeamRow& row = pair.gap;
   double sum = 0;
-  for (const SeamTerm& t : row) sum += t.weight * t.weight * system.inverse_mass[t.node];
+  for (const model::SeamTerm& t : row) sum += t.weight * t.weight * system.inverse_mass[t.node];
   return sum > 0 ? 1 / sum : 0;
 }
 
-Vec3 seam_pull(const System& system, const Seam& seam, std::size_t p, const State& s, double lead) {
-  if (s.sewn[p] != Sewn::kPulled) return {0, 0, 0};
-  const SeamPair& pair = system.seams.pair[p];
-  const Vec3 gap = row_value(pair.gap, s), now = row_value(pair.gap, s.vx, s.vy, s.vz);
+Vec3 seam_pull(const System& system, const model::Seam& seam, std::size_t p, const State& s, double lead) {
+  if (s.sewn[p] != model::Sewn::kPulled) return {0, 0, 0};
+  const model::SeamPair& pair = system.seams.pair[p];
+  const Vec3 gap = model::row_value(pair.gap, s), now = model::row_value(pair.gap, s.vx, s.vy, s.vz);
   const double* before = &s.gap_rate[3 * p];
   const double w = seam.pull, length = norm(gap);
   if (length == 0 || w == 0) return {0, 0, 0};
@@ -30,31 +30,32 @@ Vec3 seam_pull(const System& system, const Seam& seam, std::size_t p, const Stat
   return (-seam_mass(system, pair) * (spring + damping) / length) * gap;
 }
 
-void seams_pull(const System& system, const State& s, double lead, SideForces to) {
-  for (const Seam& seam : system.seams.seam)
+void seams_pull(const System& system, const State& s, double lead, model::SideForces to) {
+  for (const model::Seam& seam : system.seams.seam)
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p)
-      if (s.sewn[p] == Sewn::kPulled)
-        row_force(system.seams.pair[p].gap, seam_pull(system, seam, p, s, lead), to);
+      if (s.sewn[p] == model::Sewn::kPulled)
+        model::row_force(system.seams.pair[p].gap, seam_pull(system, seam, p, s, lead), to);
 }
 
 double seams_held(const System& system, const State& s) {
   double most = 0;
-  for (const Seam& seam : system.seams.seam)
+  for (const model::Seam& seam : system.seams.seam)
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p)
-      if (s.sewn[p] == Sewn::kPulled) most = std::max(most, s.gap_hold[p] / seam.gap_tolerance);
+      if (s.sewn[p] == model::Sewn::kPulled) most = std::max(most, s.gap_hold[p] / seam.gap_tolerance);
   return most;
 }
 
 void seams_hold(const System& system, State& s, double h) {
   constexpr double kWait = 20, kStalled = 0.1, kMost = 2000;
-  for (const Seam& seam : system.seams.seam) {
+  for (const model::Seam& seam : system.seams.seam) {
     const double w = seam.pull, reach = 2 * seam.speed / w;
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
-      if (s.sewn[p] != Sewn::kPulled) continue;
+      if (s.sewn[p] != model::Sewn::kPulled) continue;
       s.pulled_for[p] += h;
       if (s.pulled_for[p] * w < kWait) continue;
-      const SeamRow& row = system.seams.pair[p].gap;
-      const Vec3 rate = row_value(row, s.vx, s.vy, s.vz), gap = row_value(row, s) - (h / 2) * rate;
+      const model::SeamRow& row = system.seams.pair[p].gap;
+      const Vec3 rate = model::row_value(row, s.vx, s.vy, s.vz),
+                 gap = model::row_value(row, s) - (h / 2) * rate;
       const double length = norm(gap), closing = -dot(rate, gap);
       if (closing < kStalled * length * std::min(w * length, 2 * seam.speed))
         s.gap_hold[p] = std::min(s.gap_hold[p] + h * w * std::min(length, reach), kMost * reach);
@@ -65,10 +66,10 @@ void seams_hold(const System& system, State& s, double h) {
 void seams_rates(const System& system, const State& s, Array& rates) {
   rates.resize(3 * system.seams.pair.size());
   for (std::size_t p = 0; p < system.seams.pair.size(); ++p) {
-    if (s.sewn[p] != Sewn::kPulled) continue;
-    const Vec3 rate = row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz);
+    if (s.sewn[p] != model::Sewn::kPulled) continue;
+    const Vec3 rate = model::row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz);
     std::copy(rate.begin(), rate.end(), &rates[3 * p]);
   }
 }
 
-}  // namespace drape
+}  // namespace drape::forces

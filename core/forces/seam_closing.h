@@ -17,15 +17,16 @@
 #include "forces/irregular_elements.h"
 #include "model/system.h"
 
-namespace drape {
+namespace drape::forces {
 
-double seam_mass(const System& system, const SeamPair& pair);  // mu, kg
+double seam_mass(const System& system, const model::SeamPair& pair);  // mu, kg
 
 // The pull on side b of a pair, N, at the velocity led on by `lead`; 0 where it is not pulled.
-Vec3 seam_pull(const System& system, const Seam& seam, std::size_t pair, const State& state, double lead);
+Vec3 seam_pull(const System& system, const model::Seam& seam, std::size_t pair, const State& state,
+               double lead);
 
 // Adds it for all pairs to the slots.
-void seams_pull(const System& system, const State& state, double lead, SideForces to);
+void seams_pull(const System& system, const State& state, double lead, model::SideForces to);
 
 // s/g, at most.
 double seams_held(const System& system, const State& state);
@@ -36,4 +37,4 @@ void seams_hold(const System& system, State& state, double h);
 // The rates of the gaps (m/s, [pairs x 3]) of pulled pairs at v_{n-1/2}.
 void seams_rates(const System& system, const State& state, Array& rates);
 
-}  // namespace drape
+}  // namespace drape::forces

@@ -6,7 +6,7 @@
 #pragma once
 #include "simd/vector_lanes.h"
 
-namespace drape {
+namespace drape::forces {
 namespace {
 
 DRAPE_INLINE double shear_rest(double cell) { return __builtin_sqrt(2.0) * cell; }
@@ -20,4 +20,4 @@ DRAPE_INLINE void shear_edges(L a, L b, L c, L d, L* rising_falling) {
 DRAPE_INLINE double shear_width(double cell) { return cell * cell / shear_rest(cell); }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::forces

@@ -6,7 +6,7 @@
 #pragma once
 #include "simd/vector_lanes.h"
 
-namespace drape {
+namespace drape::forces {
 namespace {
 
 // A coordinate of the links that node a begins: along the weft to b, along the warp to c.
@@ -20,4 +20,4 @@ DRAPE_INLINE void stretch_edges(L a, L b, L c, L* weft_warp) {
 DRAPE_INLINE double stretch_width(double cell) { return cell / 2; }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::forces

@@ -6,7 +6,7 @@
 #include "math/monotone_curve.h"
 #include "simd/lane.h"
 
-namespace drape {
+namespace drape::forces {
 namespace {
 
 struct LineTension {
@@ -24,12 +24,12 @@ struct LineTension {
 
 // Where the strains of a lane lie: their bins, then their segments.
 template <class L>
-DRAPE_INLINE void bins_store(const Curve& curve, L x, int* bins) {
+DRAPE_INLINE void bins_store(const math::Curve& curve, L x, int* bins) {
   const L bin = fma(x, L(curve.bin_scale), L(curve.bin_shift));
-  L::truncate(bins, max(min(bin, L(kCurveBins - 1.0)), L(0.0)));
+  L::truncate(bins, max(min(bin, L(math::kCurveBins - 1.0)), L(0.0)));
 }
-DRAPE_INLINE const double* segment_find(const Curve& curve, int bin, double x) {
-  const CurveSegment* segment = curve.segment + curve.bin_begin[bin];
+DRAPE_INLINE const double* segment_find(const math::Curve& curve, int bin, double x) {
+  const math::CurveSegment* segment = curve.segment + curve.bin_begin[bin];
   segment += x >= segment->end;
   for (int k = 1; k < curve.bin_ends; ++k) segment += x >= segment->end;
   return &segment->origin;
@@ -47,7 +47,7 @@ struct Read {
   L x, sign;
 };
 template <class L>
-DRAPE_INLINE Read<L> strain_read(const Curve& curve, L e) {
+DRAPE_INLINE Read<L> strain_read(const math::Curve& curve, L e) {
   const L sign = bits_and(e, L(curve.odd ? -0.0 : 0.0));
   return {bits_xor(e, sign), sign};
 }
@@ -73,7 +73,7 @@ DRAPE_INLINE Segments<L> segments_load(const double* const* rows) {
 
 // Any curve, from memory.
 template <class L>
-DRAPE_INLINE Segments<L> segments_search(const Curve& curve, L x) {
+DRAPE_INLINE Segments<L> segments_search(const math::Curve& curve, L x) {
   alignas(64) int bins[L::kWidth];
   alignas(64) double strains[L::kWidth];
   const double* rows[L::kWidth];
@@ -85,19 +85,19 @@ DRAPE_INLINE Segments<L> segments_search(const Curve& curve, L x) {
 
 // From registers, where no strain is beyond the start of the curve.
 template <class L, int kSize>
-DRAPE_INLINE Segments<L> segments_pick(const CurveStart<kSize>& start, L x) {
+DRAPE_INLINE Segments<L> segments_pick(const math::CurveStart<kSize>& start, L x) {
   const auto bin = L::places(fma(max(x, L(start.low)), L(start.scale), L(start.shift)));
   const auto at = L::next(L::pick(start.first, bin), ge(x, L::pick(start.end, bin)));
   const auto column = [&](int k) DRAPE_INLINE_LAMBDA { return L::pick(start.column[k], at); };
   return {column(0), column(1), column(2), column(3), column(4), column(5)};
 }
 template <class L>
-__attribute__((noinline)) void segments_beyond(const Curve& curve, L x, Segments<L>& found) {
+__attribute__((noinline)) void segments_beyond(const math::Curve& curve, L x, Segments<L>& found) {
   found = any(ge(x, L(curve.start16.limit))) ? segments_search(curve, x) : segments_pick(curve.start16, x);
 }
 
 template <class L>
-DRAPE_INLINE Segments<L> segments_of(const Curve& curve, L x) {
+DRAPE_INLINE Segments<L> segments_of(const math::Curve& curve, L x) {
   if constexpr (L::kPermutes) {
     if (!any(ge(x, L(curve.start8.limit)))) return segments_pick(curve.start8, x);
     Segments<L> found;
@@ -111,7 +111,7 @@ DRAPE_INLINE Segments<L> segments_of(const Curve& curve, L x) {
 // Any curve. One that is off reads as 0 from its first, empty segment.
 struct CurveTension {
   static constexpr bool kTable = true;
-  const Curve* curve;
+  const math::Curve* curve;
   template <class L>
   DRAPE_INLINE L operator()(L e) const {
     const Read<L> at = strain_read(*curve, e);
@@ -125,4 +125,4 @@ struct CurveTension {
 };
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::forces

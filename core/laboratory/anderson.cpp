@@ -2,7 +2,7 @@
 
 #include <Eigen/QR>
 
-namespace drape {
+namespace drape::laboratory {
 namespace {
 
 constexpr std::size_t kKept = 8;       // changes
@@ -26,4 +26,4 @@ Eigen::VectorXd mixing_next(Mixing& m, const Eigen::VectorXd& x, const Eigen::Ve
   return x + left - (by_x + by_left) * qr.solve(left);
 }
 
-}  // namespace drape
+}  // namespace drape::laboratory

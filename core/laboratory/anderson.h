@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace drape {
+namespace drape::laboratory {
 
 struct Mixing {
   std::vector<Eigen::VectorXd> x, left;  // [sweeps kept]
@@ -16,4 +16,4 @@ struct Mixing {
 // The next x; keeps the present one, and f in `left`.
 Eigen::VectorXd mixing_next(Mixing& mixing, const Eigen::VectorXd& x, const Eigen::VectorXd& left);
 
-}  // namespace drape
+}  // namespace drape::laboratory

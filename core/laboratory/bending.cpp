@@ -4,12 +4,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "laboratory/equilibrium.h"
-#include "dynamics/advance.h"
-#include "standards/cantilever.h"
 #include "assembly/assemble.h"
+#include "dynamics/advance.h"
+#include "laboratory/equilibrium.h"
+#include "standards/cantilever.h"
 
-namespace drape {
+namespace drape::laboratory {
 namespace {
 
 constexpr int kShapePoints = 512;
@@ -17,28 +17,28 @@ constexpr int kSecants = 12;
 constexpr double kSettled = 1e-7;  // of the overhang
 constexpr double kLimpest = 1e5;   // beta of a wing; limper cloth hangs straight down
 
-double weight_of(const FabricSpec& f) { return f.areal_density * kStandardGravity; }  // Pa
+double weight_of(const scene::FabricSpec& f) { return f.areal_density * standards::kStandardGravity; }  // Pa
 
 // B as the law has it.
-double rigidity_of(const FabricSpec& f, bool warp) {
+double rigidity_of(const scene::FabricSpec& f, bool warp) {
   return (warp ? f.bending_warp : f.bending_weft) / (1 - f.poisson * f.poisson);
 }
 
 // A strip of cloth in the level plane whose threads of one kind run along y.
-Scene bending_scene(const FabricSpec& fabric, bool warp, double cell, double width, double length) {
+Scene bending_scene(const scene::FabricSpec& fabric, bool warp, double cell, double width, double length) {
   Scene scene;
   scene.name = "bending";
-  scene.gravity = {0, 0, -kStandardGravity};
-  scene.mode = Mode::kFit;
+  scene.gravity = {0, 0, -standards::kStandardGravity};
+  scene.mode = scene::Mode::kFit;
   scene.fabrics = {fabric};
-  PieceSpec piece;
+  scene::PieceSpec piece;
   piece.name = "strip";
   piece.fabric = 0;
   piece.cell = cell;
   piece.outline = {{0, 0}, {width, 0}, {width, length}, {0, length}};
   piece.grain = warp ? 0 : std::numbers::pi / 2;
   scene.pieces = {piece};
-  PinSpec pin;
+  scene::PinSpec pin;
   pin.piece = 0;
   pin.clamp = true;
   scene.pins = {pin};
@@ -54,10 +54,10 @@ struct Hung {
 Hung hang(const Scene& scene, double low, double high, double wing, double beta,
           std::vector<Problem>& problems) {
   State s;
-  System system = system_assemble(scene, s, problems);
+  System system = assembly::system_assemble(scene, s, problems);
   if (!problems.empty()) return {};
-  Motion motion = motion_make(system);
-  const std::vector<std::array<double, 2>> shape = cantilever_shape(beta, kShapePoints);
+  dynamics::Motion motion = dynamics::motion_make(system);
+  const std::vector<std::array<double, 2>> shape = standards::cantilever_shape(beta, kShapePoints);
   for (std::size_t n : system.particle) {
     const double beyond = std::max(low - s.y[n], s.y[n] - high);
     if (beyond <= 0) continue;
@@ -73,7 +73,7 @@ Hung hang(const Scene& scene, double low, double high, double wing, double beta,
   const RestSearchHandle search = rest_search_make(system, false);
   Hung hung;
   hung.found = rest_find(*search, system, motion, s).found;
-  for (const Probe& p : system.probes) {
+  for (const model::Probe& p : system.probes) {
     Vec3 r{0, 0, 0};
     for (int k = 0; k < 4; ++k)
       r = {r[0] + p.weight[k] * s.x[p.node[k]], r[1] + p.weight[k] * s.y[p.node[k]],
@@ -84,7 +84,7 @@ Hung hang(const Scene& scene, double low, double high, double wing, double beta,
 }
 
 // The angle (rad) below the level at which an overhang of this length ends.
-double overhang_angle(const FabricSpec& fabric, bool warp, double cell, double length, bool& found,
+double overhang_angle(const scene::FabricSpec& fabric, bool warp, double cell, double length, bool& found,
                       std::vector<Problem>& problems) {
   const double beta = weight_of(fabric) * length * length * length / rigidity_of(fabric, warp);
   const Hung hung = hang(overhang_scene(fabric, warp, cell, length), 0, 0, length, beta, problems);
@@ -94,7 +94,7 @@ double overhang_angle(const FabricSpec& fabric, bool warp, double cell, double l
 
 }  // namespace
 
-Scene pt2_scene(const FabricSpec& fabric, bool warp, double cell) {
+Scene pt2_scene(const scene::FabricSpec& fabric, bool warp, double cell) {
   const double whole = 2 * kWing + kSupport, w = kWingWidth, high = kWing + kSupport;
   Scene scene = bending_scene(fabric, warp, cell, w, whole);
   scene.name = "pt2";
@@ -105,7 +105,7 @@ Scene pt2_scene(const FabricSpec& fabric, bool warp, double cell) {
   return scene;
 }
 
-Scene overhang_scene(const FabricSpec& fabric, bool warp, double cell, double length) {
+Scene overhang_scene(const scene::FabricSpec& fabric, bool warp, double cell, double length) {
   const double width = std::min(kOverhangWidth, length);  // a narrow strip tells a short overhang as well
   Scene scene = bending_scene(fabric, warp, cell, width, length);
   scene.name = "overhang";
@@ -115,22 +115,24 @@ Scene overhang_scene(const FabricSpec& fabric, bool warp, double cell, double le
   return scene;
 }
 
-BendingTest pt2_test(const FabricSpec& fabric, bool warp, double cell, std::vector<Problem>& problems) {
+BendingTest pt2_test(const scene::FabricSpec& fabric, bool warp, double cell,
+                     std::vector<Problem>& problems) {
   BendingTest test;
   const double load = weight_of(fabric) * kWing * kWing * kWing, beta = load / rigidity_of(fabric, warp);
   if (beta > kLimpest) return test;
-  test.expected = kWing * cantilever_of_load(beta).drop;
+  test.expected = kWing * standards::cantilever_of_load(beta).drop;
   const Hung hung = hang(pt2_scene(fabric, warp, cell), kWing, kWing + kSupport, kWing, beta, problems);
   test.found = hung.found;
   if (!test.found) return test;
   test.reading = -(hung.probe[0][2] + hung.probe[1][2]) / 2;
-  test.rigidity = load / cantilever_with(test.reading / kWing).beta;
+  test.rigidity = load / standards::cantilever_with(test.reading / kWing).beta;
   return test;
 }
 
-BendingTest overhang_test(const FabricSpec& fabric, bool warp, int cells, std::vector<Problem>& problems) {
+BendingTest overhang_test(const scene::FabricSpec& fabric, bool warp, int cells,
+                          std::vector<Problem>& problems) {
   BendingTest test;
-  const double plane = kPlane * std::numbers::pi / 180, beta = cantilever_of_slope(plane).beta;
+  const double plane = kPlane * std::numbers::pi / 180, beta = standards::cantilever_of_slope(plane).beta;
   test.expected = std::cbrt(beta * rigidity_of(fabric, warp) / weight_of(fabric));
   const double cell = test.expected / cells;
   double length = test.expected, before = 0.98 * length;
@@ -149,4 +151,4 @@ BendingTest overhang_test(const FabricSpec& fabric, bool warp, int cells, std::v
   return test;
 }
 
-}  // namespace drape
+}  // namespace drape::laboratory

@@ -11,16 +11,16 @@
 #include "scene/scene.h"
 #include "standards/units.h"
 
-namespace drape {
+namespace drape::laboratory {
 
 inline constexpr double kWing = 0.07, kSupport = 0.02, kWingWidth = 0.03;  // m, PT-2
 inline constexpr double kPlane = 41.5, kOverhangWidth = 0.025;             // degrees, m, ASTM D1388
 
 // The PT-2 specimen along the warp (or weft), held by the pin "support"; probes "low" and "high" are the
 // middles of its ends.
-Scene pt2_scene(const FabricSpec& fabric, bool warp, double cell);
+Scene pt2_scene(const scene::FabricSpec& fabric, bool warp, double cell);
 // A strip of 25 mm that leaves the clamped edge "edge" and ends at the probe "end".
-Scene overhang_scene(const FabricSpec& fabric, bool warp, double cell, double length);
+Scene overhang_scene(const scene::FabricSpec& fabric, bool warp, double cell, double length);
 
 struct BendingTest {
   bool found = false;
@@ -29,9 +29,10 @@ struct BendingTest {
   double rigidity = 0;  // N m, B by the formula from the reading
 };
 
-BendingTest pt2_test(const FabricSpec& fabric, bool warp, double cell, std::vector<Problem>& problems);
+BendingTest pt2_test(const scene::FabricSpec& fabric, bool warp, double cell, std::vector<Problem>& problems);
 
 // `cells` along the overhang.
-BendingTest overhang_test(const FabricSpec& fabric, bool warp, int cells, std::vector<Problem>& problems);
+BendingTest overhang_test(const scene::FabricSpec& fabric, bool warp, int cells,
+                          std::vector<Problem>& problems);
 
-}  // namespace drape
+}  // namespace drape::laboratory

@@ -7,18 +7,18 @@
 #include "fabric/material_law.h"
 #include "laboratory/anderson.h"
 
-namespace drape {
+namespace drape::laboratory {
 namespace {
 
 constexpr int kPlacingSweeps = 3;  // that move the points of the bias law
 constexpr double kLeast = 1e-3;    // of a correction; the range of its key
-constexpr Thread kThreads[] = {Thread::kWarp, Thread::kWeft, Thread::kBias};
+constexpr model::Thread kThreads[] = {model::Thread::kWarp, model::Thread::kWeft, model::Thread::kBias};
 
-DiagramSpec& diagram_of(FabricSpec& f, Thread along) {
-  return along == Thread::kWarp ? f.warp : along == Thread::kWeft ? f.weft : f.bias;
+scene::DiagramSpec& diagram_of(scene::FabricSpec& f, model::Thread along) {
+  return along == model::Thread::kWarp ? f.warp : along == model::Thread::kWeft ? f.weft : f.bias;
 }
 
-bool switched_on(const DiagramSpec& d) {
+bool switched_on(const scene::DiagramSpec& d) {
   return std::any_of(d.force.begin(), d.force.end(), [](double f) { return f > 0; });
 }
 
@@ -29,16 +29,16 @@ std::string percent(double fraction) {
 }
 
 // The first corrections: none of warp and weft; of bias, the law that stands without a stored one.
-void corrections_begin(FabricSpec& f, std::vector<Problem>& problems) {
-  const Law law = law_make(f, {}, 1, "fabric." + f.name, problems);
-  for (Thread along : kThreads) {
-    DiagramSpec& d = diagram_of(f, along);
+void corrections_begin(scene::FabricSpec& f, std::vector<Problem>& problems) {
+  const fabric::Law law = fabric::law_make(f, {}, 1, "fabric." + f.name, problems);
+  for (model::Thread along : kThreads) {
+    scene::DiagramSpec& d = diagram_of(f, along);
     d.correction.assign(d.force.size(), 1.0);
-    if (along != Thread::kBias) continue;
+    if (along != model::Thread::kBias) continue;
     if (f.bias.jaws) d.correction_elongation.assign(d.force.size(), 1.0);
     for (std::size_t i = 1; i < d.force.size(); ++i)
       if (d.force[i] > 0)
-        d.correction[i] = curve_value(law.bias, d.elongation[i]) * f.strip_width / d.force[i];
+        d.correction[i] = math::curve_value(law.bias, d.elongation[i]) * f.strip_width / d.force[i];
   }
 }
 
@@ -48,7 +48,7 @@ void corrections_end(std::vector<double>& q, std::size_t reached) {
   for (std::size_t i = reached + 1; i < q.size(); ++i) q[i] = q[reached];
 }
 
-void warp_correct(DiagramSpec& d, const StripPull& pull) {
+void warp_correct(scene::DiagramSpec& d, const StripPull& pull) {
   for (std::size_t k = 0; k < pull.force.size(); ++k)
     if (const double f = d.force[k + 1]; f > 0)
       d.correction[k + 1] = std::max(kLeast, d.correction[k + 1] + (f - pull.force[k]) / f);
@@ -56,18 +56,18 @@ void warp_correct(DiagramSpec& d, const StripPull& pull) {
 }
 
 // Puts the points of the law at the strains where their strips lead.
-void bias_place(const FabricSpec& f, DiagramSpec& d, const StripPull& pull) {
+void bias_place(const scene::FabricSpec& f, scene::DiagramSpec& d, const StripPull& pull) {
   std::vector<Problem> none;
-  const Curve law = law_make(f, {}, 1, "", none).bias;
+  const math::Curve law = fabric::law_make(f, {}, 1, "", none).bias;
   for (std::size_t k = 0; k < pull.force.size(); ++k) {
     if (!(d.force[k + 1] > 0)) continue;
     d.correction_elongation[k + 1] = pull.strain[k] / d.elongation[k + 1];
-    d.correction[k + 1] = curve_value(law, pull.strain[k]) * f.strip_width / d.force[k + 1];
+    d.correction[k + 1] = math::curve_value(law, pull.strain[k]) * f.strip_width / d.force[k + 1];
   }
   corrections_end(d.correction_elongation, pull.force.size());
 }
 
-void bias_correct(Mixing& mixing, DiagramSpec& d, const StripPull& pull) {
+void bias_correct(Mixing& mixing, scene::DiagramSpec& d, const StripPull& pull) {
   const auto points = Eigen::Index(pull.force.size());
   Eigen::VectorXd x = Eigen::VectorXd::Zero(points), left = x;
   for (Eigen::Index k = 0; k < points; ++k) {
@@ -83,7 +83,7 @@ void bias_correct(Mixing& mixing, DiagramSpec& d, const StripPull& pull) {
   corrections_end(d.correction, pull.force.size());
 }
 
-double difference_most(const DiagramSpec& d, const StripPull& pull) {
+double difference_most(const scene::DiagramSpec& d, const StripPull& pull) {
   double most = 0;
   for (std::size_t k = 0; k < pull.force.size(); ++k)
     if (const double f = d.force[k + 1]; f > 0) most = std::max(most, std::abs(pull.force[k] / f - 1));
@@ -91,9 +91,9 @@ double difference_most(const DiagramSpec& d, const StripPull& pull) {
 }
 
 // Empty, or why a law of these corrections is none.
-std::string law_problem(const FabricSpec& f) {
-  for (Thread along : kThreads) {
-    const DiagramSpec& d = strip_diagram(f, along);
+std::string law_problem(const scene::FabricSpec& f) {
+  for (model::Thread along : kThreads) {
+    const scene::DiagramSpec& d = strip_diagram(f, along);
     for (std::size_t i = 1; i < d.force.size(); ++i) {
       const std::string at = std::string(thread_name(along)) + " at " + percent(d.elongation[i]);
       if (d.correction[i] <= kLeast)
@@ -106,11 +106,12 @@ std::string law_problem(const FabricSpec& f) {
 }
 
 // One sweep: pulls all strips of `f`, and corrects it. False, with the reason, where a strip found no rest.
-bool sweep(FabricSpec& f, bool placing, Mixing& mixing, Calibration& c, std::vector<Problem>& problems) {
-  FabricSpec next = f;
+bool sweep(scene::FabricSpec& f, bool placing, Mixing& mixing, Calibration& c,
+           std::vector<Problem>& problems) {
+  scene::FabricSpec next = f;
   double residual = 0;
-  for (Thread along : kThreads) {
-    const DiagramSpec& d = strip_diagram(f, along);
+  for (model::Thread along : kThreads) {
+    const scene::DiagramSpec& d = strip_diagram(f, along);
     if (!switched_on(d)) continue;
     const std::vector<double> elongation = strip_elongations(f, along, d.elongation.back());
     const StripPull pull = strip_pull(f, along, c.cell, elongation, problems);
@@ -123,7 +124,7 @@ bool sweep(FabricSpec& f, bool placing, Mixing& mixing, Calibration& c, std::vec
       return false;
     }
     residual = std::max(residual, difference_most(d, pull));
-    if (along != Thread::kBias) warp_correct(diagram_of(next, along), pull);
+    if (along != model::Thread::kBias) warp_correct(diagram_of(next, along), pull);
     else {
       if (placing) bias_place(f, next.bias, pull), mixing = {};
       bias_correct(mixing, next.bias, pull);
@@ -137,18 +138,18 @@ bool sweep(FabricSpec& f, bool placing, Mixing& mixing, Calibration& c, std::vec
 
 }  // namespace
 
-const char* thread_name(Thread along) {
-  return along == Thread::kWarp ? "warp" : along == Thread::kWeft ? "weft" : "bias";
+const char* thread_name(model::Thread along) {
+  return along == model::Thread::kWarp ? "warp" : along == model::Thread::kWeft ? "weft" : "bias";
 }
 
-Calibration calibrate(const FabricSpec& fabric, const CalibrationOptions& options,
+Calibration calibrate(const scene::FabricSpec& fabric, const CalibrationOptions& options,
                       std::vector<Problem>& problems) {
   Calibration c;
   c.cell = options.cell > 0 ? options.cell : fabric.strip_width / kStripCells;
-  FabricSpec f = fabric;
+  scene::FabricSpec f = fabric;
   const bool fresh = f.bias.correction.empty();
   if (fresh) corrections_begin(f, problems);
-  for (DiagramSpec* d : {&f.warp, &f.weft})
+  for (scene::DiagramSpec* d : {&f.warp, &f.weft})
     if (d->correction.empty()) d->correction.assign(d->force.size(), 1.0);
   c.fabric = f;
   Mixing mixing;
@@ -164,4 +165,4 @@ Calibration calibrate(const FabricSpec& fabric, const CalibrationOptions& option
   return c;
 }
 
-}  // namespace drape
+}  // namespace drape::laboratory

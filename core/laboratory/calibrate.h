@@ -13,7 +13,7 @@
 #pragma once
 #include "laboratory/strip.h"
 
-namespace drape {
+namespace drape::laboratory {
 
 struct CalibrationOptions {
   double cell = 0;          // m; 0: the strip's width over kStripCells
@@ -22,7 +22,7 @@ struct CalibrationOptions {
 };
 
 struct Calibration {
-  FabricSpec fabric;  // with its corrections
+  scene::FabricSpec fabric;  // with its corrections
   bool converged = false;
   double cell = 0;  // m
   std::vector<double>
@@ -31,10 +31,10 @@ struct Calibration {
 };
 
 // `begun` is called after each sweep of strips, with its residual.
-Calibration calibrate(const FabricSpec& fabric, const CalibrationOptions& options,
+Calibration calibrate(const scene::FabricSpec& fabric, const CalibrationOptions& options,
                       std::vector<Problem>& problems);
 
 // "warp", "weft", "bias"
-const char* thread_name(Thread along);
+const char* thread_name(model::Thread along);
 
-}  // namespace drape
+}  // namespace drape::laboratory

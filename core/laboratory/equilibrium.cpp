@@ -5,14 +5,14 @@
 #include <cmath>
 #include <limits>
 
-#include "math/vector3.h"
 #include "laboratory/null_space_basis.h"
+#include "math/vector3.h"
 #include "outputs/energy.h"
 
-namespace drape {
+namespace drape::laboratory {
 
 struct RestSearch {
-  std::vector<SparseRow> rows;  // [held] fixed nodes, then rows, as in HeldMotion
+  std::vector<math::SparseRow> rows;  // [held] fixed nodes, then rows, as in HeldMotion
   HeldBasis basis;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor;
   bool ordered = false;
@@ -23,7 +23,7 @@ void RestSearchCloser::operator()(RestSearch* search) const { delete search; }
 
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 using Eigen::Index;
 using Eigen::VectorXd;
 
@@ -37,14 +37,14 @@ constexpr double kRounding = 1e-13;  // of an energy
 constexpr double kShifts[] = {0, 1e-6, 1e-4, 1e-2};
 
 // Puts the nodes that follow where their rows want them.
-void held_place(const RestSearch& search, const HeldMotion& held, State& s) {
+void held_place(const RestSearch& search, const dynamics::HeldMotion& held, State& s) {
   Array* const axes[] = {&s.x, &s.y, &s.z};
   for (std::size_t k = 0; k < 3; ++k) {
     Array& r = *axes[k];
     for (const HeldBlock& block : search.basis.blocks) {
       VectorXd gap(Index(block.row.size()));
       for (std::size_t i = 0; i < block.row.size(); ++i) {
-        const SparseRow& row = search.rows[block.row[i]];
+        const math::SparseRow& row = search.rows[block.row[i]];
         double at = 0;
         for (std::size_t j = 0; j < row.node.size(); ++j) at += row.weight[j] * r[row.node[j]];
         gap[Index(i)] = held.now[3 * block.row[i] + k] - at;
@@ -56,15 +56,15 @@ void held_place(const RestSearch& search, const HeldMotion& held, State& s) {
 }
 
 // F + m g, in motion.now_x, now_y, now_z.
-void forces_take(const System& system, Motion& motion, const State& s) {
-  kernel_forces(*motion.kernel, system, s, motion.workspace, motion.now_x.data(), motion.now_y.data(),
-                motion.now_z.data());
+void forces_take(const System& system, dynamics::Motion& motion, const State& s) {
+  dynamics::kernel_forces(*motion.kernel, system, s, motion.workspace, motion.now_x.data(),
+                          motion.now_y.data(), motion.now_z.data());
   Array* f[] = {&motion.now_x, &motion.now_y, &motion.now_z};
   for (std::size_t n : system.particle)
     for (std::size_t k = 0; k < 3; ++k) (*f[k])[n] += system.mass[n] * system.gravity[k];
 }
 
-VectorXd forces_of(const RestSearch& search, const System& system, const Motion& motion) {
+VectorXd forces_of(const RestSearch& search, const System& system, const dynamics::Motion& motion) {
   const Array* f[] = {&motion.now_x, &motion.now_y, &motion.now_z};
   const Unknowns& all = search.basis.all;
   VectorXd b(all.count);
@@ -74,7 +74,7 @@ VectorXd forces_of(const RestSearch& search, const System& system, const Motion&
 }
 
 // [held] N, what each row carries: A1^T q = f_1.
-std::vector<Vec3> row_forces(const RestSearch& search, const Motion& motion) {
+std::vector<Vec3> row_forces(const RestSearch& search, const dynamics::Motion& motion) {
   const Array* f[] = {&motion.now_x, &motion.now_y, &motion.now_z};
   std::vector<Vec3> q(search.rows.size(), Vec3{0, 0, 0});
   for (const HeldBlock& block : search.basis.blocks)
@@ -85,25 +85,25 @@ std::vector<Vec3> row_forces(const RestSearch& search, const Motion& motion) {
   return q;
 }
 
-std::vector<Vec3> pin_forces(const RestSearch& search, const System& system, const Motion& motion) {
+std::vector<Vec3> pin_forces(const RestSearch& search, const System& system, const dynamics::Motion& motion) {
   const std::vector<Vec3> q = row_forces(search, motion);
   std::vector<Vec3> force(system.constraints.pins.size(), Vec3{0, 0, 0});
   std::size_t r = 0;
-  const auto add = [&](const Target& t) {
+  const auto add = [&](const constraint::Target& t) {
     for (int p = t.first; p < t.first + t.count; ++p) {
-      const TargetPart& part = system.constraints.parts[std::size_t(p)];
+      const constraint::TargetPart& part = system.constraints.parts[std::size_t(p)];
       force[std::size_t(part.pin)] += part.share * q[r];
     }
     ++r;
   };
-  for (const FixedNode& f : system.constraints.fixed) add(f.target);
-  for (const HeldRow& row : system.constraints.rows) add(row.target);
+  for (const constraint::FixedNode& f : system.constraints.fixed) add(f.target);
+  for (const constraint::HeldRow& row : system.constraints.rows) add(row.target);
   return force;
 }
 
 // What is left of the forces, over the load; true where that is rest, or all that rounding of the coordinates
 // allows: the last step was below it.
-bool rest_judge(const RestSearch& search, const System& system, Motion& motion, const State& s,
+bool rest_judge(const RestSearch& search, const System& system, dynamics::Motion& motion, const State& s,
                 RestFound& found) {
   forces_take(system, motion, s);
   const VectorXd left = search.basis.z.transpose() * forces_of(search, system, motion);
@@ -148,9 +148,9 @@ void state_move(const RestSearch& search, const System& system, const VectorXd& 
 // Along `way`, which promises a fall of the energy by `slope` a whole way; false where none is found.
 bool way_go(const RestSearch& search, const System& system, const VectorXd& way, double slope, State& s) {
   double cell = system.lattices[0].cell;
-  for (const Lattice& l : system.lattices) cell = std::min(cell, l.cell);
+  for (const model::Lattice& l : system.lattices) cell = std::min(cell, l.cell);
   double share = std::min(1.0, kFarthest * cell / way.lpNorm<Eigen::Infinity>());
-  const auto energy = [&] { return energy_sum(energy_potential(system, s)); };
+  const auto energy = [&] { return outputs::energy_sum(outputs::energy_potential(system, s)); };
   const double before = energy();
   const double rounding = kRounding * std::abs(before);
   state_move(search, system, way, share, s);
@@ -170,7 +170,7 @@ bool positive_take(RestSearch& search, const System& system, const State& s) {
 }
 
 // One step; false where there is none.
-bool step_take(RestSearch& search, const System& system, Motion& motion, State& s) {
+bool step_take(RestSearch& search, const System& system, dynamics::Motion& motion, State& s) {
   if (!positive_take(search, system, s)) return false;
   const VectorXd b = search.basis.z.transpose() * forces_of(search, system, motion);
   const VectorXd free = search.factor.solve(b), way = search.basis.z * free;
@@ -184,15 +184,15 @@ bool step_take(RestSearch& search, const System& system, Motion& motion, State& 
 
 RestSearchHandle rest_search_make(const System& system, bool flat) {
   RestSearchHandle search(new RestSearch);
-  for (const FixedNode& f : system.constraints.fixed) search->rows.push_back({{f.node}, {1.0}});
-  for (const HeldRow& row : system.constraints.rows) search->rows.push_back(row.on);
+  for (const constraint::FixedNode& f : system.constraints.fixed) search->rows.push_back({{f.node}, {1.0}});
+  for (const constraint::HeldRow& row : system.constraints.rows) search->rows.push_back(row.on);
   search->basis = held_basis_make(system, search->rows, flat ? 2 : 3);
   return search;
 }
 
-RestFound rest_find(RestSearch& search, const System& system, Motion& motion, State& s) {
+RestFound rest_find(RestSearch& search, const System& system, dynamics::Motion& motion, State& s) {
   RestFound found;
-  held_refresh(system.constraints, s, motion.held);
+  dynamics::held_refresh(system.constraints, s, motion.held);
   held_place(search, motion.held, s);
   search.way = std::numeric_limits<double>::infinity();
   for (found.steps = 0; found.steps < kStepsMost; ++found.steps) {
@@ -202,4 +202,4 @@ RestFound rest_find(RestSearch& search, const System& system, Motion& motion, St
   return found;
 }
 
-}  // namespace drape
+}  // namespace drape::laboratory

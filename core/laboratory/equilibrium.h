@@ -13,7 +13,7 @@
 
 #include "dynamics/advance.h"
 
-namespace drape {
+namespace drape::laboratory {
 
 struct RestFound {
   bool found = false;
@@ -34,6 +34,6 @@ RestSearchHandle rest_search_make(const System& system, bool flat);
 
 // Moves the state from its present places to the rest. The load is the largest of the weight, the pins'
 // forces and 1e-2 N.
-RestFound rest_find(RestSearch& search, const System& system, Motion& motion, State& state);
+RestFound rest_find(RestSearch& search, const System& system, dynamics::Motion& motion, State& state);
 
-}  // namespace drape
+}  // namespace drape::laboratory

@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <numeric>
 
-namespace drape {
+namespace drape::laboratory {
 namespace {
 
 // Rows by the nodes that they share, in the order of their first row.
-std::vector<std::vector<std::size_t>> rows_gather(const System& system, const std::vector<SparseRow>& rows) {
+std::vector<std::vector<std::size_t>> rows_gather(const System& system,
+                                                  const std::vector<math::SparseRow>& rows) {
   std::vector<std::size_t> first(system.nodes, rows.size()), root(rows.size());
   std::iota(root.begin(), root.end(), std::size_t(0));
   const auto root_of = [&](std::size_t r) {
@@ -28,7 +29,7 @@ std::vector<std::vector<std::size_t>> rows_gather(const System& system, const st
   return sets;
 }
 
-HeldBlock block_make(const std::vector<SparseRow>& rows, const std::vector<std::size_t>& set) {
+HeldBlock block_make(const std::vector<math::SparseRow>& rows, const std::vector<std::size_t>& set) {
   HeldBlock block;
   block.row = set;
   std::vector<std::size_t> nodes;
@@ -38,7 +39,7 @@ HeldBlock block_make(const std::vector<SparseRow>& rows, const std::vector<std::
   const Eigen::Index m = Eigen::Index(set.size()), n = Eigen::Index(nodes.size());
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(m, n);
   for (Eigen::Index i = 0; i < m; ++i) {
-    const SparseRow& row = rows[set[std::size_t(i)]];
+    const math::SparseRow& row = rows[set[std::size_t(i)]];
     for (std::size_t k = 0; k < row.node.size(); ++k)
       a(i, std::lower_bound(nodes.begin(), nodes.end(), row.node[k]) - nodes.begin()) += row.weight[k];
   }
@@ -53,7 +54,7 @@ HeldBlock block_make(const std::vector<SparseRow>& rows, const std::vector<std::
 
 }  // namespace
 
-HeldBasis held_basis_make(const System& system, const std::vector<SparseRow>& rows, int dimension) {
+HeldBasis held_basis_make(const System& system, const std::vector<math::SparseRow>& rows, int dimension) {
   HeldBasis basis;
   basis.all = unknowns_make(system, dimension);
   std::vector<char> follows(system.nodes, 0);
@@ -81,4 +82,4 @@ HeldBasis held_basis_make(const System& system, const std::vector<SparseRow>& ro
   return basis;
 }
 
-}  // namespace drape
+}  // namespace drape::laboratory

@@ -12,7 +12,7 @@
 
 #include "laboratory/stiffness.h"
 
-namespace drape {
+namespace drape::laboratory {
 
 struct HeldBlock {
   std::vector<std::size_t> row;                 // [m]
@@ -28,6 +28,6 @@ struct HeldBasis {
 };
 
 // `rows` are independent, and act on particles.
-HeldBasis held_basis_make(const System& system, const std::vector<SparseRow>& rows, int dimension);
+HeldBasis held_basis_make(const System& system, const std::vector<math::SparseRow>& rows, int dimension);
 
-}  // namespace drape
+}  // namespace drape::laboratory

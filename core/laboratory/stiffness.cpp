@@ -20,7 +20,7 @@
 #include "forces/irregular_elements.h"
 #include "model/elements.h"
 
-namespace drape {
+namespace drape::laboratory {
 namespace {
 
 using Eigen::Matrix3d;
@@ -32,9 +32,10 @@ struct Psi {
 
 // psi = theta/sin theta and its slope in y, continued beyond 120 degrees: core/README.md, section 3.
 Psi psi_at(double y, double sine) {
-  if (y < kSharp) {
-    const double d = y - kSharp;
-    return {kSharpPsi + kSharpPsi1 * d + kSharpPsi2 * d * d / 2, kSharpPsi1 + kSharpPsi2 * d};
+  if (y < forces::kSharp) {
+    const double d = y - forces::kSharp;
+    return {forces::kSharpPsi + forces::kSharpPsi1 * d + forces::kSharpPsi2 * d * d / 2,
+            forces::kSharpPsi1 + forces::kSharpPsi2 * d};
   }
   const double s2 = sine * sine, angle = std::atan2(sine, y);
   if (s2 < 1e-6) return {1 + s2 / 6, -1.0 / 3 - 2 * s2 / 15};  // the next terms: 3 s^4/40, s^4/12
@@ -82,14 +83,14 @@ void difference_add(const Unknowns& unknowns, std::size_t n0, std::size_t n1, co
   block_add(unknowns, n1, n1, k, to);
 }
 
-void link_add(const Lattice& l, const State& s, Stiffness which, const Unknowns& unknowns, const Link& link,
-              Triplets& to) {
-  const Curve& law = law_curve(l.law, link.along);
+void link_add(const model::Lattice& l, const State& s, Stiffness which, const Unknowns& unknowns,
+              const model::Link& link, Triplets& to) {
+  const math::Curve& law = model::law_curve(l.law, link.along);
   if (law.segments == 0) return;
   const Vector3d edge = edge_of(s, link.from, link.to);
-  const double length = edge.norm(), strain = link_strain(s, link);
-  double geometric = link.width * curve_value(law, strain) / length,
-         material = link.width * curve_slope(law, strain) / link.rest;
+  const double length = edge.norm(), strain = model::link_strain(s, link);
+  double geometric = link.width * math::curve_value(law, strain) / length,
+         material = link.width * math::curve_slope(law, strain) / link.rest;
   if (which == Stiffness::kBlunt) geometric = std::max(geometric, 0.0), material = std::max(material, 0.0);
   const Vector3d u = edge / length;
   difference_add(unknowns, link.from, link.to,
@@ -124,16 +125,17 @@ Unknowns unknowns_make(const System& system, int dimension) {
 
 void stiffness_add(const System& system, const State& s, Stiffness which, const Unknowns& unknowns,
                    Triplets& to) {
-  for (const Lattice& l : system.lattices) {
-    each_link(system, l, [&](const Link& link) { link_add(l, s, which, unknowns, link, to); });
-    each_hinge(system, l, [&](std::size_t n0, std::size_t n1, std::size_t n2, bool warp, double share) {
-      const double kappa = law_bending(l.law, warp) * share;
-      if (kappa > 0) hinge_add(s, unknowns, {n0, n1, n2}, kappa, to);
-    });
-    for (const SideClamp& c : system.side.clamps) {
-      const double kappa = law_bending(l.law, c.warp) * c.share;
+  for (const model::Lattice& l : system.lattices) {
+    model::each_link(system, l, [&](const model::Link& link) { link_add(l, s, which, unknowns, link, to); });
+    model::each_hinge(system, l,
+                      [&](std::size_t n0, std::size_t n1, std::size_t n2, bool warp, double share) {
+                        const double kappa = model::law_bending(l.law, warp) * share;
+                        if (kappa > 0) hinge_add(s, unknowns, {n0, n1, n2}, kappa, to);
+                      });
+    for (const model::SideClamp& c : system.side.clamps) {
+      const double kappa = model::law_bending(l.law, c.warp) * c.share;
       if (c.lattice != l.piece || kappa == 0) continue;
-      const Vec3 held = clamp_direction(c, s);
+      const Vec3 held = forces::clamp_direction(c, s);
       const Vector3d direction(held[0], held[1], held[2]);
       difference_add(unknowns, c.node[0], c.node[1],
                      hinge_stiffness(direction, edge_of(s, c.node[0], c.node[1]), kappa).cc, to);
@@ -141,4 +143,4 @@ void stiffness_add(const System& system, const State& s, Stiffness which, const 
   }
 }
 
-}  // namespace drape
+}  // namespace drape::laboratory

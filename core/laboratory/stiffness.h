@@ -5,7 +5,7 @@
 
 #include "model/system.h"
 
-namespace drape {
+namespace drape::laboratory {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
@@ -25,4 +25,4 @@ enum class Stiffness { kTangent, kBlunt };
 void stiffness_add(const System& system, const State& state, Stiffness which, const Unknowns& unknowns,
                    Triplets& to);
 
-}  // namespace drape
+}  // namespace drape::laboratory

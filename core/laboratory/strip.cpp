@@ -5,31 +5,31 @@
 #include <cstdio>
 #include <numbers>
 
-#include "laboratory/equilibrium.h"
-#include "dynamics/advance.h"
 #include "assembly/assemble.h"
+#include "dynamics/advance.h"
+#include "laboratory/equilibrium.h"
 #include "model/elements.h"
 
-namespace drape {
+namespace drape::laboratory {
 namespace {
 
 struct Specimen {
   System system;
   State state;
-  Motion motion;
+  dynamics::Motion motion;
 };
 
 Specimen specimen_make(const Scene& scene, std::vector<Problem>& problems) {
   Specimen s;
-  s.system = system_assemble(scene, s.state, problems);
-  if (problems.empty()) s.motion = motion_make(s.system);
+  s.system = assembly::system_assemble(scene, s.state, problems);
+  if (problems.empty()) s.motion = dynamics::motion_make(s.system);
   return s;
 }
 
 // Between jaws: each elongation starts from the one before, stretched evenly.
-StripPull jaws_pull(const FabricSpec& fabric, Thread along, double cell,
+StripPull jaws_pull(const scene::FabricSpec& fabric, model::Thread along, double cell,
                     const std::vector<double>& elongation, std::vector<Problem>& problems,
-                    const LawOptions& options) {
+                    const fabric::LawOptions& options) {
   StripPull pull;
   Specimen strip = specimen_make(strip_scene(fabric, along, cell, options), problems);
   if (!problems.empty()) return pull;
@@ -52,23 +52,23 @@ StripPull jaws_pull(const FabricSpec& fabric, Thread along, double cell,
 
 // A trellis of threads of fixed length: stretched by l1 = 1 + e along y, it shortens to l2 = sqrt(2 - l1^2)
 // along x. Virtual work of the forces of the lattice: F H dl1 = -sum f.dr, dr = (-X l1/l2, Y) dl1.
-StripPull trellis_pull(const FabricSpec& fabric, double cell, const std::vector<double>& elongation,
-                       std::vector<Problem>& problems, const LawOptions& options) {
+StripPull trellis_pull(const scene::FabricSpec& fabric, double cell, const std::vector<double>& elongation,
+                       std::vector<Problem>& problems, const fabric::LawOptions& options) {
   StripPull pull;
-  Scene scene = strip_scene(fabric, Thread::kBias, cell, options);
+  Scene scene = strip_scene(fabric, model::Thread::kBias, cell, options);
   scene.pins.clear();
   Specimen strip = specimen_make(scene, problems);
   if (!problems.empty()) return pull;
   const State flat = strip.state;
-  Motion& motion = strip.motion;
+  dynamics::Motion& motion = strip.motion;
   for (double e : elongation) {
     const double l1 = 1 + e, l2 = std::sqrt(2 - l1 * l1);
     for (std::size_t n : strip.system.particle) {
       strip.state.x[n] = l2 * flat.x[n];
       strip.state.y[n] = l1 * flat.y[n];
     }
-    kernel_forces(*motion.kernel, strip.system, strip.state, motion.workspace, motion.now_x.data(),
-                  motion.now_y.data(), motion.now_z.data());
+    dynamics::kernel_forces(*motion.kernel, strip.system, strip.state, motion.workspace, motion.now_x.data(),
+                            motion.now_y.data(), motion.now_z.data());
     double work = 0;
     for (std::size_t n : strip.system.particle)
       work -= motion.now_y[n] * flat.y[n] - motion.now_x[n] * flat.x[n] * l1 / l2;
@@ -80,13 +80,14 @@ StripPull trellis_pull(const FabricSpec& fabric, double cell, const std::vector<
 
 }  // namespace
 
-double strip_cell(const FabricSpec& fabric, Thread along, double cell) {
-  if (along != Thread::kBias) return cell;
+double strip_cell(const scene::FabricSpec& fabric, model::Thread along, double cell) {
+  if (along != model::Thread::kBias) return cell;
   const double width = fabric.strip_width / std::numbers::sqrt2;
   return width / std::max(1.0, std::round(width / cell));
 }
 
-Scene strip_scene(const FabricSpec& fabric, Thread along, double cell, const LawOptions& options) {
+Scene strip_scene(const scene::FabricSpec& fabric, model::Thread along, double cell,
+                  const fabric::LawOptions& options) {
   const double w = fabric.strip_width, h = fabric.strip_gauge, quarter = std::numbers::pi / 4;
   Scene scene;
   scene.name = "strip";
@@ -95,58 +96,62 @@ Scene strip_scene(const FabricSpec& fabric, Thread along, double cell, const Law
   scene.scaling = options.scaling;
   scene.bias_model = options.bias_model;
   scene.clamp_correction = options.clamp_correction;
-  PieceSpec piece;
+  scene::PieceSpec piece;
   piece.name = "strip";
   piece.fabric = 0;
   piece.cell = strip_cell(fabric, along, cell);
   piece.outline = {{0, 0}, {w, 0}, {w, h}, {0, h}};
-  piece.grain = along == Thread::kWarp ? 0 : along == Thread::kWeft ? 2 * quarter : quarter;
+  piece.grain = along == model::Thread::kWarp ? 0 : along == model::Thread::kWeft ? 2 * quarter : quarter;
   scene.pieces = {piece};
   for (int end : {0, 1}) {
-    PinSpec jaw;
+    scene::PinSpec jaw;
     jaw.name = end ? "high" : "low";
     jaw.piece = 0;
     jaw.edges = {2 * end};
-    if (end) jaw.drive = Drive::kPosition;
+    if (end) jaw.drive = scene::Drive::kPosition;
     scene.pins.push_back(jaw);
   }
   return scene;
 }
 
-const DiagramSpec& strip_diagram(const FabricSpec& fabric, Thread along) {
-  return along == Thread::kWarp ? fabric.warp : along == Thread::kWeft ? fabric.weft : fabric.bias;
+const scene::DiagramSpec& strip_diagram(const scene::FabricSpec& fabric, model::Thread along) {
+  return along == model::Thread::kWarp   ? fabric.warp
+         : along == model::Thread::kWeft ? fabric.weft
+                                         : fabric.bias;
 }
 
-double leading_strain(const System& system, const State& s, Thread along) {
+double leading_strain(const System& system, const State& s, model::Thread along) {
   double sum = 0, weight = 0;
-  for (const Lattice& l : system.lattices)
-    each_link(system, l, [&](const Link& link) {
+  for (const model::Lattice& l : system.lattices)
+    model::each_link(system, l, [&](const model::Link& link) {
       if (link.along != along) return;
-      const double e = std::abs(link_strain(s, link)), work = link.width * link.rest * std::pow(e, 8);
+      const double e = std::abs(model::link_strain(s, link)), work = link.width * link.rest * std::pow(e, 8);
       sum += work * e;
       weight += work;
     });
   return weight > 0 ? sum / weight : 0;
 }
 
-StripPull strip_pull(const FabricSpec& fabric, Thread along, double cell,
+StripPull strip_pull(const scene::FabricSpec& fabric, model::Thread along, double cell,
                      const std::vector<double>& elongation, std::vector<Problem>& problems,
-                     const LawOptions& options) {
-  if (along == Thread::kBias && !fabric.bias.jaws)
+                     const fabric::LawOptions& options) {
+  if (along == model::Thread::kBias && !fabric.bias.jaws)
     return trellis_pull(fabric, cell, elongation, problems, options);
   return jaws_pull(fabric, along, cell, elongation, problems, options);
 }
 
-std::vector<double> strip_elongations(const FabricSpec& fabric, Thread along, double pull) {
+std::vector<double> strip_elongations(const scene::FabricSpec& fabric, model::Thread along, double pull) {
   const double locked = std::sqrt(2.0) - 1 - 1e-6;  // core/README.md, section 3
   std::vector<double> elongation;
   for (double e : strip_diagram(fabric, along).elongation)
-    if (e > 0 && e <= pull * (1 + 1e-12) && (along != Thread::kBias || e < locked)) elongation.push_back(e);
+    if (e > 0 && e <= pull * (1 + 1e-12) && (along != model::Thread::kBias || e < locked))
+      elongation.push_back(e);
   return elongation;
 }
 
-StripExcess strip_excess(const FabricSpec& fabric, Thread along, const LawOptions& options) {
-  const DiagramSpec& d = strip_diagram(fabric, along);
+StripExcess strip_excess(const scene::FabricSpec& fabric, model::Thread along,
+                         const fabric::LawOptions& options) {
+  const scene::DiagramSpec& d = strip_diagram(fabric, along);
   if (d.elongation.empty()) return {};
   const std::vector<double> elongation = strip_elongations(fabric, along, d.elongation.back());
   const double cell = std::min(fabric.strip_width / kExcessCells, fabric.strip_gauge / kLeastCells);
@@ -167,4 +172,4 @@ StripExcess strip_excess(const FabricSpec& fabric, Thread along, const LawOption
   return most;
 }
 
-}  // namespace drape
+}  // namespace drape::laboratory

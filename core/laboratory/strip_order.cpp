@@ -6,7 +6,7 @@
 
 #include "math/bisection.h"
 
-namespace drape {
+namespace drape::laboratory {
 
 double order_of(const std::array<double, 3>& b, double first, double second) {
   constexpr double kLow = 1e-3, kHigh = 12;
@@ -15,19 +15,20 @@ double order_of(const std::array<double, 3>& b, double first, double second) {
   };
   const double changed = first / second;
   if (!(changed > ratio(kLow) && changed < ratio(kHigh))) return std::numeric_limits<double>::quiet_NaN();
-  return rising_root(ratio, changed, kLow, kHigh);
+  return math::rising_root(ratio, changed, kLow, kHigh);
 }
 
-StripOrder strip_order(const FabricSpec& f, double cell, const std::vector<double>& elongation,
+StripOrder strip_order(const scene::FabricSpec& f, double cell, const std::vector<double>& elongation,
                        std::vector<Problem>& problems) {
   StripOrder o;
-  const double middle = strip_cell(f, Thread::kBias, cell);
-  o.cell = {strip_cell(f, Thread::kBias, 2 * middle), middle, strip_cell(f, Thread::kBias, middle / 2)};
+  const double middle = strip_cell(f, model::Thread::kBias, cell);
+  o.cell = {strip_cell(f, model::Thread::kBias, 2 * middle), middle,
+            strip_cell(f, model::Thread::kBias, middle / 2)};
   o.told = o.cell[0] <= std::min(f.strip_width, f.strip_gauge) / kLeastCells;
   if (!o.told) return o;
   std::array<StripPull, 3> pull;
   for (std::size_t i = 0; i < 3; ++i) {
-    pull[i] = strip_pull(f, Thread::kBias, o.cell[i], elongation, problems);
+    pull[i] = strip_pull(f, model::Thread::kBias, o.cell[i], elongation, problems);
     if (pull[i].force.size() == elongation.size()) continue;
     o.why = "the strip finds no rest";
     return o;
@@ -44,4 +45,4 @@ StripOrder strip_order(const FabricSpec& f, double cell, const std::vector<doubl
   return o;
 }
 
-}  // namespace drape
+}  // namespace drape::laboratory

@@ -6,7 +6,7 @@
 
 #include "laboratory/strip.h"
 
-namespace drape {
+namespace drape::laboratory {
 
 struct StripOrder {
   std::array<double, 3> cell{};  // m, about twice, one and half the cell asked for
@@ -15,10 +15,10 @@ struct StripOrder {
   bool told = false;             // false: twice the cell leaves less than four across
   std::string why;               // where there is none
 };
-StripOrder strip_order(const FabricSpec& fabric, double cell, const std::vector<double>& elongation,
+StripOrder strip_order(const scene::FabricSpec& fabric, double cell, const std::vector<double>& elongation,
                        std::vector<Problem>& problems);
 
 // p of the changes S(b_0) - S(b_1) and S(b_1) - S(b_2), b falling.
 double order_of(const std::array<double, 3>& cell, double first, double second);
 
-}  // namespace drape
+}  // namespace drape::laboratory

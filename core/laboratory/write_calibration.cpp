@@ -5,7 +5,7 @@
 
 #include "scene/reader/document.h"
 
-namespace drape {
+namespace drape::laboratory {
 namespace {
 
 constexpr std::size_t kOneLine = 8;  // numbers; more are broken into lines of as many
@@ -143,13 +143,13 @@ bool says(const toml::table& root, const char* table, const char* key, const std
 std::string calibration_store(const std::string& text, const Calibration& c, const std::string& date,
                               std::vector<Problem>& problems) {
   const std::string newline = text.find("\r\n") == std::string::npos ? "\n" : "\r\n";
-  const Thread threads[] = {Thread::kWarp, Thread::kWeft, Thread::kBias};
+  const model::Thread threads[] = {model::Thread::kWarp, model::Thread::kWeft, model::Thread::kBias};
   try {
     const toml::table root = toml::parse(text);
     std::vector<Edit> edits;
     SheetCorrections sheets;
-    for (Thread along : threads) {
-      const DiagramSpec& d = strip_diagram(c.fabric, along);
+    for (model::Thread along : threads) {
+      const scene::DiagramSpec& d = strip_diagram(c.fabric, along);
       const toml::table* table = root[thread_name(along)].as_table();
       if (d.correction.empty()) continue;
       if (!table) {
@@ -166,8 +166,8 @@ std::string calibration_store(const std::string& text, const Calibration& c, con
     std::string stored = edited(text, edits);
     const toml::table after = toml::parse(stored);
     bool good = after["calibration"]["date"].value_or(std::string()) == date;
-    for (Thread along : threads) {
-      const DiagramSpec& d = strip_diagram(c.fabric, along);
+    for (model::Thread along : threads) {
+      const scene::DiagramSpec& d = strip_diagram(c.fabric, along);
       const bool sheet = !after[thread_name(along)].is_table();
       good = good &&
              (sheet ? says(after, "calibration", thread_name(along), d.correction)
@@ -183,4 +183,4 @@ std::string calibration_store(const std::string& text, const Calibration& c, con
   return "";
 }
 
-}  // namespace drape
+}  // namespace drape::laboratory

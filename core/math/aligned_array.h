@@ -4,7 +4,7 @@
 #include <new>
 #include <vector>
 
-namespace drape {
+namespace drape::math {
 
 inline constexpr std::size_t kLine = 64;  // bytes: one cache line, one AVX-512 register
 inline constexpr int kRowUnit = 8;        // doubles in it; row strides and first nodes are multiples of this
@@ -24,4 +24,8 @@ struct LineAllocator {
 
 using Array = std::vector<double, LineAllocator<double>>;
 
+}  // namespace drape::math
+
+namespace drape {
+using math::Array;
 }  // namespace drape

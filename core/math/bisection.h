@@ -1,7 +1,7 @@
 // The root of a monotone function.
 #pragma once
 
-namespace drape {
+namespace drape::math {
 
 // The x in [low, high] at which a rising `value` passes `target`, halved down to the last bit.
 template <class Function>
@@ -13,4 +13,4 @@ double rising_root(Function value, double target, double low, double high) {
   }
 }
 
-}  // namespace drape
+}  // namespace drape::math

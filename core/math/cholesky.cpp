@@ -8,7 +8,7 @@
 #include <map>
 #include <tuple>
 
-namespace drape {
+namespace drape::math {
 namespace {
 
 using SymmetricRows = std::vector<std::map<int, double>>;  // [rows] all entries but those of eliminated rows
@@ -104,4 +104,4 @@ void solve(const Factor& f, double* b) {
 void factor_solve(const Factor& f, double* b) { solve<3>(f, b); }
 void factor_solve_scalar(const Factor& f, double* b) { solve<1>(f, b); }
 
-}  // namespace drape
+}  // namespace drape::math

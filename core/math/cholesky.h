@@ -6,7 +6,7 @@
 
 #include "math/aligned_array.h"
 
-namespace drape {
+namespace drape::math {
 
 // A linear form of nodal values.
 struct SparseRow {
@@ -33,4 +33,4 @@ Factor factor_make(const std::vector<const SparseRow*>& rows, const Array& inver
 void factor_solve(const Factor& factor, double* b);
 void factor_solve_scalar(const Factor& factor, double* b);  // of one component; b [rows]
 
-}  // namespace drape
+}  // namespace drape::math

@@ -5,7 +5,7 @@
 
 #include "math/vector3.h"
 
-namespace drape {
+namespace drape::math {
 
 // The point of a triangle nearest to p: sum weight[k] corner[k]; `arm` leads from it to p.
 struct TriangleFoot {
@@ -90,4 +90,4 @@ inline EdgesFoot edges_foot(const Vec3& a0, const Vec3& a1, const Vec3& b0, cons
   return {{0, 0}, {0, 0, 0}, least, false};
 }
 
-}  // namespace drape
+}  // namespace drape::math

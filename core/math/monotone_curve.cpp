@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::math {
 namespace {
 
 // One segment of width d from value f: slope k to k_next, mean slope s (core/README.md, section 2, in powers
@@ -198,4 +198,4 @@ double curve_energy(const Curve& c, double e) {
   return s.energy + integral_within(s, x - s.origin);
 }
 
-}  // namespace drape
+}  // namespace drape::math

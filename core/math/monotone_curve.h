@@ -13,7 +13,7 @@
 #include <limits>
 #include <vector>
 
-namespace drape {
+namespace drape::math {
 
 inline constexpr int kCurvePoints = 64;  // of a diagram, at most
 inline constexpr int kCurveSegments =
@@ -65,4 +65,4 @@ double curve_value(const Curve& curve, double e);
 double curve_slope(const Curve& curve, double e);
 double curve_energy(const Curve& curve, double e);  // integral of f from 0 to e
 
-}  // namespace drape
+}  // namespace drape::math

@@ -4,7 +4,7 @@
 
 #include "math/vector3.h"
 
-namespace drape {
+namespace drape::math {
 namespace {
 
 using namespace vector3;
@@ -107,4 +107,4 @@ Vec3 rotation_rate(const Vec3& f, const Vec3& spin) {
   return spin - 0.5 * across + c * cross(f, across);
 }
 
-}  // namespace drape
+}  // namespace drape::math

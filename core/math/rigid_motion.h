@@ -10,7 +10,7 @@
 
 #include "math/vector3.h"
 
-namespace drape {
+namespace drape::math {
 
 using Quaternion = std::array<double, 4>;
 
@@ -46,4 +46,4 @@ Vec3 rotation_spin_rate(const Vec3& f, const Vec3& f1, const Vec3& f2);
 // The f' that gives this angular velocity: the inverse of rotation_spin, |f| at most pi.
 Vec3 rotation_rate(const Vec3& f, const Vec3& spin);
 
-}  // namespace drape
+}  // namespace drape::math

@@ -3,7 +3,7 @@
 #pragma once
 #include <algorithm>
 
-namespace drape {
+namespace drape::math {
 
 inline double contact_penalty(double blend, double depth) {
   const double t = std::min(depth / blend, 1.0);
@@ -15,4 +15,4 @@ inline double contact_penalty_energy(double blend, double depth) {
   return blend * blend * t * t * t * t * (0.25 - t / 10) + on * (blend / 2 + on / 2);
 }
 
-}  // namespace drape
+}  // namespace drape::math

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-namespace drape {
+namespace drape::math {
 
 using Vec2 = std::array<double, 2>;
 using Vec3 = std::array<double, 3>;
@@ -26,4 +26,9 @@ inline Vec3 cross(const Vec3& a, const Vec3& b) {
 }
 
 }  // namespace vector3
+}  // namespace drape::math
+
+namespace drape {
+using math::Vec2;
+using math::Vec3;
 }  // namespace drape

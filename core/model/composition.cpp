@@ -1,6 +1,6 @@
 #include "model/composition.h"
 
-namespace drape {
+namespace drape::model {
 namespace {
 
 // Order 4, four forces: I. P. Omelyan, I. M. Mryglod, R. Folk (2002), "Optimized Forest-Ruth- and Suzuki-like
@@ -31,4 +31,4 @@ const Composition* composition_of(int order) {
   return order == 4 ? &kOrder4 : order == 6 ? &kOrder6 : nullptr;
 }
 
-}  // namespace drape
+}  // namespace drape::model

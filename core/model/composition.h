@@ -9,7 +9,7 @@
 // the next are at one place: s forces a step.
 #pragma once
 
-namespace drape {
+namespace drape::model {
 
 struct Composition {
   int order, stages;
@@ -24,4 +24,4 @@ const Composition* composition_of(int order);
 // c h at most, for which the limit holds with damping.
 inline constexpr double kDampedStep = 10;
 
-}  // namespace drape
+}  // namespace drape::model

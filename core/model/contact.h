@@ -5,20 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "math/rigid_motion.h"
-#include "body/surface.h"
 #include "body/query.h"
 #include "body/sharp_edges.h"
+#include "body/surface.h"
 #include "math/aligned_array.h"
+#include "math/rigid_motion.h"
 
-namespace drape {
+namespace drape::model {
 
 // Rotation matrix, row by row.
 using Mat3 = std::array<Vec3, 3>;
 
 // A body's surface in its own frame, and who finds its triangles.
 struct BodyMesh {
-  BodySurface surface;
+  body::BodySurface surface;
   const drape_contact_library* library = nullptr;
   std::shared_ptr<drape_query> query;
 };
@@ -30,8 +30,8 @@ struct Body {
   bool has_friction = false;  // of its own, in place of the fabric's
   Vec2 friction{0, 0};        // static, kinetic
   double damping = 1;         // of the normal motion while it touches, over the critical one
-  Frame start;
-  Ridges ridges;
+  math::Frame start;
+  body::Ridges ridges;
   std::vector<std::string> remarks;  // what is odd about the mesh, but no fault
 };
 
@@ -46,17 +46,17 @@ struct ContactLaw {
 // offset = -kFar.
 inline constexpr double kFar = 1e300;
 struct alignas(kLine) ContactBlock {
-  double side[3][kRowUnit];   // unit vector out of the surface, in the body's frame
-  double offset[kRowUnit];    // m, side . point
-  double point[3][kRowUnit];  // m
-  double shape[6][kRowUnit];  // D: xx xy xz yy yz zz
-  double grip[kRowUnit];      // 1 where the particle sticks, else 0
-  double carry[3][kRowUnit];  // m/s^2, what a particle that is not alone got in the last step
-  double shared[kRowUnit];    // 1 where other surfaces are near as well, else 0
-  bool flat;                  // every surface in it is a face: D = side side^T
-  bool shares;                // somewhere
-  bool carries;               // a carry is not 0
-  std::size_t node;           // the first of them
+  double side[3][math::kRowUnit];   // unit vector out of the surface, in the body's frame
+  double offset[math::kRowUnit];    // m, side . point
+  double point[3][math::kRowUnit];  // m
+  double shape[6][math::kRowUnit];  // D: xx xy xz yy yz zz
+  double grip[math::kRowUnit];      // 1 where the particle sticks, else 0
+  double carry[3][math::kRowUnit];  // m/s^2, what a particle that is not alone got in the last step
+  double shared[math::kRowUnit];    // 1 where other surfaces are near as well, else 0
+  bool flat;                        // every surface in it is a face: D = side side^T
+  bool shares;                      // somewhere
+  bool carries;                     // a carry is not 0
+  std::size_t node;                 // the first of them
   int lattice;
   bool empty() const {
     for (double o : offset)
@@ -100,11 +100,12 @@ struct RidgeContact {
 
 // What the motion changes of a body.
 struct BodyContact {
-  Frame frame;      // at t_n
-  Mat3 turn;        // R at t_n
-  PinLoad impulse;  // N s, N m s of the cloth on the body in the last advance, but for its last half step
-  Array x, y, z;    // [nodes] m, where a particle was when its surroundings were last looked at
-  Array budget2;    // [nodes] m^2, of the distance that it may move from there; infinite at unused nodes
+  math::Frame frame;  // at t_n
+  Mat3 turn;          // R at t_n
+  math::PinLoad
+      impulse;    // N s, N m s of the cloth on the body in the last advance, but for its last half step
+  Array x, y, z;  // [nodes] m, where a particle was when its surroundings were last looked at
+  Array budget2;  // [nodes] m^2, of the distance that it may move from there; infinite at unused nodes
   Array ease;  // [nodes / kRowUnit] m, that all nodes of a group may still move before one must be compared
                // with its budget: at the group's first block, where the body stays
   ContactBlocks blocks;
@@ -116,4 +117,4 @@ struct ContactSummary {
   double penetration = 0, pressure = 0;  // m, Pa, the largest
 };
 
-}  // namespace drape
+}  // namespace drape::model

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace drape {
+namespace drape::model {
 
 // A link has the nodes 0 and 1, and of the cells on its sides those across from these: 2 and 3, 4 and 5. A
 // cell has its corners a, b, c, d.
@@ -20,4 +20,4 @@ struct RidgeCloth {
   std::vector<std::uint32_t> first, of_node;  // those of node n: of_node[first[n]] .. of_node[first[n + 1]]
 };
 
-}  // namespace drape
+}  // namespace drape::model

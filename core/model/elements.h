@@ -5,7 +5,7 @@
 
 #include "model/system.h"
 
-namespace drape {
+namespace drape::model {
 
 struct Link {
   std::size_t from, to;  // nodes
@@ -14,10 +14,12 @@ struct Link {
   bool doubled;  // a further part of the width of a link already visited
 };
 
-inline const Curve& law_curve(const Law& law, Thread along) {
+inline const math::Curve& law_curve(const fabric::Law& law, Thread along) {
   return along == Thread::kWarp ? law.warp : along == Thread::kWeft ? law.weft : law.bias;
 }
-inline double law_bending(const Law& law, bool warp) { return warp ? law.bending_warp : law.bending_weft; }
+inline double law_bending(const fabric::Law& law, bool warp) {
+  return warp ? law.bending_warp : law.bending_weft;
+}
 
 inline double link_strain(const State& s, const Link& link) {
   const double x = s.x[link.to] - s.x[link.from], y = s.y[link.to] - s.y[link.from],
@@ -71,4 +73,4 @@ void each_cell(const System& system, const Lattice& l, Visit visit) {
     if (s.lattice == l.piece) visit(s.node, s.share);
 }
 
-}  // namespace drape
+}  // namespace drape::model

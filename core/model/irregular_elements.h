@@ -10,7 +10,7 @@
 
 #include "scene/scene.h"
 
-namespace drape {
+namespace drape::model {
 
 enum class Thread { kWarp, kWeft, kBias };
 
@@ -62,4 +62,4 @@ struct SideForces {
   double *x, *y, *z;
 };
 
-}  // namespace drape
+}  // namespace drape::model

@@ -3,7 +3,7 @@
 #include "math/vector3.h"
 #include "model/system.h"
 
-namespace drape {
+namespace drape::model {
 
 // sum_k weight[k] f(node[k])
 inline Vec3 row_value(const SeamRow& row, const Array& x, const Array& y, const Array& z) {
@@ -18,7 +18,7 @@ inline Vec3 row_value(const SeamRow& row, const Array& x, const Array& y, const 
 inline Vec3 row_value(const SeamRow& row, const State& s) { return row_value(row, s.x, s.y, s.z); }
 
 inline Vec3 point_now(const SeamPoint& point, const State& s) {
-  using namespace vector3;
+  using namespace math::vector3;
   Vec3 sum{0, 0, 0};
   for (int k = 0; k < 4; ++k)
     sum += point.weight[k] * Vec3{s.x[point.node[k]], s.y[point.node[k]], s.z[point.node[k]]};
@@ -48,4 +48,4 @@ inline void row_add(SeamRow& row, const SeamPoint& point, double factor) {
   }
 }
 
-}  // namespace drape
+}  // namespace drape::model

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace drape {
+namespace drape::model {
 
 // r = sum_k weight[k] r(node[k])
 struct SeamPoint {
@@ -79,4 +79,4 @@ struct Seams {
 // Of a pair; part of the State.
 enum class Sewn : char { kOpen, kPulled, kWelded };
 
-}  // namespace drape
+}  // namespace drape::model

@@ -6,10 +6,10 @@
 #include <memory>
 #include <vector>
 
-#include "scene/scene.h"
 #include "math/aligned_array.h"
+#include "scene/scene.h"
 
-namespace drape {
+namespace drape::model {
 
 using NodeIndex = std::uint32_t;
 inline constexpr NodeIndex kNoNode = 0xffffffff;
@@ -90,4 +90,4 @@ struct SelfState {
   std::vector<SelfHold> hold;              // by their pairs, points first
 };
 
-}  // namespace drape
+}  // namespace drape::model

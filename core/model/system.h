@@ -7,18 +7,18 @@
 #include <vector>
 
 #include "constraint/linear_constraints.h"
+#include "fabric/material_law.h"
+#include "math/aligned_array.h"
 #include "math/rigid_motion.h"
+#include "model/composition.h"
 #include "model/contact.h"
 #include "model/edge_contact.h"
-#include "fabric/material_law.h"
-#include "piece/grid/grid.h"
+#include "model/irregular_elements.h"
 #include "model/seams.h"
 #include "model/self_contact.h"
-#include "math/aligned_array.h"
-#include "model/composition.h"
-#include "model/irregular_elements.h"
+#include "piece/grid/grid.h"
 
-namespace drape {
+namespace drape::model {
 
 // Columns from begin to end - 1; multiples of kRowUnit.
 struct Columns {
@@ -44,7 +44,7 @@ struct Lattice {
   double mass_kept = 1;                        // the least share of its cells' area that a node carries
   std::vector<std::array<int, 2>> twin_place;  // [twins] column and row
   int piece = 0, fabric = 0;
-  Law law;
+  fabric::Law law;
   ContactLaw touch;
 
   std::size_t node(int i, int j) const { return first + std::size_t(j) * stride + i; }
@@ -74,7 +74,7 @@ struct Probe {
 };
 
 struct System {
-  Integrator integrator = Integrator::kLeapfrog;
+  scene::Integrator integrator = scene::Integrator::kLeapfrog;
   const Composition* composition = nullptr;  // of the orders above 2
   double communication = 1e-3;               // q, s
   double step_given = 0;                     // s; 0 = automatic
@@ -85,7 +85,7 @@ struct System {
   int threads = 1;      // that share a step, at most
   bool energy = false;  // the balance is kept
   bool fit = false;     // mode "fit"
-  LawOptions options;
+  fabric::LawOptions options;
   std::size_t nodes = 0;  // length of every array below and in State, unused nodes included
   Array share;            // [nodes] phi of the cell up and right of the node; 0 where that has a twin
   Array hinge_warp;       // [nodes] kappa over B of the hinge across the node along the warp
@@ -97,13 +97,13 @@ struct System {
   Side side;
   Seams seams;
   std::vector<std::size_t> particle;  // [particles] their nodes: pieces in order, row by row
-  std::vector<ConstraintRow> pin_rows;
-  std::vector<RigidLink> links;  // of the particles of seams with outline = "paper"
-  Constraints constraints;       // of the pins, at the masses of the assembly
-  std::vector<Probe> probes;     // as Scene::probes
-  std::vector<Body> bodies;      // as Scene::bodies
-  RidgeCloth ridge_cloth;        // empty where no body has a ridge
-  SelfMesh self;                 // of cloth that touches itself
+  std::vector<constraint::ConstraintRow> pin_rows;
+  std::vector<constraint::RigidLink> links;  // of the particles of seams with outline = "paper"
+  constraint::Constraints constraints;       // of the pins, at the masses of the assembly
+  std::vector<Probe> probes;                 // as Scene::probes
+  std::vector<Body> bodies;                  // as Scene::bodies
+  RidgeCloth ridge_cloth;                    // empty where no body has a ridge
+  SelfMesh self;                             // of cloth that touches itself
 };
 
 // The lattice that owns a node.
@@ -158,9 +158,9 @@ struct State {
   Array lightness;  // [nodes] mass over inertia, at most 1; only in a fit
   Fit fit;
 
-  Vec3 wind{0, 0, 0};            // m/s, at t_n
-  std::vector<Mat3> pin_turn;    // [pins] R at t_n
-  std::vector<Frame> pin_frame;  // [pins] at t_n
+  Vec3 wind{0, 0, 0};                  // m/s, at t_n
+  std::vector<Mat3> pin_turn;          // [pins] R at t_n
+  std::vector<math::Frame> pin_frame;  // [pins] at t_n
 
   double dissipated = 0, input = 0;  // J, with system.energy: but for the last half step
   double energy_start = 0;           // J, kinetic and potential
@@ -182,7 +182,7 @@ struct State {
   double advance_length = 0;    // s, of the last advance; 0 = none yet
   bool advance_begins = false;  // the next step is the first of an advance
   // [pins] N s and N m s on the outside world in the last advance, but for its last half step.
-  std::vector<PinLoad> pin_impulse;
+  std::vector<math::PinLoad> pin_impulse;
 };
 
 inline double state_time(const State& s, double communication) {
@@ -201,9 +201,14 @@ inline double inertia_of(const System& system, const State& s, std::size_t n) {
 
 inline void state_resize(State& s, std::size_t nodes, std::size_t pins) {
   for (Array* a : {&s.x, &s.y, &s.z, &s.vx, &s.vy, &s.vz}) a->assign(nodes, 0.0);
-  s.pin_impulse.assign(pins, PinLoad{});
-  s.pin_frame.assign(pins, Frame{});
+  s.pin_impulse.assign(pins, math::PinLoad{});
+  s.pin_frame.assign(pins, math::Frame{});
   s.pin_turn.assign(pins, kNoTurn);
 }
 
+}  // namespace drape::model
+
+namespace drape {
+using model::State;
+using model::System;
 }  // namespace drape

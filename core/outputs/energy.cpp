@@ -2,29 +2,30 @@
 
 #include <cmath>
 
-#include "forces/hinge_energy.h"
-#include "forces/seam_bending.h"
-#include "forces/irregular_elements.h"
 #include "contact/self/self_contact.h"
+#include "forces/hinge_energy.h"
+#include "forces/irregular_elements.h"
+#include "forces/seam_bending.h"
 #include "model/elements.h"
 
-namespace drape {
+namespace drape::outputs {
 namespace {
 
 Vec3 edge_of(const State& s, std::size_t from, std::size_t to) {
   return {s.x[to] - s.x[from], s.y[to] - s.y[from], s.z[to] - s.z[from]};
 }
 
-double bending_of(const System& system, const Lattice& l, const State& s) {
+double bending_of(const System& system, const model::Lattice& l, const State& s) {
   double sum = 0;
-  each_hinge(system, l, [&](std::size_t n0, std::size_t n1, std::size_t n2, bool warp, double share) {
-    const double rigidity = law_bending(l.law, warp);
-    if (rigidity > 0) sum += rigidity * share * hinge_energy_between(edge_of(s, n0, n1), edge_of(s, n1, n2));
+  model::each_hinge(system, l, [&](std::size_t n0, std::size_t n1, std::size_t n2, bool warp, double share) {
+    const double rigidity = model::law_bending(l.law, warp);
+    if (rigidity > 0)
+      sum += rigidity * share * forces::hinge_energy_between(edge_of(s, n0, n1), edge_of(s, n1, n2));
   });
-  for (const SideClamp& c : system.side.clamps)
+  for (const model::SideClamp& c : system.side.clamps)
     if (c.lattice == l.piece)
-      sum += law_bending(l.law, c.warp) * c.share *
-             hinge_energy_between(clamp_direction(c, s), edge_of(s, c.node[0], c.node[1]));
+      sum += model::law_bending(l.law, c.warp) * c.share *
+             forces::hinge_energy_between(forces::clamp_direction(c, s), edge_of(s, c.node[0], c.node[1]));
   return sum;
 }
 
@@ -32,17 +33,18 @@ double bending_of(const System& system, const Lattice& l, const State& s) {
 
 drape_energy energy_potential(const System& system, const State& s) {
   drape_energy e{};
-  for (const Lattice& l : system.lattices) {
-    each_link(system, l, [&](const Link& link) {
-      double& kind = link.along == Thread::kBias ? e.shear : e.stretch;
-      kind += link.width * link.rest * curve_energy(law_curve(l.law, link.along), link_strain(s, link));
+  for (const model::Lattice& l : system.lattices) {
+    model::each_link(system, l, [&](const model::Link& link) {
+      double& kind = link.along == model::Thread::kBias ? e.shear : e.stretch;
+      kind += link.width * link.rest *
+              math::curve_energy(model::law_curve(l.law, link.along), model::link_strain(s, link));
     });
     e.bending += bending_of(system, l, s);
   }
-  const SeamEnergy sewn = seams_energy(system, s);
+  const forces::SeamEnergy sewn = forces::seams_energy(system, s);
   e.bending += sewn.bending;
   e.stretch += sewn.stretch;
-  e.contact = touch_energy(system, s) + self_energy(system, s);
+  e.contact = contact::touch_energy(system, s) + contact::self_energy(system, s);
   const Vec3& g = system.gravity;
   for (std::size_t n : system.particle)
     e.gravity -= system.mass[n] * (g[0] * s.x[n] + g[1] * s.y[n] + g[2] * s.z[n]);
@@ -66,4 +68,4 @@ void energy_begin(const System& system, State& s) {
   s.dissipated = s.input = 0;
 }
 
-}  // namespace drape
+}  // namespace drape::outputs

@@ -3,7 +3,7 @@
 #include "drape/drape.h"
 #include "model/system.h"
 
-namespace drape {
+namespace drape::outputs {
 
 // Potential energies of the present positions; kinetic is left 0.
 drape_energy energy_potential(const System& system, const State& state);
@@ -17,4 +17,4 @@ double energy_sum(const drape_energy& energy);
 // The balance begins at a start state, whose velocities are v_0.
 void energy_begin(const System& system, State& start);
 
-}  // namespace drape
+}  // namespace drape::outputs

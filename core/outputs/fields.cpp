@@ -5,12 +5,12 @@
 
 #include "model/elements.h"
 
-namespace drape {
+namespace drape::outputs {
 namespace {
 
-double link_tension(const Law& law, Thread along, double strain) {
-  const Curve& curve = law_curve(law, along);
-  return curve.segments == 0 ? 0 : curve_value(curve, strain);
+double link_tension(const fabric::Law& law, model::Thread along, double strain) {
+  const math::Curve& curve = model::law_curve(law, along);
+  return curve.segments == 0 ? 0 : math::curve_value(curve, strain);
 }
 
 // Sums of a node over its links: width, width x strain, width x tension; of warp, weft, bias.
@@ -18,9 +18,9 @@ using LinkSums = std::array<std::array<double, 3>, 3>;
 
 std::vector<LinkSums> link_sums(const System& system, const State& s) {
   std::vector<LinkSums> sums(system.nodes, LinkSums{});
-  for (const Lattice& l : system.lattices)
-    each_link(system, l, [&](const Link& link) {
-      const double strain = link_strain(s, link), tension = link_tension(l.law, link.along, strain);
+  for (const model::Lattice& l : system.lattices)
+    model::each_link(system, l, [&](const model::Link& link) {
+      const double strain = model::link_strain(s, link), tension = link_tension(l.law, link.along, strain);
       for (const std::size_t n : {link.from, link.to}) {
         std::array<double, 3>& sum = sums[n][std::size_t(link.along)];
         sum[0] += link.width;
@@ -33,9 +33,9 @@ std::vector<LinkSums> link_sums(const System& system, const State& s) {
 
 }  // namespace
 
-void fields_fill(Fields& fields, const System& system, const State& s, const TouchStops& stops) {
+void fields_fill(Fields& fields, const System& system, const State& s, const contact::TouchStops& stops) {
   const std::vector<LinkSums> sums = link_sums(system, s);
-  const std::vector<double> pressure = touch_pressure(system, s, stops);
+  const std::vector<double> pressure = contact::touch_pressure(system, s, stops);
   fields = Fields{};
   for (const std::size_t n : system.particle) {
     for (const auto& [width, strain, tension] : sums[n]) {
@@ -47,20 +47,20 @@ void fields_fill(Fields& fields, const System& system, const State& s, const Tou
   }
 }
 
-Elongation elongation_of(const System& system, const State& s, const Lattice& lattice, Thread along,
-                         double limit) {
+Elongation elongation_of(const System& system, const State& s, const model::Lattice& lattice,
+                         model::Thread along, double limit) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   Elongation e{kNone, -kNone, 0, 0, 0};
   double area = 0;
-  each_link(system, lattice, [&](const Link& link) {
+  model::each_link(system, lattice, [&](const model::Link& link) {
     if (link.along != along) return;
-    const double strain = link_strain(s, link), share = link.width * link.rest;
+    const double strain = model::link_strain(s, link), share = link.width * link.rest;
     e.min = std::min(e.min, strain);
     e.max = std::max(e.max, strain);
     e.mean += share * strain;
     area += share;
     if (strain > limit) e.beyond += share;
-    if (along != Thread::kBias)
+    if (along != model::Thread::kBias)
       e.tension_max = std::max(e.tension_max, link_tension(lattice.law, along, strain));
   });
   if (area == 0) return {0, 0, 0, 0, 0};
@@ -69,4 +69,4 @@ Elongation elongation_of(const System& system, const State& s, const Lattice& la
   return e;
 }
 
-}  // namespace drape
+}  // namespace drape::outputs

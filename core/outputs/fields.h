@@ -2,7 +2,7 @@
 #pragma once
 #include "contact/particle/contact.h"
 
-namespace drape {
+namespace drape::outputs {
 
 // Strain and tension of a particle are the means over the links that end at it, by their widths.
 struct Fields {
@@ -11,7 +11,7 @@ struct Fields {
   std::vector<double> pressure;  // [particles] Pa, of contact with bodies
   std::vector<double> area;      // [particles] m^2
 };
-void fields_fill(Fields& fields, const System& system, const State& state, const TouchStops& stops);
+void fields_fill(Fields& fields, const System& system, const State& state, const contact::TouchStops& stops);
 
 // The links of one direction of a piece.
 struct Elongation {
@@ -19,7 +19,7 @@ struct Elongation {
   double tension_max;     // N/m; 0 of the diagonals, which have none of their own
   double beyond;          // share of the area that is strained beyond the limit
 };
-Elongation elongation_of(const System& system, const State& state, const Lattice& lattice, Thread along,
-                         double limit);
+Elongation elongation_of(const System& system, const State& state, const model::Lattice& lattice,
+                         model::Thread along, double limit);
 
-}  // namespace drape
+}  // namespace drape::outputs

@@ -3,23 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/vector3.h"
 #include "dynamics/step_size/step_limit.h"
+#include "math/vector3.h"
+#include "model/seam_rows.h"
 #include "outputs/energy.h"
 #include "outputs/strain.h"
-#include "model/seam_rows.h"
 
-namespace drape {
+namespace drape::outputs {
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
 // A field at each probe, by coordinate.
 void probes_fill(Outputs& o, const System& system, double (drape_probe::*to)[3], const Array& x,
                  const Array& y, const Array& z) {
   const Array* field[] = {&x, &y, &z};
   for (std::size_t p = 0; p < o.probes.size(); ++p) {
-    const Probe& probe = system.probes[p];
+    const model::Probe& probe = system.probes[p];
     for (int k = 0; k < 3; ++k) {
       double sum = 0;
       for (int n = 0; n < 4; ++n) sum += probe.weight[n] * (*field[k])[probe.node[n]];
@@ -30,9 +30,9 @@ void probes_fill(Outputs& o, const System& system, double (drape_probe::*to)[3],
 
 // The impulse of whole steps lacks the last kick up to now: load x its time.
 void pins_fill(Outputs& o, const System& system, const State& s) {
-  const double half = last_half(system, s);
+  const double half = dynamics::last_half(system, s);
   for (std::size_t p = 0; p < o.pins.size(); ++p) {
-    const PinLoad &done = s.pin_impulse[p], &load = o.pin_load[p];
+    const math::PinLoad &done = s.pin_impulse[p], &load = o.pin_load[p];
     for (std::size_t k = 0; k < 3; ++k) {
       const bool moved = s.advance_length > 0 && !system.fit;
       o.pins[p].force[k] = moved ? (done.force[k] + half * load.force[k]) / s.advance_length : load.force[k];
@@ -43,10 +43,10 @@ void pins_fill(Outputs& o, const System& system, const State& s) {
 }
 
 // Likewise of bodies; the impulse of the last kick is one already.
-void bodies_fill(Outputs& o, const System& system, const Motion& motion, const State& s) {
-  const bool moved = s.advance_length > 0 && !system.fit, half = last_half(system, s) > 0;
+void bodies_fill(Outputs& o, const System& system, const dynamics::Motion& motion, const State& s) {
+  const bool moved = s.advance_length > 0 && !system.fit, half = dynamics::last_half(system, s) > 0;
   for (std::size_t b = 0; b < o.bodies.size(); ++b) {
-    PinLoad load = motion.touch.load[b];
+    math::PinLoad load = motion.touch.load[b];
     if (moved) {
       const double last = half ? 1 : 0, length = s.advance_length;
       load.force = (1 / length) * (s.body[b].impulse.force + last * load.force);
@@ -59,16 +59,17 @@ void bodies_fill(Outputs& o, const System& system, const Motion& motion, const S
 
 void seams_fill(Outputs& o, const System& system, const State& s) {
   for (std::size_t k = 0; k < o.seams.size(); ++k) {
-    const Seam& seam = system.seams.seam[k];
+    const model::Seam& seam = system.seams.seam[k];
     drape_seam& shown = o.seams[k];
     shown.gap_max = shown.length = 0;
     shown.closed = 1;
     Vec3 before{};
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
-      const SeamPair& pair = system.seams.pair[p];
-      const Vec3 a = point_now(pair.side[0], s), b = point_now(pair.side[1], s), middle = 0.5 * (a + b);
+      const model::SeamPair& pair = system.seams.pair[p];
+      const Vec3 a = model::point_now(pair.side[0], s), b = model::point_now(pair.side[1], s),
+                 middle = 0.5 * (a + b);
       shown.gap_max = std::max(shown.gap_max, norm(b - a));
-      if (s.sewn[p] != Sewn::kWelded || shown.gap_max > seam.gap_tolerance) shown.closed = 0;
+      if (s.sewn[p] != model::Sewn::kWelded || shown.gap_max > seam.gap_tolerance) shown.closed = 0;
       if (p > seam.first) shown.length += norm(middle - before);
       before = middle;
     }
@@ -87,30 +88,32 @@ double* nodes_fill(std::vector<double>& to, const System& system, const Array& x
   return to.data();
 }
 
-void summary_fill(Outputs& o, const System& system, const State& s, const TouchStops& stops) {
+void summary_fill(Outputs& o, const System& system, const State& s, const contact::TouchStops& stops) {
   const StrainSummary strain = strain_summary(system, s);
   o.shown.strain_warp = strain.warp;
   o.shown.strain_weft = strain.weft;
   o.shown.strain_bias = strain.bias;
   o.shown.tension_max = strain.tension_max;
   o.shown.strain_beyond_test_count = strain.beyond_test_count;
-  const ContactSummary touch = touch_summary(system, s, stops), self = self_summary(system, s);
+  const model::ContactSummary touch = contact::touch_summary(system, s, stops),
+                              self = contact::self_summary(system, s);
   o.shown.contact_count = double(touch.count + self.count);
   o.shown.contact_penetration = std::max(touch.penetration, self.penetration);
   o.shown.contact_pressure = std::max(touch.pressure, self.pressure);
   o.shown.step_size = s.h_old > 0 ? s.h_old : system.communication / double(s.subs);
   o.shown.step_count = double(s.steps);
-  o.shown.step_stability = o.shown.step_size * std::sqrt(s.omega2) / step_limit_angle(system);
+  o.shown.step_stability = o.shown.step_size * std::sqrt(s.omega2) / dynamics::step_limit_angle(system);
   o.shown.fit_residual = s.fit.residual;
 }
 
-void energy_fill(Outputs& o, const System& system, Motion& motion, const State& s) {
+void energy_fill(Outputs& o, const System& system, dynamics::Motion& motion, const State& s) {
   drape_energy& e = o.shown.energy;
   e = energy_potential(system, s);
   e.kinetic = energy_kinetic(system, motion.now_x, motion.now_y, motion.now_z);
   if (!o.shown.has_balance) return;
-  const BalanceNow now = balance_now(system, motion.balance, s, velocity_lead(system, s), motion.now_x,
-                                     motion.now_y, motion.now_z);
+  const dynamics::BalanceNow now =
+      dynamics::balance_now(system, motion.balance, s, dynamics::velocity_lead(system, s), motion.now_x,
+                            motion.now_y, motion.now_z);
   e.dissipated = now.dissipated + motion.touch.dissipated + motion.self.dissipated;
   e.input = now.input + motion.held.work + motion.touch.input;
   e.balance_error = energy_sum(e) - s.energy_start - e.input + e.dissipated;
@@ -119,18 +122,18 @@ void energy_fill(Outputs& o, const System& system, Motion& motion, const State& 
 }  // namespace
 
 void outputs_make(Outputs& o, const Scene& scene, const System& system) {
-  for (const ProbeSpec& probe : scene.probes) o.probes.push_back({probe.name.c_str(), {}, {}});
-  for (const PinSpec& pin : scene.pins) o.pins.push_back({pin.name.c_str(), {}, {}});
+  for (const scene::ProbeSpec& probe : scene.probes) o.probes.push_back({probe.name.c_str(), {}, {}});
+  for (const scene::PinSpec& pin : scene.pins) o.pins.push_back({pin.name.c_str(), {}, {}});
   for (std::size_t k = 0; k < scene.seams.size(); ++k) {
-    const Seam& seam = system.seams.seam[k];
+    const model::Seam& seam = system.seams.seam[k];
     o.seams.push_back(
         {scene.seams[k].name.c_str(), int(seam.count), {seam.length[0], seam.length[1]}, 0, 0, 0});
   }
-  for (const BodySpec& body : scene.bodies) o.bodies.push_back({body.name.c_str(), {}, {}});
+  for (const scene::BodySpec& body : scene.bodies) o.bodies.push_back({body.name.c_str(), {}, {}});
   o.shown.has_energy = scene.energy;
   o.shown.has_balance = system.energy;
   o.shown.has_self_contact = scene.self_contact;
-  o.shown.has_fit = scene.mode == Mode::kFit;
+  o.shown.has_fit = scene.mode == scene::Mode::kFit;
   o.shown.probe_count = int(o.probes.size());
   o.shown.probe = o.probes.data();
   o.shown.pin_count = int(o.pins.size());
@@ -142,11 +145,12 @@ void outputs_make(Outputs& o, const Scene& scene, const System& system) {
   o.shown.node_count = int(system.particle.size());
 }
 
-void outputs_fill(Outputs& o, const System& system, Motion& motion, const State& s, int what) {
-  const TouchStops stops = what & DRAPE_STRAIN ? leapfrog_stops(system, motion, s) : TouchStops{};
+void outputs_fill(Outputs& o, const System& system, dynamics::Motion& motion, const State& s, int what) {
+  const contact::TouchStops stops =
+      what & DRAPE_STRAIN ? dynamics::leapfrog_stops(system, motion, s) : contact::TouchStops{};
   if (what & (DRAPE_MOTION | DRAPE_ENERGY | DRAPE_NODE_MOTION))
-    leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(), motion.now_z.data(),
-                         o.pin_load);
+    dynamics::leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(),
+                                   motion.now_z.data(), o.pin_load);
   if (what & DRAPE_PLACES) {
     probes_fill(o, system, &drape_probe::position, s.x, s.y, s.z);
     seams_fill(o, system, s);
@@ -163,4 +167,4 @@ void outputs_fill(Outputs& o, const System& system, Motion& motion, const State&
     o.shown.node_velocity = nodes_fill(o.node_velocity, system, motion.now_x, motion.now_y, motion.now_z);
 }
 
-}  // namespace drape
+}  // namespace drape::outputs

@@ -4,7 +4,7 @@
 #include "drape/drape.h"
 #include "dynamics/advance.h"
 
-namespace drape {
+namespace drape::outputs {
 
 // The struct handed to users and what it points to.
 struct Outputs {
@@ -14,13 +14,14 @@ struct Outputs {
   std::vector<drape_seam> seams;
   std::vector<drape_body> bodies;
   std::vector<double> node_position, node_velocity;  // empty until they are wanted
-  std::vector<PinLoad> pin_load;
+  std::vector<math::PinLoad> pin_load;
 };
 
 // Room and names; the scene's names must outlive the result, which must not move afterwards.
 void outputs_make(Outputs& outputs, const Scene& scene, const System& system);
 
 // What is wanted of them: bits DRAPE_PLACES and so on.
-void outputs_fill(Outputs& outputs, const System& system, Motion& motion, const State& state, int what);
+void outputs_fill(Outputs& outputs, const System& system, dynamics::Motion& motion, const State& state,
+                  int what);
 
-}  // namespace drape
+}  // namespace drape::outputs

@@ -6,7 +6,7 @@
 
 #include "model/elements.h"
 
-namespace drape {
+namespace drape::outputs {
 namespace {
 
 struct Running {
@@ -31,20 +31,20 @@ drape_strain running_result(const Running& r) {
 StrainSummary strain_summary(const System& system, const State& state) {
   Running warp, weft, bias;
   double tension = 0, beyond = 0;
-  for (const Lattice& l : system.lattices)
-    each_link(system, l, [&](const Link& link) {
-      const double strain = link_strain(state, link);
-      const Curve& curve = law_curve(l.law, link.along);
-      const bool diagonal = link.along == Thread::kBias;
-      running_add(diagonal                      ? bias
-                  : link.along == Thread::kWarp ? warp
-                                                : weft,
+  for (const model::Lattice& l : system.lattices)
+    model::each_link(system, l, [&](const model::Link& link) {
+      const double strain = model::link_strain(state, link);
+      const math::Curve& curve = model::law_curve(l.law, link.along);
+      const bool diagonal = link.along == model::Thread::kBias;
+      running_add(diagonal                             ? bias
+                  : link.along == model::Thread::kWarp ? warp
+                                                       : weft,
                   strain, link.width * link.rest);
       if (curve.segments == 0 || link.doubled) return;
       if (strain > curve.last) ++beyond;
-      if (!diagonal) tension = std::max(tension, curve_value(curve, strain));
+      if (!diagonal) tension = std::max(tension, math::curve_value(curve, strain));
     });
   return {running_result(warp), running_result(weft), running_result(bias), tension, beyond};
 }
 
-}  // namespace drape
+}  // namespace drape::outputs

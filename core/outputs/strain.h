@@ -3,7 +3,7 @@
 #include "drape/drape.h"
 #include "model/system.h"
 
-namespace drape {
+namespace drape::outputs {
 
 struct StrainSummary {
   drape_strain warp, weft, bias;
@@ -12,4 +12,4 @@ struct StrainSummary {
 };
 StrainSummary strain_summary(const System& system, const State& state);
 
-}  // namespace drape
+}  // namespace drape::outputs

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace drape {
+namespace drape::piece {
 namespace {
 
 double dot(Vec3 a, Vec3 b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -14,12 +14,12 @@ Vec3 cross(Vec3 a, Vec3 b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-Vec3 plane_point(const PlaceSpec& place, Vec2 q) {
+Vec3 plane_point(const scene::PlaceSpec& place, Vec2 q) {
   return sum(sum(place.origin, q[0], place.axis_x), q[1], place.axis_y);
 }
 
 // Of the plane: from the axis of its cylinder to it, where it does not hold the axis.
-Vec3 plane_normal(const PlaceSpec& place) {
+Vec3 plane_normal(const scene::PlaceSpec& place) {
   const Vec3 n = cross(place.axis_x, place.axis_y);
   const Vec3 d = sum(place.origin, -1, place.axis_point);
   const double size = place.radius[0], height = size > 0 ? dot(n, d) : 0;
@@ -58,7 +58,7 @@ struct Placed {
   Vec3 at, normal;
 };
 
-Placed placed(const PlaceSpec& place, Vec2 q) {
+Placed placed(const scene::PlaceSpec& place, Vec2 q) {
   const Vec3 p = plane_point(place, q), n = plane_normal(place);
   const auto [a, b] = place.radius;
   if (!(a > 0)) return {p, n};
@@ -102,9 +102,9 @@ Waves waves_make(const Scene& scene, int piece) {
   return w;
 }
 
-Vec3 place_point(const PlaceSpec& place, Vec2 point) { return placed(place, point).at; }
+Vec3 place_point(const scene::PlaceSpec& place, Vec2 point) { return placed(place, point).at; }
 
-Vec3 place_start(const PlaceSpec& place, const Waves& waves, Vec2 point) {
+Vec3 place_start(const scene::PlaceSpec& place, const Waves& waves, Vec2 point) {
   const Placed p = placed(place, point);
   if (waves.height == 0) return p.at;
   double sines = 0;
@@ -117,4 +117,4 @@ Vec3 place_start(const Scene& scene, int piece, Vec2 point) {
   return place_start(scene.pieces[std::size_t(piece)].place, waves_make(scene, piece), point);
 }
 
-}  // namespace drape
+}  // namespace drape::piece

@@ -12,11 +12,11 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-Obstacle obstacle_of(const BodySpec& body) {
+Obstacle obstacle_of(const scene::BodySpec& body) {
   const std::string name = "body." + body.name;
   if (body.moves) throw std::runtime_error(name + " moves; the reference takes bodies that stay");
   std::string trouble;
-  const drape_contact_library* library = contact_library(trouble);
+  const drape_contact_library* library = body::contact_library(trouble);
   if (!library) throw std::runtime_error(trouble);
   char text[256];
   drape_mesh_file* mesh = library->mesh_read(body.mesh.c_str(), text, sizeof text);
@@ -36,7 +36,7 @@ Obstacle obstacle_of(const BodySpec& body) {
 }
 
 // W^2 = [4 (max p'(0) + g'(0))/(rho b^2) + 32 B/(rho b^4)]/20
-double stiffness(const Scene& scene, const FabricSpec& f, double b) {
+double stiffness(const Scene& scene, const scene::FabricSpec& f, double b) {
   const auto slope = [](const Law& law) { return law.curve.e.empty() ? 0.0 : curve_slope(law.curve, 0); };
   const double along =
       std::max(slope(thread_law(scene, f, f.warp, b)), slope(thread_law(scene, f, f.weft, b)));
@@ -91,14 +91,14 @@ Contact contact_make(const Scene& scene) {
     throw std::runtime_error(
         "scene.self_contact = true; the reference takes scenes whose cloth does not touch itself: false");
   if (scene.bodies.empty()) return contact;
-  for (const BodySpec& body : scene.bodies) contact.bodies.push_back(obstacle_of(body));
+  for (const scene::BodySpec& body : scene.bodies) contact.bodies.push_back(obstacle_of(body));
   for (std::size_t p = 0; p < scene.pieces.size(); ++p) {
-    const FabricSpec& f = scene.fabrics[std::size_t(scene.pieces[p].fabric)];
-    for (const BodySpec& body : scene.bodies)
+    const scene::FabricSpec& f = scene.fabrics[std::size_t(scene.pieces[p].fabric)];
+    for (const scene::BodySpec& body : scene.bodies)
       if ((body.friction[0] < 0 ? f.friction : body.friction) != Vec2{0, 0})
         throw std::runtime_error("body." + body.name +
                                  " has friction; the reference takes bodies without: body.friction = 0");
-    const Grid grid = grid_make(scene, int(p));
+    const piece::Grid grid = piece::grid_make(scene, int(p));
     const Skin skin{f.thickness / 2, std::sqrt(stiffness(scene, f, scene.pieces[p].cell))};
     for (double area : grid.area)
       if (area > 0) contact.skin.push_back(skin);

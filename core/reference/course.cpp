@@ -22,8 +22,8 @@ double* input_of(Outside& outside, const Lattice& lattice, const std::string& na
   for (std::size_t k = 0; k < lattice.pins.size(); ++k) {
     const Pin& pin = lattice.pins[k];
     Frame& frame = outside.pins[k];
-    const bool place = pin.drive == Drive::kPosition || pin.drive == Drive::kBoth;
-    const bool speed = pin.drive == Drive::kVelocity || pin.drive == Drive::kBoth;
+    const bool place = pin.drive == scene::Drive::kPosition || pin.drive == scene::Drive::kBoth;
+    const bool speed = pin.drive == scene::Drive::kVelocity || pin.drive == scene::Drive::kBoth;
     const std::string prefix = variable_prefix("pin", pin.name);
     if (place && pin.clamp && stem == prefix + "orientation") return &frame.R.coeffs()[(axis + 3) % 4];
     if (axis == 3) continue;

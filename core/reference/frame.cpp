@@ -94,21 +94,21 @@ Vector3d rotation_log(const Quaterniond& q) {
   return sign * 2 * std::atan2(length, std::abs(q.w())) / length * q.vec();
 }
 
-Path path_make(const Frame& from, Drive drive, bool turns, const Frame& set, double H) {
+Path path_make(const Frame& from, scene::Drive drive, bool turns, const Frame& set, double H) {
   const Vector3d zero = Vector3d::Zero();
   Path path;
   path.R0 = from.R;
   path.p.c[0] = from.p;
   const Vector3d f = turns ? rotation_log(set.R.normalized() * from.R.conjugate()) : zero;
-  if (drive == Drive::kPosition) {
+  if (drive == scene::Drive::kPosition) {
     path.p = line(from.p, set.p, H);
     path.f = line(zero, f, H);
-  } else if (drive == Drive::kVelocity) {
+  } else if (drive == scene::Drive::kVelocity) {
     path.p = {{from.p, from.v, (set.v - from.v) / (2 * H), zero}};
     if (!turns) return path;
     const Vector3d turn = H * (from.w + set.w) / 2 + H * H / 12 * set.w.cross(from.w);
     path.f = hermite(zero, turn, from.w, turn_rate(turn, set.w), H);
-  } else if (drive == Drive::kBoth) {
+  } else if (drive == scene::Drive::kBoth) {
     path.p = hermite(from.p, set.p, from.v, set.v, H);
     if (turns) path.f = hermite(zero, f, from.w, turn_rate(f, set.w), H);
   }

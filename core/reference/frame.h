@@ -34,7 +34,7 @@ struct Path {
 };
 
 // From a frame on, within `length` seconds, to what of `set` the drive names: p and R, v and w, or all.
-Path path_make(const Frame& from, Drive drive, bool turns, const Frame& set, double length);
+Path path_make(const Frame& from, scene::Drive drive, bool turns, const Frame& set, double length);
 Frame path_frame(const Path& path, double time);  // since the beginning
 
 Eigen::Quaterniond rotation_exp(const Eigen::Vector3d& f);

@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
-#include "piece/support/support.h"
 #include "piece/place.h"
+#include "piece/support/support.h"
 #include "seam/layout.h"
 
 namespace drape::reference {
@@ -20,13 +20,13 @@ const double kRoot2 = std::sqrt(2.0);
 struct Net {
   const Scene& scene;
   int index;  // of the piece
-  Grid grid;
+  piece::Grid grid;
   std::vector<int> number;  // [nodes of the grid] particle, -1 where the node carries nothing
   std::map<std::pair<int, int>, double> warp, weft;  // widths of links by their nodes
-  std::vector<Hold> holds;                           // by pins; empty for those of other pieces
+  std::vector<piece::Hold> holds;                    // by pins; empty for those of other pieces
 
-  const PieceSpec& piece() const { return scene.pieces[std::size_t(index)]; }
-  const FabricSpec& fabric() const { return scene.fabrics[std::size_t(piece().fabric)]; }
+  const scene::PieceSpec& piece() const { return scene.pieces[std::size_t(index)]; }
+  const scene::FabricSpec& fabric() const { return scene.fabrics[std::size_t(piece().fabric)]; }
   int at(int node) const { return number[std::size_t(node)]; }
 };
 
@@ -36,7 +36,7 @@ void add_particles(Net& net, Lattice& lattice, std::vector<double>& r, std::vect
     net.number.push_back(area > 0 ? lattice.count++ : -1);
     if (!(area > 0)) continue;
     lattice.mass.push_back(net.fabric().areal_density * area);
-    const Vec3 place = place_start(net.scene, net.index, net.grid.place(n));
+    const Vec3 place = piece::place_start(net.scene, net.index, net.grid.place(n));
     r.insert(r.end(), place.begin(), place.end());
     v.insert(v.end(), net.piece().velocity.begin(), net.piece().velocity.end());
   }
@@ -49,7 +49,7 @@ void add_links(Net& net, Lattice& lattice) {
   lattice.laws.push_back(thread_law(net.scene, net.fabric(), net.fabric().weft, b));
   lattice.laws.push_back(bias_law(net.scene, net.fabric(), b));
   for (int law : {warp, weft, bias}) lattice.laws[std::size_t(law)].damping = net.fabric().damping;
-  for (const GridCell& cell : net.grid.cells) {
+  for (const piece::GridCell& cell : net.grid.cells) {
     const auto [a, right, above, opposite] = cell.node;
     const double half = b * cell.share / 2, diagonal = b * cell.share / kRoot2;
     net.warp[{a, above}] += half;
@@ -79,8 +79,8 @@ struct Clamped {
 
 Clamped clamped_threads(const Net& net, bool warp) {
   Clamped clamped;
-  for (const Hold& hold : net.holds)
-    for (const HeldSlope& slope : hold.slopes) {
+  for (const piece::Hold& hold : net.holds)
+    for (const piece::HeldSlope& slope : hold.slopes) {
       if (slope.warp != warp) continue;
       clamped.series.emplace(std::pair{slope.from, slope.to}, slope.series);
       if (slope.pivot) clamped.pivots.insert(slope.from);
@@ -90,7 +90,7 @@ Clamped clamped_threads(const Net& net, bool warp) {
 
 // B/b along one kind of thread, B = EI/(1 - nu^2).
 double link_rigidity(const Net& net, bool warp) {
-  const FabricSpec& fabric = net.fabric();
+  const scene::FabricSpec& fabric = net.fabric();
   return (warp ? fabric.bending_warp : fabric.bending_weft) / (1 - fabric.poisson * fabric.poisson) /
          net.grid.cell;
 }
@@ -120,8 +120,8 @@ void add_hinges(const Net& net, bool warp, Lattice& lattice) {
 }
 
 // The half link between a clamp and a link that leaves it: kappa_c = y 2 B w/b.
-void add_clamps(const Net& net, const Hold& hold, int pin, Lattice& lattice) {
-  for (const HeldSlope& slope : hold.slopes) {
+void add_clamps(const Net& net, const piece::Hold& hold, int pin, Lattice& lattice) {
+  for (const piece::HeldSlope& slope : hold.slopes) {
     const double B = link_rigidity(net, slope.warp);
     if (!(B > 0)) continue;
     const auto& links = slope.warp ? net.warp : net.weft;
@@ -131,7 +131,7 @@ void add_clamps(const Net& net, const Hold& hold, int pin, Lattice& lattice) {
   }
 }
 
-Point point_at(const Net& net, const GridPoint& found) {
+Point point_at(const Net& net, const piece::GridPoint& found) {
   Point point;
   for (int k = 0; k < 4; ++k) {
     if (found.weight[k] == 0) continue;
@@ -142,11 +142,11 @@ Point point_at(const Net& net, const GridPoint& found) {
 }
 
 void add_pin(const Net& net, int index, Lattice& lattice) {
-  const PinSpec& spec = net.scene.pins[std::size_t(index)];
-  const Hold& hold = net.holds[std::size_t(index)];
-  const Vec3 centre = place_point(net.piece().place, hold.centre);
+  const scene::PinSpec& spec = net.scene.pins[std::size_t(index)];
+  const piece::Hold& hold = net.holds[std::size_t(index)];
+  const Vec3 centre = piece::place_point(net.piece().place, hold.centre);
   lattice.pins.push_back({spec.name, {centre[0], centre[1], centre[2]}, spec.drive, spec.clamp});
-  for (const GridPoint& at : hold.at) lattice.rows.push_back({point_at(net, at), index});
+  for (const piece::GridPoint& at : hold.at) lattice.rows.push_back({point_at(net, at), index});
   add_clamps(net, hold, index, lattice);
 }
 
@@ -170,7 +170,7 @@ double omega_at_rest(const Net& net, const Lattice& lattice) {
 }
 
 // kappa = 2 W/(b_a/B_a + b_b/B_b)
-void add_seam_hinge(const std::vector<Net>& nets, const SeamSpec& spec, const SeamLayout& layout,
+void add_seam_hinge(const std::vector<Net>& nets, const scene::SeamSpec& spec, const seam::SeamLayout& layout,
                     std::size_t n, Seam& seam) {
   std::array<Point, 2> inner;
   double compliance = 0;
@@ -179,7 +179,7 @@ void add_seam_hinge(const std::vector<Net>& nets, const SeamSpec& spec, const Se
     const Net& net = nets[std::size_t(spec.side[k].piece)];
     const double b = net.grid.cell, grain = net.piece().grain;
     const Vec2 in = layout.inward[k][n], p = layout.point[k][n];
-    inner[k] = point_at(net, grid_locate(net.grid, {p[0] + b * in[0], p[1] + b * in[1]}));
+    inner[k] = point_at(net, piece::grid_locate(net.grid, {p[0] + b * in[0], p[1] + b * in[1]}));
     const double c = -in[0] * std::sin(grain) + in[1] * std::cos(grain), s2 = 1 - c * c;
     const double B = b * (link_rigidity(net, true) * c * c * c * c + link_rigidity(net, false) * s2 * s2);
     bends = bends && B > 0;
@@ -190,7 +190,7 @@ void add_seam_hinge(const std::vector<Net>& nets, const SeamSpec& spec, const Se
   seam.kappa.push_back(bends ? (end ? 1 : 2) * seam.rest / compliance : 0);
 }
 
-void add_seam_links(const std::vector<Net>& nets, const SeamSpec& spec, const SeamLayout& layout,
+void add_seam_links(const std::vector<Net>& nets, const scene::SeamSpec& spec, const seam::SeamLayout& layout,
                     Seam& seam) {
   const std::size_t shorter = layout.length[1] < layout.length[0] ? 1 : 0;
   const Net& net = nets[std::size_t(spec.side[shorter].piece)];
@@ -206,8 +206,8 @@ void add_seam_links(const std::vector<Net>& nets, const SeamSpec& spec, const Se
   seam.law = 3 * net.index + (warp ? 0 : 1);
 }
 
-void add_seam(const std::vector<Net>& nets, const SeamSpec& spec, double omega, Lattice& lattice) {
-  const SeamLayout layout = seam_layout(nets[0].scene, spec);
+void add_seam(const std::vector<Net>& nets, const scene::SeamSpec& spec, double omega, Lattice& lattice) {
+  const seam::SeamLayout layout = seam::seam_layout(nets[0].scene, spec);
   Seam seam{};
   seam.name = spec.name;
   seam.closed_at = spec.closed_at;
@@ -221,8 +221,8 @@ void add_seam(const std::vector<Net>& nets, const SeamSpec& spec, double omega, 
       const Net& net = nets[std::size_t(spec.side[k].piece)];
       const Vec2 p = layout.point[k][n], in = layout.inward[k][n];
       const double d = 1e-6 * net.grid.cell;
-      const int cell = grid_cell_of(net.grid, {p[0] + d * in[0], p[1] + d * in[1]});
-      pair[k] = point_at(net, grid_point(net.grid, cell, grid_coordinates(net.grid, p)));
+      const int cell = piece::grid_cell_of(net.grid, {p[0] + d * in[0], p[1] + d * in[1]});
+      pair[k] = point_at(net, piece::grid_point(net.grid, cell, piece::grid_coordinates(net.grid, p)));
     }
     seam.pairs.push_back(pair);
     add_seam_hinge(nets, spec, layout, n, seam);
@@ -232,9 +232,9 @@ void add_seam(const std::vector<Net>& nets, const SeamSpec& spec, double omega, 
 }
 
 Net net_make(const Scene& scene, int piece) {
-  Net net{scene, piece, grid_make(scene, piece), {}, {}, {}, {}};
-  for (const PinSpec& pin : scene.pins)
-    net.holds.push_back(pin.piece == piece ? hold_make(net.grid, scene, pin) : Hold{});
+  Net net{scene, piece, piece::grid_make(scene, piece), {}, {}, {}, {}};
+  for (const scene::PinSpec& pin : scene.pins)
+    net.holds.push_back(pin.piece == piece ? piece::hold_make(net.grid, scene, pin) : piece::Hold{});
   return net;
 }
 
@@ -254,13 +254,13 @@ Lattice lattice_make(const Scene& scene) {
   }
   for (std::size_t k = 0; k < scene.pins.size(); ++k)
     add_pin(nets[std::size_t(scene.pins[k].piece)], int(k), lattice);
-  for (const ProbeSpec& probe : scene.probes) {
+  for (const scene::ProbeSpec& probe : scene.probes) {
     const Net& net = nets[std::size_t(probe.piece)];
-    lattice.probes.push_back(point_at(net, grid_locate(net.grid, probe.at)));
+    lattice.probes.push_back(point_at(net, piece::grid_locate(net.grid, probe.at)));
   }
   double omega = 0;
   for (const Net& net : nets) omega = std::max(omega, omega_at_rest(net, lattice));
-  for (const SeamSpec& seam : scene.seams) add_seam(nets, seam, omega, lattice);
+  for (const scene::SeamSpec& seam : scene.seams) add_seam(nets, seam, omega, lattice);
   lattice.position = Eigen::Map<Eigen::VectorXd>(r.data(), Eigen::Index(r.size()));
   lattice.velocity = Eigen::Map<Eigen::VectorXd>(v.data(), Eigen::Index(v.size()));
   measure_start(lattice);

@@ -53,7 +53,7 @@ struct Row {
 struct Pin {
   std::string name;
   Eigen::Vector3d centre;  // p_0
-  Drive drive;
+  scene::Drive drive;
   bool clamp;
 };
 

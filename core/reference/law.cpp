@@ -10,43 +10,44 @@ namespace {
 
 const double kRoot2 = std::sqrt(2.0);
 
-bool switched_on(const DiagramSpec& d) {
+bool switched_on(const scene::DiagramSpec& d) {
   return std::any_of(d.force.begin(), d.force.end(), [](double f) { return f != 0; });
 }
 
 // P_i = z F_i / (K w_p): the diagram as force per width.
-std::vector<double> per_width(const DiagramSpec& d, double z, double K, double strip_width) {
+std::vector<double> per_width(const scene::DiagramSpec& d, double z, double K, double strip_width) {
   std::vector<double> P;
   for (double F : d.force) P.push_back(z * F / (K * strip_width));
   return P;
 }
 
 // P_i q_i with the stored correction q, 1 where there is none.
-std::vector<double> corrected(std::vector<double> P, const DiagramSpec& d) {
+std::vector<double> corrected(std::vector<double> P, const scene::DiagramSpec& d) {
   for (std::size_t i = 0; i < d.correction.size(); ++i) P[i] *= d.correction[i];
   return P;
 }
 
 // e_i c_i with the stored correction of elongations c, 1 where there is none.
-std::vector<double> elongations(const DiagramSpec& d) {
+std::vector<double> elongations(const scene::DiagramSpec& d) {
   std::vector<double> e = d.elongation;
   for (std::size_t i = 0; i < d.correction_elongation.size(); ++i) e[i] *= d.correction_elongation[i];
   return e;
 }
 
 // Stored corrections are those of the default laws.
-DiagramSpec used(const Scene& scene, DiagramSpec d) {
-  if (scene.bias_model != BiasModel::kOdd || scene.scaling != Scaling::kWidth)
+scene::DiagramSpec used(const Scene& scene, scene::DiagramSpec d) {
+  if (scene.bias_model != scene::BiasModel::kOdd || scene.scaling != scene::Scaling::kWidth)
     d.correction.clear(), d.correction_elongation.clear();
   return d;
 }
 
 }  // namespace
 
-Law thread_law(const Scene& scene, const FabricSpec& fabric, const DiagramSpec& diagram, double b) {
-  const DiagramSpec d = used(scene, diagram);
+Law thread_law(const Scene& scene, const scene::FabricSpec& fabric, const scene::DiagramSpec& diagram,
+               double b) {
+  const scene::DiagramSpec d = used(scene, diagram);
   if (!switched_on(d)) return {Curve{}, std::numeric_limits<double>::infinity()};
-  const double z = scene.scaling == Scaling::kPaperArea ? b / fabric.strip_gauge : 1;
+  const double z = scene.scaling == scene::Scaling::kPaperArea ? b / fabric.strip_gauge : 1;
   const std::vector<double> P = corrected(per_width(d, z, 1, fabric.strip_width), d);
   const std::vector<double> e = elongations(d);
   return {curve_make(e, P, Below::kCompression, fabric.compression, fabric.compression_blend), e.back()};
@@ -55,27 +56,27 @@ Law thread_law(const Scene& scene, const FabricSpec& fabric, const DiagramSpec& 
 namespace {
 
 // K = r (r - 1.25)/(r - 1)^2: how much the jaws stiffen a strip cut at 45 degrees, r = gauge/width.
-double clamp_stiffening(const FabricSpec& fabric) {
+double clamp_stiffening(const scene::FabricSpec& fabric) {
   const double r = fabric.strip_gauge / fabric.strip_width;
   return r * (r - 1.25) / ((r - 1) * (r - 1));
 }
 
 }  // namespace
 
-Law bias_law(const Scene& scene, const FabricSpec& fabric, double b) {
-  const DiagramSpec d = used(scene, fabric.bias);
+Law bias_law(const Scene& scene, const scene::FabricSpec& fabric, double b) {
+  const scene::DiagramSpec d = used(scene, fabric.bias);
   if (!switched_on(d)) return {Curve{}, std::numeric_limits<double>::infinity()};
-  const double z = scene.scaling == Scaling::kPaperArea ? kRoot2 * b / fabric.strip_gauge : 1;
+  const double z = scene.scaling == scene::Scaling::kPaperArea ? kRoot2 * b / fabric.strip_gauge : 1;
   const bool stored = !d.correction.empty();
   const bool held = scene.clamp_correction && d.jaws;
   const double K = held && !stored ? clamp_stiffening(fabric) : 1;
   const std::vector<double> P = per_width(d, z, K, fabric.strip_width);
   const std::vector<double> e = elongations(d);
   const double end = e.back();
-  if (scene.bias_model == BiasModel::kTension) {
+  if (scene.bias_model == scene::BiasModel::kTension) {
     return {curve_make(e, corrected(P, d), Below::kCompression, 0, fabric.compression_blend), end};
   }
-  if (scene.bias_model == BiasModel::kPaper) {
+  if (scene.bias_model == scene::BiasModel::kPaper) {
     return {curve_make(e, corrected(P, d), Below::kCompression, fabric.compression, fabric.compression_blend),
             end};
   }

@@ -12,7 +12,8 @@ struct Law {
   double damping = 0;  // s: a link pulls with p(e) + damping p'(e) de/dt
 };
 
-Law thread_law(const Scene& scene, const FabricSpec& fabric, const DiagramSpec& diagram, double b);
-Law bias_law(const Scene& scene, const FabricSpec& fabric, double b);
+Law thread_law(const Scene& scene, const scene::FabricSpec& fabric, const scene::DiagramSpec& diagram,
+               double b);
+Law bias_law(const Scene& scene, const scene::FabricSpec& fabric, double b);
 
 }  // namespace drape::reference

@@ -85,7 +85,7 @@ void push_energies(std::vector<double>& row, const Motion& motion, const Sample&
 
 std::vector<std::string> output_columns(const Scene& scene, const Lattice& lattice, bool nodes) {
   std::vector<std::string> names{"time"};
-  for (const ProbeSpec& probe : scene.probes) {
+  for (const scene::ProbeSpec& probe : scene.probes) {
     push_axes(names, variable_prefix("probe", probe.name) + "position");
     push_axes(names, variable_prefix("probe", probe.name) + "velocity");
   }
@@ -102,12 +102,12 @@ std::vector<std::string> output_columns(const Scene& scene, const Lattice& latti
       names.push_back(std::string("strain.") + direction + what);
   }
   names.insert(names.end(), {"tension.max", "strain.beyond_test.count", "step.size", "step.count"});
-  if (scene.mode == Mode::kFit) names.push_back("fit.residual");
+  if (scene.mode == scene::Mode::kFit) names.push_back("fit.residual");
   if (scene.energy) {
     for (const char* kind : {"kinetic", "stretch", "shear", "bending", "gravity"})
       names.push_back(std::string("energy.") + kind);
     if (!scene.bodies.empty()) names.push_back("energy.contact");
-    if (scene.mode == Mode::kDynamic)  // a fit has no balance
+    if (scene.mode == scene::Mode::kDynamic)  // a fit has no balance
       for (const char* kind : {"dissipated", "input", "balance_error"})
         names.push_back(std::string("energy.") + kind);
   }
@@ -144,10 +144,10 @@ std::vector<double> output_row(const Scene& scene, const Motion& motion, bool no
   push_strain(row, lattice.bias, r);
   row.insert(row.end(), {tension_max(lattice, r), beyond_test_count(lattice, r), sample.step_size,
                          double(sample.step_count)});
-  if (scene.mode == Mode::kFit) row.push_back(residual(motion, sample.outside, r).ratio);
+  if (scene.mode == scene::Mode::kFit) row.push_back(residual(motion, sample.outside, r).ratio);
   if (scene.energy) {
     push_energies(row, motion, sample);
-    if (scene.mode == Mode::kFit) row.resize(row.size() - 3);
+    if (scene.mode == scene::Mode::kFit) row.resize(row.size() - 3);
   }
   if (!nodes) return row;
   row.insert(row.end(), r.begin(), r.end());

@@ -129,7 +129,7 @@ int reference_run(const Scene& scene, const Options& options, const Sink& sink) 
   const double until = options.until == 0 ? scene.duration : options.until;
   const double every = options.every == 0 ? scene.duration / 100 : options.every;
   if (!options_good(options, until, every, sink)) return 1;
-  if (scene.outline == OutlineModel::kPaper && !scene.seams.empty()) {
+  if (scene.outline == scene::OutlineModel::kPaper && !scene.seams.empty()) {
     sink.error(
         "options.outline = \"paper\" ties seams by rigid links, which the reference does not have; allowed: "
         "\"cutcell\", or a scene without seams");

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <tuple>
 
-namespace drape {
+namespace drape::scene {
 
 namespace {
 
@@ -83,4 +83,4 @@ std::string point_text(Vec2 p) { return "[" + rounded(p[0]) + ", " + rounded(p[1
 
 std::string entry(const std::string& path, std::size_t i) { return path + "[" + std::to_string(i) + "]"; }
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -6,7 +6,7 @@
 
 #include "scene/scene.h"
 
-namespace drape {
+namespace drape::scene {
 
 struct Place {
   std::string file;   // "" where no text stands behind a path
@@ -49,4 +49,4 @@ std::string rounded(double value);  // to six digits, of numbers that have been 
 std::string point_text(Vec2 point);
 std::string entry(const std::string& path, std::size_t index);  // "piece.outline[3]"
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -2,7 +2,7 @@
 // of the variables are read from here.
 #pragma once
 
-namespace drape {
+namespace drape::scene {
 
 struct Quantity {
   const char* name;
@@ -48,4 +48,4 @@ inline constexpr Quantity kStepMax{"step.max", kCommunication.low, kCommunicatio
 
 inline constexpr Quantity kThreads{"threads", 1, 64, false, "1", true};
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -10,7 +10,7 @@
 
 #include "math/vector3.h"
 
-namespace drape {
+namespace drape::scene {
 
 enum class Integrator { kLeapfrog, kPaper };
 enum class Scaling { kWidth, kPaperArea };
@@ -163,4 +163,9 @@ struct Problem {
 
 inline std::string problem_text(const Problem& p) { return p.place + " " + p.message; }
 
+}  // namespace drape::scene
+
+namespace drape {
+using scene::Problem;
+using scene::Scene;
 }  // namespace drape

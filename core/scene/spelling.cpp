@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::scene {
 
 namespace {
 
@@ -40,4 +40,4 @@ std::string name_nearest(std::string_view word, const std::vector<std::string>& 
   return nearest;
 }
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -11,7 +11,7 @@
 
 #include "piece/outline/outline.h"
 
-namespace drape {
+namespace drape::seam {
 namespace {
 
 constexpr double kWhole = 1e-9;  // of a spacing: what rounding makes of a whole number
@@ -47,18 +47,18 @@ void points_along(const std::vector<Vec2>& line, double length, int n, std::vect
   left_of();
 }
 
-bool is_clockwise(const PieceSpec& piece) {  // with its curves
+bool is_clockwise(const scene::PieceSpec& piece) {  // with its curves
   std::vector<Vec2> points;
   for (int e = 0; e < int(piece.outline.size()); ++e) {
-    const std::vector<Vec2> edge = outline_edge(piece, e);
+    const std::vector<Vec2> edge = piece::outline_edge(piece, e);
     points.insert(points.end(), edge.begin(), edge.end() - 1);
   }
-  return polygon_area(points) < 0;
+  return piece::polygon_area(points) < 0;
 }
 
 }  // namespace
 
-std::vector<int> seam_chain(const PieceSpec& piece, const SeamSide& side) {
+std::vector<int> seam_chain(const scene::PieceSpec& piece, const scene::SeamSide& side) {
   const int count = int(piece.outline.size());
   std::vector<char> in(std::size_t(count), 0);
   for (int e : side.edges) {
@@ -77,11 +77,11 @@ std::vector<int> seam_chain(const PieceSpec& piece, const SeamSide& side) {
   return chain;
 }
 
-std::vector<Vec2> seam_line(const PieceSpec& piece, const SeamSide& side) {
+std::vector<Vec2> seam_line(const scene::PieceSpec& piece, const scene::SeamSide& side) {
   std::vector<Vec2> line;
   for (int e : seam_chain(piece, side)) {
     if (!line.empty()) line.pop_back();
-    const std::vector<Vec2> edge = outline_edge(piece, e);
+    const std::vector<Vec2> edge = piece::outline_edge(piece, e);
     line.insert(line.end(), edge.begin(), edge.end());
   }
   if (side.reverse) std::reverse(line.begin(), line.end());
@@ -94,13 +94,13 @@ double seam_length(const std::vector<Vec2>& line) {
   return sum;
 }
 
-SeamLayout seam_layout(const Scene& scene, const SeamSpec& seam) {
+SeamLayout seam_layout(const Scene& scene, const scene::SeamSpec& seam) {
   SeamLayout layout;
   std::vector<Vec2> line[2];
   double cell = INFINITY;
   layout.closed = true;
   for (std::size_t k = 0; k < 2; ++k) {
-    const PieceSpec& piece = scene.pieces[std::size_t(seam.side[k].piece)];
+    const scene::PieceSpec& piece = scene.pieces[std::size_t(seam.side[k].piece)];
     line[k] = seam_line(piece, seam.side[k]);
     layout.length[k] = seam_length(line[k]);
     cell = std::min(cell, piece.cell);
@@ -112,11 +112,11 @@ SeamLayout seam_layout(const Scene& scene, const SeamSpec& seam) {
     layout.spacing[k] = layout.length[k] / n;
     points_along(line[k], layout.length[k], n, layout.point[k], layout.inward[k]);
     if (layout.closed) layout.point[k].pop_back(), layout.inward[k].pop_back();
-    const PieceSpec& piece = scene.pieces[std::size_t(seam.side[k].piece)];
+    const scene::PieceSpec& piece = scene.pieces[std::size_t(seam.side[k].piece)];
     if (is_clockwise(piece) != seam.side[k].reverse)
       for (Vec2& v : layout.inward[k]) v = {-v[0], -v[1]};
   }
   return layout;
 }
 
-}  // namespace drape
+}  // namespace drape::seam

@@ -3,13 +3,13 @@
 #pragma once
 #include "scene/scene.h"
 
-namespace drape {
+namespace drape::seam {
 
 // The edges of a side in the order of the outline; empty where they do not follow each other.
-std::vector<int> seam_chain(const PieceSpec& piece, const SeamSide& side);
+std::vector<int> seam_chain(const scene::PieceSpec& piece, const scene::SeamSide& side);
 
 // The outline of a side from its start to its end, in the piece's plane.
-std::vector<Vec2> seam_line(const PieceSpec& piece, const SeamSide& side);
+std::vector<Vec2> seam_line(const scene::PieceSpec& piece, const scene::SeamSide& side);
 double seam_length(const std::vector<Vec2>& line);  // m
 
 struct SeamLayout {
@@ -18,6 +18,6 @@ struct SeamLayout {
   std::vector<Vec2> point[2];    // [pairs] in the planes of the pieces; both ends included
   std::vector<Vec2> inward[2];   // [pairs] across the outline there, to the cloth; of length 1
 };
-SeamLayout seam_layout(const Scene& scene, const SeamSpec& seam);
+SeamLayout seam_layout(const Scene& scene, const scene::SeamSpec& seam);
 
-}  // namespace drape
+}  // namespace drape::seam

@@ -5,7 +5,7 @@
 
 #include "seam/layout.h"
 
-namespace drape {
+namespace drape::seam {
 namespace {
 
 constexpr double kReach = 1.5;     // cells, of a tie [P]
@@ -15,9 +15,9 @@ constexpr double kSame = 1e-9;     // cells: particles nearer than that are one
 double distance(Vec2 p, Vec2 q) { return std::hypot(q[0] - p[0], q[1] - p[1]); }
 
 // Nodes with fewer than four cells around them.
-std::vector<int> edge_of(const Grid& grid) {
+std::vector<int> edge_of(const piece::Grid& grid) {
   std::vector<int> cells(grid.area.size(), 0), edge;
-  for (const GridCell& c : grid.cells)
+  for (const piece::GridCell& c : grid.cells)
     for (int n : c.node) ++cells[std::size_t(n)];
   for (std::size_t n = 0; n < cells.size(); ++n)
     if (cells[n] > 0 && cells[n] < 4) edge.push_back(int(n));
@@ -25,7 +25,7 @@ std::vector<int> edge_of(const Grid& grid) {
 }
 
 // The edge nodes that a point is tied to, nearest first.
-std::vector<int> ties_of(const Grid& grid, const std::vector<int>& edge, Vec2 point) {
+std::vector<int> ties_of(const piece::Grid& grid, const std::vector<int>& edge, Vec2 point) {
   std::vector<std::pair<double, int>> near;
   for (int n : edge)
     if (const double d = distance(grid.place(n), point); d > kSame * grid.cell) near.push_back({d, n});
@@ -36,18 +36,18 @@ std::vector<int> ties_of(const Grid& grid, const std::vector<int>& edge, Vec2 po
   return tied;
 }
 
-void tie_add(std::vector<GridTie>& ties, const Grid& grid, int particle, int edge, int pair) {
+void tie_add(std::vector<GridTie>& ties, const piece::Grid& grid, int particle, int edge, int pair) {
   for (const GridTie& t : ties)
     if ((t.node[0] == particle && t.node[1] == edge) || (t.node[0] == edge && t.node[1] == particle)) return;
   ties.push_back({{particle, edge}, pair, distance(grid.place(particle), grid.place(edge))});
 }
 
 // The particle at a point, a new one where there is none, and its ties.
-void particle_add(Grid& grid, const std::vector<int>& edge, Vec2 point, int pair,
+void particle_add(piece::Grid& grid, const std::vector<int>& edge, Vec2 point, int pair,
                   std::vector<GridTie>& ties) {
   int particle = seam_particle(grid, point);
   if (particle < 0) {
-    const Vec2 at = grid_coordinates(grid, point);
+    const Vec2 at = piece::grid_coordinates(grid, point);
     grid.twin.push_back({int(std::clamp(std::round(at[0]), 0.0, grid.columns - 1.0)),
                          int(std::clamp(std::round(at[1]), 0.0, grid.rows - 1.0))});
     grid.on_outline.push_back(point);
@@ -58,7 +58,7 @@ void particle_add(Grid& grid, const std::vector<int>& edge, Vec2 point, int pair
 }
 
 // The particles on the outline take their share of the areas of those that they are tied to.
-void areas_share(Grid& grid, const std::vector<GridTie>& ties) {
+void areas_share(piece::Grid& grid, const std::vector<GridTie>& ties) {
   const int first = grid.nodes() - int(grid.on_outline.size());
   std::vector<int> count(grid.area.size(), 0);
   for (const GridTie& t : ties) count[std::size_t(t.node[1])] += t.node[0] >= first;
@@ -72,9 +72,9 @@ void areas_share(Grid& grid, const std::vector<GridTie>& ties) {
 
 }  // namespace
 
-int seam_particle(const Grid& grid, Vec2 point) {
+int seam_particle(const piece::Grid& grid, Vec2 point) {
   const double same = kSame * grid.cell;
-  const Vec2 at = grid_coordinates(grid, point);
+  const Vec2 at = piece::grid_coordinates(grid, point);
   const double i = std::round(at[0]), j = std::round(at[1]);
   if (i >= 0 && j >= 0 && i < grid.columns && j < grid.rows) {
     const int n = int(j) * grid.columns + int(i);
@@ -86,15 +86,15 @@ int seam_particle(const Grid& grid, Vec2 point) {
   return -1;
 }
 
-std::vector<Grid> grids_make(const Scene& scene, std::vector<std::vector<GridTie>>* ties) {
-  std::vector<Grid> grids;
-  for (std::size_t p = 0; p < scene.pieces.size(); ++p) grids.push_back(grid_make(scene, int(p)));
+std::vector<piece::Grid> grids_make(const Scene& scene, std::vector<std::vector<GridTie>>* ties) {
+  std::vector<piece::Grid> grids;
+  for (std::size_t p = 0; p < scene.pieces.size(); ++p) grids.push_back(piece::grid_make(scene, int(p)));
   std::vector<std::vector<GridTie>> all(grids.size());
-  if (scene.outline == OutlineModel::kPaper) {
+  if (scene.outline == scene::OutlineModel::kPaper) {
     std::vector<std::vector<int>> edge;
-    for (const Grid& grid : grids) edge.push_back(edge_of(grid));
+    for (const piece::Grid& grid : grids) edge.push_back(edge_of(grid));
     int pair = 0;
-    for (const SeamSpec& seam : scene.seams) {
+    for (const scene::SeamSpec& seam : scene.seams) {
       const SeamLayout layout = seam_layout(scene, seam);
       for (std::size_t n = 0; n < layout.point[0].size(); ++n, ++pair)
         for (std::size_t k = 0; k < 2; ++k) {
@@ -108,4 +108,4 @@ std::vector<Grid> grids_make(const Scene& scene, std::vector<std::vector<GridTie
   return grids;
 }
 
-}  // namespace drape
+}  // namespace drape::seam

@@ -9,7 +9,7 @@
 #pragma once
 #include "piece/grid/grid.h"
 
-namespace drape {
+namespace drape::seam {
 
 // A rigid link between two nodes of a grid.
 struct GridTie {
@@ -20,12 +20,12 @@ struct GridTie {
 
 // The grids of all pieces. With outline = "paper" the particles of seams are their last twins, `ties`
 // [pieces] what ties them; nothing else uses those.
-std::vector<Grid> grids_make(const Scene& scene, std::vector<std::vector<GridTie>>* ties = nullptr);
+std::vector<piece::Grid> grids_make(const Scene& scene, std::vector<std::vector<GridTie>>* ties = nullptr);
 
 // The particle of a seam at a point of the outline.
-int seam_particle(const Grid& grid, Vec2 point);
+int seam_particle(const piece::Grid& grid, Vec2 point);
 
 // Of the area of an edge particle, what stays with it where particles of seams are tied to it.
 inline constexpr double kEdgeKeeps = 0.75;
 
-}  // namespace drape
+}  // namespace drape::seam

@@ -4,7 +4,7 @@
 
 #include "simd/lane.h"
 
-namespace drape {
+namespace drape::simd {
 namespace {
 
 struct Avx2Lane {
@@ -75,4 +75,4 @@ struct Avx2Lane {
 };
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::simd

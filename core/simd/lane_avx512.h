@@ -6,7 +6,7 @@
 
 #include "simd/lane.h"
 
-namespace drape {
+namespace drape::simd {
 namespace {
 
 struct Avx512Lane {
@@ -116,4 +116,4 @@ struct Avx512Lane {
 };
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::simd

@@ -6,7 +6,7 @@
 
 #include "simd/lane.h"
 
-namespace drape {
+namespace drape::simd {
 namespace {
 
 template <bool kFused>
@@ -60,4 +60,4 @@ struct ScalarLane {
 };
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::simd

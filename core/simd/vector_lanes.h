@@ -5,7 +5,7 @@
 #pragma once
 #include "simd/lane.h"
 
-namespace drape {
+namespace drape::simd {
 
 struct ConstRow {
   const double *x, *y, *z;
@@ -94,4 +94,4 @@ DRAPE_INLINE void packed_store(PackedRow r, int i, Vec<L> v) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::simd

@@ -6,7 +6,7 @@
 #include "math/bisection.h"
 #include "standards/units.h"
 
-namespace drape {
+namespace drape::standards {
 
 namespace {
 
@@ -59,7 +59,7 @@ namespace {
 template <class Quantity>
 double end_where(Quantity quantity, double value) {
   const auto end = [](double y) { return kRightAngle / (1 + std::exp(y)); };
-  return end(rising_root([&](double y) { return quantity(cantilever_of(end(y))); }, value, -12, 700));
+  return end(math::rising_root([&](double y) { return quantity(cantilever_of(end(y))); }, value, -12, 700));
 }
 
 double end_of_load(double beta) {
@@ -102,4 +102,4 @@ double bending_length_rigidity(double weight, double length) {
   return weight * kStandardGravity * length * length * length;
 }
 
-}  // namespace drape
+}  // namespace drape::standards

@@ -28,7 +28,7 @@
 #include <array>
 #include <vector>
 
-namespace drape {
+namespace drape::standards {
 
 struct Cantilever {
   double beta, drop, reach;  // q l^3/EI, f/l, x/l
@@ -47,4 +47,4 @@ inline constexpr double kGostOverhang = 0.07, kGostLength = 0.16, kGostWidth = 0
 double gost_10550_rigidity(double mass, double drop);          // kg of five strips, m -> EI, N m^2
 double bending_length_rigidity(double weight, double length);  // kg/m^2, m -> B, N m
 
-}  // namespace drape
+}  // namespace drape::standards

@@ -2,11 +2,11 @@
 #pragma once
 #include <vector>
 
-namespace drape {
+namespace drape::standards {
 
 struct SheetDiagram {
   std::vector<double> percent;          // elongation, from 0
   std::vector<double> force_per_width;  // N/m
 };
 
-}  // namespace drape
+}  // namespace drape::standards

@@ -11,7 +11,7 @@
 #pragma once
 #include "standards/units.h"
 
-namespace drape {
+namespace drape::standards {
 
 inline constexpr double kFastForce[] = {0, 5 * kGramForcePerCm, 20 * kGramForcePerCm,
                                         100 * kGramForcePerCm};  // N/m
@@ -19,4 +19,4 @@ inline constexpr double kFastForce[] = {0, 5 * kGramForcePerCm, 20 * kGramForceP
 constexpr double fast_bending(double w, double c) { return 9.81e-12 * w * c * c * c; }  // N m
 constexpr double fast_shear(double eb5) { return 123 / eb5; }                           // N/m per rad
 
-}  // namespace drape
+}  // namespace drape::standards

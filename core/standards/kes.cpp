@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "math/monotone_curve.h"
 #include "math/bisection.h"
+#include "math/monotone_curve.h"
 
-namespace drape {
+namespace drape::standards {
 
 namespace {
 
@@ -28,7 +28,7 @@ SheetDiagram diagram_of(double a, double emt, double force) {
 double energy_of(const SheetDiagram& d) {
   std::vector<double> e;
   for (const double percent : d.percent) e.push_back(percent / 100);
-  return curve_energy(curve_make(e, d.force_per_width, {}), e.back());
+  return math::curve_energy(math::curve_make(e, d.force_per_width, {}), e.back());
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ SheetDiagram kes_tension(double emt, double wt, double fm) {
   const double force = fm * kGramForcePerCm, energy = wt * kGramForcePerCm;
   // The area falls as a rises.
   const auto less = [&](double minus_a) { return energy_of(diagram_of(-minus_a, emt, force)); };
-  return diagram_of(-rising_root(less, energy, -kBend, kBend), emt, force);
+  return diagram_of(-math::rising_root(less, energy, -kBend, kBend), emt, force);
 }
 
-}  // namespace drape
+}  // namespace drape::standards

@@ -24,7 +24,7 @@
 #include "standards/diagram.h"
 #include "standards/units.h"
 
-namespace drape {
+namespace drape::standards {
 
 inline constexpr double kKesWeight = 1e-2;                                // kg/m^2 per mg/cm^2
 inline constexpr double kKesBending = kGramForce * 1e-2;                  // N m per gf cm^2/cm
@@ -36,4 +36,4 @@ double kes_linearity(double emt, double wt, double fm);
 double kes_energy(double emt, double lt, double fm);
 SheetDiagram kes_tension(double emt, double wt, double fm);
 
-}  // namespace drape
+}  // namespace drape::standards

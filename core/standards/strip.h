@@ -1,7 +1,7 @@
 // The tensile strips of the standards.
 #pragma once
 
-namespace drape {
+namespace drape::standards {
 
 // Width and distance between the jaws in m. GOST 3813: the small strip serves where cloth is scarce. ISO
 // 13934-1: 200 mm for cloth that breaks at up to 75 % of elongation, 100 mm beyond. ASTM D5035: 1 and 2 tell
@@ -17,4 +17,4 @@ inline constexpr StripStandard kStripStandards[] = {
     {"ASTM D5035 2R", 0.05, 0.075}, {"ASTM D5035 1C", 0.025, 0.075},   {"ASTM D5035 2C", 0.05, 0.075},
 };
 
-}  // namespace drape
+}  // namespace drape::standards

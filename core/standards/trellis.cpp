@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace drape {
+namespace drape::standards {
 
 // Up to 10 %, 12 degrees of shear.
 SheetDiagram trellis_bias(double shear) {
@@ -15,4 +15,4 @@ SheetDiagram trellis_bias(double shear) {
   return d;
 }
 
-}  // namespace drape
+}  // namespace drape::standards

@@ -11,8 +11,8 @@
 #pragma once
 #include "standards/diagram.h"
 
-namespace drape {
+namespace drape::standards {
 
 SheetDiagram trellis_bias(double shear);  // N/m per rad
 
-}  // namespace drape
+}  // namespace drape::standards

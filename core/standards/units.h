@@ -2,7 +2,7 @@
 // gravity, 9.80665 m/s^2 (3rd CGPM, 1901); the pound is 0.45359237 kg (international yard and pound, 1959).
 #pragma once
 
-namespace drape {
+namespace drape::standards {
 
 inline constexpr double kStandardGravity = 9.80665;                   // m/s^2
 inline constexpr double kKilogramForce = kStandardGravity;            // N
@@ -12,4 +12,4 @@ inline constexpr double kGramForcePerCm = 1e2 * kGramForce;           // N/m
 inline constexpr double kInch = 0.0254;                               // m
 inline constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180;
 
-}  // namespace drape
+}  // namespace drape::standards

@@ -1,48 +1,50 @@
 // Diagrams as a whole.
 #include <algorithm>
 
-#include "validation/checks.h"
 #include "scene/diagnostics.h"
+#include "validation/checks.h"
 
-namespace drape {
+namespace drape::validation {
 
 namespace {
 
 constexpr double kLeastRise = 1e-8;   // of a diagram's elongation from point to point
 constexpr double kLocking = 0.41421;  // below sqrt(2) - 1, where the trellis of a bias strip locks
 
-void diagram_check(const DiagramSpec& d, const std::string& path, Problems& problems) {
-  const GivenAs &e_as = d.elongation_as, &f_as = d.force_as;
+void diagram_check(const scene::DiagramSpec& d, const std::string& path, Problems& problems) {
+  const scene::GivenAs &e_as = d.elongation_as, &f_as = d.force_as;
   const std::string elongation = path + "." + e_as.key, force = path + "." + f_as.key;
-  const auto stretch = [&](double e) { return rounded(e_as.per_si * e) + " " + e_as.unit; };
+  const auto stretch = [&](double e) { return scene::rounded(e_as.per_si * e) + " " + e_as.unit; };
   const auto pull = [&](double f) {
-    return (f_as.per_si == 1 ? number_text(f) : rounded(f_as.per_si * f)) + " " + f_as.unit;
+    return (f_as.per_si == 1 ? scene::number_text(f) : scene::rounded(f_as.per_si * f)) + " " + f_as.unit;
   };
   const auto length_check = [&](const std::vector<double>& list, const std::string& name) {
     if (!list.empty() && !d.elongation.empty() && list.size() != d.elongation.size())
-      problems.push_back({name, "has " + entries_text(list.size()) + ", " + e_as.key + " has " +
+      problems.push_back({name, "has " + scene::entries_text(list.size()) + ", " + e_as.key + " has " +
                                     std::to_string(d.elongation.size()) + "; wanted: as many"});
   };
   if (!d.elongation.empty() && (d.elongation.size() < 2 || d.elongation.size() > 64))
-    problems.push_back({elongation, "has " + entries_text(d.elongation.size()) + "; allowed: 2 to 64"});
+    problems.push_back(
+        {elongation, "has " + scene::entries_text(d.elongation.size()) + "; allowed: 2 to 64"});
   length_check(d.force, force);
   length_check(d.correction, path + ".correction");
   length_check(d.correction_elongation, path + ".correction_elongation");
 
   if (!d.elongation.empty() && d.elongation[0] != 0)
-    problems.push_back(
-        {entry(elongation, 0), "= " + stretch(d.elongation[0]) + "; a diagram starts at " + stretch(0)});
+    problems.push_back({scene::entry(elongation, 0),
+                        "= " + stretch(d.elongation[0]) + "; a diagram starts at " + stretch(0)});
   if (!d.force.empty() && d.force[0] != 0)
-    problems.push_back({entry(force, 0), "= " + pull(d.force[0]) + "; a diagram starts at " + pull(0)});
+    problems.push_back(
+        {scene::entry(force, 0), "= " + pull(d.force[0]) + "; a diagram starts at " + pull(0)});
   for (std::size_t i = 1; i < d.elongation.size(); ++i)
     if (!(d.elongation[i] - d.elongation[i - 1] >= kLeastRise))
-      problems.push_back({entry(elongation, i), "= " + stretch(d.elongation[i]) + " after " +
-                                                    stretch(d.elongation[i - 1]) +
-                                                    "; wanted: a rise of at least " + stretch(kLeastRise)});
+      problems.push_back({scene::entry(elongation, i),
+                          "= " + stretch(d.elongation[i]) + " after " + stretch(d.elongation[i - 1]) +
+                              "; wanted: a rise of at least " + stretch(kLeastRise)});
   for (std::size_t i = 1; i < d.force.size(); ++i)
     if (!(d.force[i] >= d.force[i - 1]))
-      problems.push_back({entry(force, i), "= " + pull(d.force[i]) + " after " + pull(d.force[i - 1]) +
-                                               "; the force of a diagram does not fall"});
+      problems.push_back({scene::entry(force, i), "= " + pull(d.force[i]) + " after " + pull(d.force[i - 1]) +
+                                                      "; the force of a diagram does not fall"});
   if (!d.correction_elongation.empty() && d.correction.empty())
     problems.push_back(
         {path + ".correction_elongation", "stands without correction; wanted: both or neither"});
@@ -51,40 +53,41 @@ void diagram_check(const DiagramSpec& d, const std::string& path, Problems& prob
       if (const double law = d.elongation[i] * d.correction_elongation[i],
           last = d.elongation[i - 1] * d.correction_elongation[i - 1];
           !(law - last >= kLeastRise) && d.elongation[i] - d.elongation[i - 1] >= kLeastRise)
-        problems.push_back({entry(path + ".correction_elongation", i),
-                            "= " + number_text(d.correction_elongation[i]) + " gives " + stretch(law) +
+        problems.push_back({scene::entry(path + ".correction_elongation", i),
+                            "= " + scene::number_text(d.correction_elongation[i]) + " gives " + stretch(law) +
                                 " after " + stretch(last) +
                                 "; wanted: elongation x correction_elongation rises"});
   if (d.correction.size() != d.force.size()) return;
   for (std::size_t i = 1; i < d.force.size(); ++i)
     if (const double law = d.force[i] * d.correction[i], last = d.force[i - 1] * d.correction[i - 1];
         law < last && d.force[i] >= d.force[i - 1])
-      problems.push_back({entry(path + ".correction", i), "= " + number_text(d.correction[i]) + " gives " +
-                                                              rounded(law) + " N after " + rounded(last) +
-                                                              " N; force x correction does not fall"});
+      problems.push_back({scene::entry(path + ".correction", i),
+                          "= " + scene::number_text(d.correction[i]) + " gives " + scene::rounded(law) +
+                              " N after " + scene::rounded(last) + " N; force x correction does not fall"});
 }
 
 // A bias diagram without a stored correction is worked up from the strip's geometry, which sets limits of its
 // own.
-void bias_check(const Scene& scene, const FabricSpec& f, const std::string& path, Problems& problems) {
+void bias_check(const Scene& scene, const scene::FabricSpec& f, const std::string& path, Problems& problems) {
   const std::vector<double>& force = f.bias.force;
   const bool off = std::all_of(force.begin(), force.end(), [](double v) { return v == 0; });
   if (off || !f.bias.correction.empty()) return;
   const double ratio = f.strip_gauge / f.strip_width;
   if (scene.clamp_correction && f.bias.jaws && !(ratio > 1.25))
     problems.push_back(
-        {path + ".strip", "has gauge/width = " + rounded(ratio) +
+        {path + ".strip", "has gauge/width = " + scene::rounded(ratio) +
                               "; the clamp correction of a bias diagram takes values above 1.25 (or say "
                               "bias.jaws = false of a diagram without jaws)"});
-  if (scene.bias_model != BiasModel::kOdd || f.bias.elongation.size() < 2 ||
+  if (scene.bias_model != scene::BiasModel::kOdd || f.bias.elongation.size() < 2 ||
       !(f.bias.elongation[1] > kLocking))
     return;
-  const GivenAs& as = f.bias.elongation_as;
-  const std::string percent = rounded(100 * f.bias.elongation[1]) + " percent";
+  const scene::GivenAs& as = f.bias.elongation_as;
+  const std::string percent = scene::rounded(100 * f.bias.elongation[1]) + " percent";
   const std::string given =
-      as.per_si == 100 ? percent : rounded(as.per_si * f.bias.elongation[1]) + " " + as.unit + ", " + percent;
+      as.per_si == 100 ? percent
+                       : scene::rounded(as.per_si * f.bias.elongation[1]) + " " + as.unit + ", " + percent;
   problems.push_back(
-      {entry(path + ".bias." + as.key, 1),
+      {scene::entry(path + ".bias." + as.key, 1),
        "= " + given +
            "; bias_model \"odd\" takes at least one point above 0 and below 41.42 percent, where the threads "
            "of a strip lie along the pull"});
@@ -92,16 +95,16 @@ void bias_check(const Scene& scene, const FabricSpec& f, const std::string& path
 
 }  // namespace
 
-void fabric_check(const Scene& scene, const FabricSpec& f, Problems& problems) {
+void fabric_check(const Scene& scene, const scene::FabricSpec& f, Problems& problems) {
   const std::string path = "fabric." + f.name;
   diagram_check(f.warp, path + ".warp", problems);
   diagram_check(f.weft, path + ".weft", problems);
   diagram_check(f.bias, path + ".bias", problems);
   bias_check(scene, f, path, problems);
   if (f.friction[1] > f.friction[0])
-    problems.push_back({entry(path + ".friction", 1),
-                        "= " + number_text(f.friction[1]) + " is more than the static coefficient, " +
-                            number_text(f.friction[0]) + "; allowed: at most as much"});
+    problems.push_back({scene::entry(path + ".friction", 1),
+                        "= " + scene::number_text(f.friction[1]) + " is more than the static coefficient, " +
+                            scene::number_text(f.friction[0]) + "; allowed: at most as much"});
 }
 
-}  // namespace drape
+}  // namespace drape::validation

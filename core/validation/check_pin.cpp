@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "piece/outline/outline.h"
-#include "validation/checks.h"
 #include "scene/diagnostics.h"
+#include "validation/checks.h"
 
-namespace drape {
+namespace drape::validation {
 
 namespace {
 
@@ -17,11 +17,11 @@ struct Box {
 // A closed set of points: one point, a chain of segments, or all that loops enclose.
 struct Held {
   enum Kind { kPoint, kChain, kArea } kind;
-  std::vector<OutlineLoop> loops;  // of a point and a chain: one, its points in order
+  std::vector<piece::OutlineLoop> loops;  // of a point and a chain: one, its points in order
   Box box;
 };
 
-Held held_make(Held::Kind kind, std::vector<OutlineLoop> loops) {
+Held held_make(Held::Kind kind, std::vector<piece::OutlineLoop> loops) {
   Held held{kind, std::move(loops), {}};
   for (const Vec2& p : held.loops[0].points)
     for (std::size_t k = 0; k < 2; ++k)
@@ -30,13 +30,13 @@ Held held_make(Held::Kind kind, std::vector<OutlineLoop> loops) {
 }
 
 Held held_make(Held::Kind kind, std::vector<Vec2> points) {
-  return held_make(kind, std::vector<OutlineLoop>{{std::move(points), {}}});
+  return held_make(kind, std::vector<piece::OutlineLoop>{{std::move(points), {}}});
 }
 
 // Calls `take` with each segment until it is true.
 template <class Take>
 bool any_segment(const Held& h, Take take) {
-  for (const OutlineLoop& loop : h.loops) {
+  for (const piece::OutlineLoop& loop : h.loops) {
     const std::size_t n = loop.points.size(), segments = h.kind == Held::kArea ? n : n - 1;
     for (std::size_t k = 0; k < segments; ++k)
       if (take(loop.points[k], loop.points[(k + 1) % n])) return true;
@@ -53,7 +53,7 @@ double segment_distance(Vec2 a, Vec2 b, Vec2 p) {
 bool holds(const Held& h, Vec2 p, double touch) {
   for (std::size_t k = 0; k < 2; ++k)
     if (p[k] < h.box.low[k] - touch || p[k] > h.box.high[k] + touch) return false;
-  if (h.kind == Held::kArea) return outline_distance(h.loops, p) <= touch;
+  if (h.kind == Held::kArea) return piece::outline_distance(h.loops, p) <= touch;
   const Vec2 first = h.loops[0].points[0];
   return std::hypot(p[0] - first[0], p[1] - first[1]) <= touch ||
          any_segment(h, [&](Vec2 a, Vec2 b) { return segment_distance(a, b, p) <= touch; });
@@ -78,7 +78,7 @@ bool common_point(const std::vector<const Held*>& sets, double touch, Vec2& at) 
     return all;
   };
   for (const Held* h : sets)
-    for (const OutlineLoop& loop : h->loops)
+    for (const piece::OutlineLoop& loop : h->loops)
       if (std::any_of(loop.points.begin(), loop.points.end(), in_all)) return true;
   for (std::size_t i = 0; i < sets.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
@@ -92,21 +92,21 @@ bool common_point(const std::vector<const Held*>& sets, double touch, Vec2& at) 
   return false;
 }
 
-std::vector<Held> pin_held(const PieceSpec& piece, const PinSpec& pin) {
+std::vector<Held> pin_held(const scene::PieceSpec& piece, const scene::PinSpec& pin) {
   std::vector<Held> held;
   for (const Vec2& p : pin.at) held.push_back(held_make(Held::kPoint, {p}));
   for (int e : pin.edges)
     if (e >= 0 && e < int(piece.outline.size()))
-      held.push_back(held_make(Held::kChain, outline_edge(piece, e)));
+      held.push_back(held_make(Held::kChain, piece::outline_edge(piece, e)));
   if (!pin.region.empty()) held.push_back(held_make(Held::kArea, pin.region));
   return held;
 }
 
 // Two pins on one point could pull it two ways. One message for each pair of pins.
-void clash_check(const Scene& scene, const PinSpec& a, const PinSpec& b, const Held& cloth,
+void clash_check(const Scene& scene, const scene::PinSpec& a, const scene::PinSpec& b, const Held& cloth,
                  Problems& problems) {
-  const PieceSpec& piece = scene.pieces[std::size_t(a.piece)];
-  const double touch = outline_touch(piece);
+  const scene::PieceSpec& piece = scene.pieces[std::size_t(a.piece)];
+  const double touch = piece::outline_touch(piece);
   for (const Held& p : pin_held(piece, a))
     for (const Held& q : pin_held(piece, b)) {
       bool apart = false;
@@ -116,31 +116,33 @@ void clash_check(const Scene& scene, const PinSpec& a, const PinSpec& b, const H
       if (p.kind == Held::kArea && q.kind == Held::kArea) sets.push_back(&cloth);
       Vec2 at;
       if (apart || !common_point(sets, touch, at)) continue;
-      return problems.push_back(
-          {"pin." + b.name, "and pin." + a.name + " both hold the point " + point_text(at) +
-                                " of the piece " + in_quotes(piece.name) + "; a point belongs to one pin"});
+      return problems.push_back({"pin." + b.name, "and pin." + a.name + " both hold the point " +
+                                                      scene::point_text(at) + " of the piece " +
+                                                      scene::in_quotes(piece.name) +
+                                                      "; a point belongs to one pin"});
     }
 }
 
-void point_check(const PieceSpec& piece, const Held& cloth, Vec2 p, const std::string& path,
+void point_check(const scene::PieceSpec& piece, const Held& cloth, Vec2 p, const std::string& path,
                  Problems& problems) {
-  const double distance = outline_distance(cloth.loops, p);
-  if (distance <= outline_touch(piece)) return;
-  std::string where = " m off the piece " + in_quotes(piece.name);
+  const double distance = piece::outline_distance(cloth.loops, p);
+  if (distance <= piece::outline_touch(piece)) return;
+  std::string where = " m off the piece " + scene::in_quotes(piece.name);
   for (std::size_t h = 1; h < cloth.loops.size(); ++h)
-    if (outline_contains({cloth.loops[h]}, p))
-      where = " m inside " + entry("holes", h - 1) + " of the piece " + in_quotes(piece.name);
-  problems.push_back({path, "= " + point_text(p) + " lies " + rounded(distance) + where});
+    if (piece::outline_contains({cloth.loops[h]}, p))
+      where = " m inside " + scene::entry("holes", h - 1) + " of the piece " + scene::in_quotes(piece.name);
+  problems.push_back({path, "= " + scene::point_text(p) + " lies " + scene::rounded(distance) + where});
 }
 
-void edges_check(const PieceSpec& piece, const PinSpec& pin, const std::string& path, Problems& problems) {
+void edges_check(const scene::PieceSpec& piece, const scene::PinSpec& pin, const std::string& path,
+                 Problems& problems) {
   const int count = static_cast<int>(piece.outline.size());
   for (std::size_t i = 0; i < pin.edges.size(); ++i)
     if (pin.edges[i] < 0 || pin.edges[i] >= count)
       problems.push_back(
-          {entry(path + ".edges", i), "= " + std::to_string(pin.edges[i]) + "; allowed: 0 to " +
-                                          std::to_string(count - 1) +
-                                          " (edge i runs from point i of the outline to the next)"});
+          {scene::entry(path + ".edges", i), "= " + std::to_string(pin.edges[i]) + "; allowed: 0 to " +
+                                                 std::to_string(count - 1) +
+                                                 " (edge i runs from point i of the outline to the next)"});
 }
 
 }  // namespace
@@ -148,27 +150,27 @@ void edges_check(const PieceSpec& piece, const PinSpec& pin, const std::string& 
 void pins_check(const Scene& scene, const std::vector<bool>& sound, Problems& problems) {
   std::vector<Held> cloths;  // of the pieces; empty where there is none to judge by
   for (std::size_t p = 0; p < scene.pieces.size(); ++p)
-    cloths.push_back(sound[p] ? held_make(Held::kArea, outline_flatten(scene.pieces[p])) : Held{});
-  std::vector<const PinSpec*> pins;
-  for (const PinSpec& pin : scene.pins) {
+    cloths.push_back(sound[p] ? held_make(Held::kArea, piece::outline_flatten(scene.pieces[p])) : Held{});
+  std::vector<const scene::PinSpec*> pins;
+  for (const scene::PinSpec& pin : scene.pins) {
     const std::string path = "pin." + pin.name;
     const std::size_t before = problems.size();
-    polygon_problems(pin.region, path + ".region", problems);
+    piece::polygon_problems(pin.region, path + ".region", problems);
     if (pin.piece < 0 || !sound[std::size_t(pin.piece)]) continue;
-    const PieceSpec& piece = scene.pieces[std::size_t(pin.piece)];
+    const scene::PieceSpec& piece = scene.pieces[std::size_t(pin.piece)];
     const Held& cloth = cloths[std::size_t(pin.piece)];
     for (std::size_t i = 0; i < pin.at.size(); ++i)
-      point_check(piece, cloth, pin.at[i], entry(path + ".at", i), problems);
+      point_check(piece, cloth, pin.at[i], scene::entry(path + ".at", i), problems);
     edges_check(piece, pin, path, problems);
     if (problems.size() > before && !pin.region.empty()) continue;
-    for (const PinSpec* other : pins)
+    for (const scene::PinSpec* other : pins)
       if (other->piece == pin.piece) clash_check(scene, *other, pin, cloth, problems);
     pins.push_back(&pin);
   }
-  for (const ProbeSpec& probe : scene.probes)
+  for (const scene::ProbeSpec& probe : scene.probes)
     if (probe.piece >= 0 && sound[std::size_t(probe.piece)])
       point_check(scene.pieces[std::size_t(probe.piece)], cloths[std::size_t(probe.piece)], probe.at,
                   "probe." + probe.name + ".at", problems);
 }
 
-}  // namespace drape
+}  // namespace drape::validation

@@ -4,23 +4,23 @@
 
 #include <algorithm>
 
-#include "piece/support/support.h"
 #include "piece/outline/outline.h"
+#include "piece/support/support.h"
 #include "scene/diagnostics.h"
 #include "validation/load.h"
 
-namespace drape {
+namespace drape::validation {
 
 namespace {
 
 void motion_check(const Scene& scene, Problems& problems) {
   const Vec3& w = scene.wind;
   if (!scene.has_air && (w[0] != 0 || w[1] != 0 || w[2] != 0))
-    problems.push_back({"scene.wind", "= [" + number_text(w[0]) + ", " + number_text(w[1]) + ", " +
-                                          number_text(w[2]) +
+    problems.push_back({"scene.wind", "= [" + scene::number_text(w[0]) + ", " + scene::number_text(w[1]) +
+                                          ", " + scene::number_text(w[2]) +
                                           "] m/s moves nothing without air; wanted: air.normal or "
                                           "air.tangential, or no wind"});
-  if (scene.mode == Mode::kFit && scene.integrator == Integrator::kPaper)
+  if (scene.mode == scene::Mode::kFit && scene.integrator == scene::Integrator::kPaper)
     problems.push_back(
         {"scene.mode", "= \"fit\" does not go with integrator = \"paper\"; wanted: \"leapfrog\""});
 }
@@ -29,9 +29,9 @@ void motion_check(const Scene& scene, Problems& problems) {
 void order_check(const Scene& scene, Problems& problems) {
   if (scene.order == 2) return;
   const std::string order = "= " + std::to_string(scene.order) + " does not go with ";
-  if (scene.integrator == Integrator::kPaper)
+  if (scene.integrator == scene::Integrator::kPaper)
     problems.push_back({"scene.order", order + "integrator = \"paper\"; wanted: order = 2, or \"leapfrog\""});
-  if (scene.mode == Mode::kFit)
+  if (scene.mode == scene::Mode::kFit)
     problems.push_back({"scene.order", order + "mode = \"fit\"; wanted: order = 2, or \"dynamic\""});
   if (!scene.seams.empty())
     problems.push_back({"scene.order", order + "seams, whose pull is damped; wanted: order = 2, or no seam"});
@@ -44,11 +44,11 @@ void order_check(const Scene& scene, Problems& problems) {
   const auto braked = [&](const std::string& place, double value, const char* unit) {
     if (value > 0)
       problems.push_back(
-          {place, "= " + number_text(value) + unit + "; allowed: " + order_allows(scene.order)});
+          {place, "= " + scene::number_text(value) + unit + "; allowed: " + order_allows(scene.order)});
   };
   braked("air.normal", scene.air_normal, "");
   braked("air.tangential", scene.air_tangential, "");
-  for (const FabricSpec& f : scene.fabrics) braked("fabric." + f.name + ".damping", f.damping, " s");
+  for (const scene::FabricSpec& f : scene.fabrics) braked("fabric." + f.name + ".damping", f.damping, " s");
 }
 
 }  // namespace
@@ -61,12 +61,12 @@ std::string order_allows(int order) {
 void scene_check(const Scene& scene, std::vector<Problem>& problems) {
   motion_check(scene, problems);
   order_check(scene, problems);
-  for (const FabricSpec& f : scene.fabrics) fabric_check(scene, f, problems);
+  for (const scene::FabricSpec& f : scene.fabrics) fabric_check(scene, f, problems);
   std::vector<bool> sound;
-  for (const PieceSpec& piece : scene.pieces) {
+  for (const scene::PieceSpec& piece : scene.pieces) {
     const std::string path = "piece." + piece.name;
     std::vector<Problem> found;
-    outline_problems(piece, path, found);
+    piece::outline_problems(piece, path, found);
     // A wrong cell leaves straight edges what they are.
     const bool of_cell =
         piece.curves.empty() &&
@@ -80,26 +80,26 @@ void scene_check(const Scene& scene, std::vector<Problem>& problems) {
 
 void scene_check_layout(const Scene& scene, std::vector<Problem>& problems) {
   for (std::size_t p = 0; p < scene.pieces.size(); ++p) {
-    const PieceSpec& piece = scene.pieces[p];
-    std::vector<const PinSpec*> regions;
-    for (const PinSpec& pin : scene.pins)
+    const scene::PieceSpec& piece = scene.pieces[p];
+    std::vector<const scene::PinSpec*> regions;
+    for (const scene::PinSpec& pin : scene.pins)
       if (pin.piece == int(p) && !pin.region.empty()) regions.push_back(&pin);
-    if (scene.outline != OutlineModel::kPaper && regions.empty()) continue;
-    const Grid grid = grid_make(scene, int(p));
+    if (scene.outline != scene::OutlineModel::kPaper && regions.empty()) continue;
+    const piece::Grid grid = piece::grid_make(scene, int(p));
     if (grid.cells.empty()) {
       problems.push_back(
           {"piece." + piece.name + ".cell",
-           "= " + number_text(piece.cell) +
+           "= " + scene::number_text(piece.cell) +
                " m leaves no whole cell inside the outline; options.outline = \"paper\" takes at "
                "least one"});
       continue;
     }
-    for (const PinSpec* pin : regions)
-      if (hold_make(grid, scene, *pin).points.empty())
+    for (const scene::PinSpec* pin : regions)
+      if (piece::hold_make(grid, scene, *pin).points.empty())
         problems.push_back({"pin." + pin->name + ".region",
-                            "holds nothing: no particle of the piece " + in_quotes(piece.name) +
-                                " lies in it; its cells are " + number_text(piece.cell) + " m"});
+                            "holds nothing: no particle of the piece " + scene::in_quotes(piece.name) +
+                                " lies in it; its cells are " + scene::number_text(piece.cell) + " m"});
   }
 }
 
-}  // namespace drape
+}  // namespace drape::validation

@@ -2,20 +2,21 @@
 #include <algorithm>
 #include <map>
 
-#include "validation/checks.h"
 #include "scene/diagnostics.h"
 #include "seam/layout.h"
+#include "validation/checks.h"
 
-namespace drape {
+namespace drape::validation {
 
 namespace {
 
 // True where the side can be laid out.
-bool side_check(const PieceSpec& piece, const SeamSide& side, const std::string& path, Problems& problems) {
+bool side_check(const scene::PieceSpec& piece, const scene::SeamSide& side, const std::string& path,
+                Problems& problems) {
   const int count = int(piece.outline.size());
   const std::size_t before = problems.size();
   for (std::size_t i = 0; i < side.edges.size(); ++i) {
-    const std::string at = entry(path + ".edges", i);
+    const std::string at = scene::entry(path + ".edges", i);
     if (side.edges[i] < 0 || side.edges[i] >= count)
       problems.push_back({at, "= " + std::to_string(side.edges[i]) + "; allowed: 0 to " +
                                   std::to_string(count - 1) +
@@ -24,9 +25,9 @@ bool side_check(const PieceSpec& piece, const SeamSide& side, const std::string&
              side.edges.begin() + std::ptrdiff_t(i))
       problems.push_back({at, "= " + std::to_string(side.edges[i]) + " stands there twice"});
   }
-  if (problems.size() == before && seam_chain(piece, side).empty())
+  if (problems.size() == before && seam::seam_chain(piece, side).empty())
     problems.push_back({path + ".edges", "do not follow each other along the outline of the piece " +
-                                             in_quotes(piece.name) + "; wanted: one run of edges"});
+                                             scene::in_quotes(piece.name) + "; wanted: one run of edges"});
   return problems.size() == before;
 }
 
@@ -34,21 +35,21 @@ bool side_check(const PieceSpec& piece, const SeamSide& side, const std::string&
 
 void seams_check(const Scene& scene, const std::vector<bool>& sound, Problems& problems) {
   std::map<std::pair<int, int>, std::string> sewn;  // piece and edge -> the side that has it
-  for (const SeamSpec& seam : scene.seams) {
+  for (const scene::SeamSpec& seam : scene.seams) {
     for (std::size_t k = 0; k < 2; ++k) {
-      const SeamSide& side = seam.side[k];
+      const scene::SeamSide& side = seam.side[k];
       const std::string path = "seam." + seam.name + "." + "ab"[k];
       if (side.piece < 0 || side.edges.empty() || !sound[std::size_t(side.piece)]) continue;
       if (!side_check(scene.pieces[std::size_t(side.piece)], side, path, problems)) continue;
       for (std::size_t i = 0; i < side.edges.size(); ++i) {
         const auto [known, fresh] = sewn.emplace(std::pair{side.piece, side.edges[i]}, path);
         if (!fresh)
-          problems.push_back({entry(path + ".edges", i), "= " + std::to_string(side.edges[i]) +
-                                                             " is sewn by " + known->second +
-                                                             " already; an edge belongs to one seam"});
+          problems.push_back({scene::entry(path + ".edges", i), "= " + std::to_string(side.edges[i]) +
+                                                                    " is sewn by " + known->second +
+                                                                    " already; an edge belongs to one seam"});
       }
     }
   }
 }
 
-}  // namespace drape
+}  // namespace drape::validation

@@ -6,12 +6,12 @@
 #include "scene/diagnostics.h"
 #include "scene/scene.h"
 
-namespace drape {
+namespace drape::validation {
 
 using Problems = std::vector<Problem>;
 
 // Diagrams, and what they are worked up from.
-void fabric_check(const Scene& scene, const FabricSpec& fabric, Problems& problems);
+void fabric_check(const Scene& scene, const scene::FabricSpec& fabric, Problems& problems);
 
 // Seams against their pieces and each other; `sound` as below.
 void seams_check(const Scene& scene, const std::vector<bool>& sound, Problems& problems);
@@ -22,4 +22,4 @@ std::string order_allows(int order);
 // Pins and probes against their pieces and each other; `sound[p]`: piece p has an outline without fault.
 void pins_check(const Scene& scene, const std::vector<bool>& sound, Problems& problems);
 
-}  // namespace drape
+}  // namespace drape::validation

@@ -11,7 +11,7 @@
 #include "drape/drape.h"
 #include "variables.h"
 
-namespace drape {
+namespace drape::command {
 
 enum ExitCode { kDone = 0, kBadInput = 1, kFailedRun = 2 };
 
@@ -27,7 +27,7 @@ void command_form(CLI::App& app, int& exit_code);
 
 // Options that several commands share.
 CLI::Option* option_scene(CLI::App& command, std::string& scene_file);
-CLI::Option* option_nodes(CLI::App& command, Nodes& nodes);
+CLI::Option* option_nodes(CLI::App& command, description::Nodes& nodes);
 CLI::Option* option_seconds(CLI::App& command, const char* name, double& seconds, const char* description);
 
 // Opens the scene; its problems and later messages go to standard error, events only when `verbose`. Null:
@@ -45,4 +45,4 @@ std::string output_problem(const std::string& option, const std::string& file, c
 // "error: ..." on standard error; returns the code.
 int fail(ExitCode code, const std::string& sentence);
 
-}  // namespace drape
+}  // namespace drape::command

@@ -6,7 +6,7 @@
 #include "bench/seams.h"
 #include "command/command.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 constexpr const char *kPrecision = "precision", *kSeams = "seams";  // groups that are not among the others
@@ -95,4 +95,4 @@ void command_bench(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = run_bench(*options); });
 }
 
-}  // namespace drape
+}  // namespace drape::command

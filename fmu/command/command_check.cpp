@@ -8,11 +8,11 @@
 
 #include "command/command.h"
 #include "command/files/csv.h"
-#include "laboratory/calibrate.h"
 #include "figures/picture.h"
+#include "laboratory/calibrate.h"
 #include "validation/load.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 struct Options {
@@ -61,39 +61,40 @@ void print_seams(const drape_outputs& o) {
 // What to expect of diagrams that no calibration has corrected. Scaling by area depends on the cell, so that
 // nothing can be said there.
 void print_excess(const Scene& scene) {
-  if (scene.scaling != Scaling::kWidth) return;
-  const LawOptions options{scene.scaling, scene.bias_model, scene.clamp_correction};
-  for (const FabricSpec& f : scene.fabrics)
-    for (Thread along : {Thread::kWarp, Thread::kWeft, Thread::kBias}) {
-      if (!strip_diagram(f, along).correction.empty()) continue;
-      const StripExcess e = strip_excess(f, along, options);
+  if (scene.scaling != scene::Scaling::kWidth) return;
+  const fabric::LawOptions options{scene.scaling, scene.bias_model, scene.clamp_correction};
+  for (const scene::FabricSpec& f : scene.fabrics)
+    for (model::Thread along : {model::Thread::kWarp, model::Thread::kWeft, model::Thread::kBias}) {
+      if (!laboratory::strip_diagram(f, along).correction.empty()) continue;
+      const laboratory::StripExcess e = laboratory::strip_excess(f, along, options);
       if (!e.why.empty())
-        std::printf("fabric %s: %s is not calibrated; %s\n", f.name.c_str(), thread_name(along),
+        std::printf("fabric %s: %s is not calibrated; %s\n", f.name.c_str(), laboratory::thread_name(along),
                     e.why.c_str());
       if (std::abs(e.excess) < 1e-3) continue;
       std::printf(
           "fabric %s: %s is not calibrated; a simulated strip pulls up to %.3g %% too %s (at %.4g %%)\n",
-          f.name.c_str(), thread_name(along), 100 * std::abs(e.excess), e.excess > 0 ? "hard" : "little",
-          100 * e.elongation);
+          f.name.c_str(), laboratory::thread_name(along), 100 * std::abs(e.excess),
+          e.excess > 0 ? "hard" : "little", 100 * e.elongation);
     }
 }
 
 // Where jaws are taken out of a diagram by a formula that does not hold for its strip.
 void print_jaws(const Scene& scene) {
-  const LawOptions options{scene.scaling, scene.bias_model, scene.clamp_correction};
-  for (const FabricSpec& f : scene.fabrics)
-    if (const double r = f.strip_gauge / f.strip_width;
-        !f.bias.elongation.empty() && law_takes_jaws_out(f, options) && r < kJawRatioLeast * (1 - 1e-9))
+  const fabric::LawOptions options{scene.scaling, scene.bias_model, scene.clamp_correction};
+  for (const scene::FabricSpec& f : scene.fabrics)
+    if (const double r = f.strip_gauge / f.strip_width; !f.bias.elongation.empty() &&
+                                                        fabric::law_takes_jaws_out(f, options) &&
+                                                        r < fabric::kJawRatioLeast * (1 - 1e-9))
       std::printf(
           "fabric %s: strip has gauge/width = %.4g; the clamp correction of bias holds from %.4g on: "
           "calibrate it\n",
-          f.name.c_str(), r, kJawRatioLeast);
+          f.name.c_str(), r, fabric::kJawRatioLeast);
 }
 
 // False, with the reason in errno, where the file cannot be written.
 bool write_picture(const Options& options) {
   std::vector<Problem> problems;  // none: the cloth has just been opened from the same file
-  const std::string svg = picture_svg(scene_load(options.scene_file, problems));
+  const std::string svg = figures::picture_svg(validation::scene_load(options.scene_file, problems));
   errno = 0;
   std::ofstream file(*options.picture, std::ios::binary);
   file << svg;
@@ -145,7 +146,7 @@ int check(const Options& options) {
   std::printf("step limit: %.6g us, set by %s\n", 1e6 * limit, set_by ? set_by : "nothing");
   std::printf("step: %.6g us\n", 1e6 * drape_outputs_at(cloth.get(), 0)->step_size);
   std::vector<Problem> problems;  // none: the cloth has just been opened from the same file
-  const Scene scene = scene_load(options.scene_file, problems);
+  const Scene scene = validation::scene_load(options.scene_file, problems);
   print_jaws(scene);
   print_excess(scene);
   return print_cost(cloth.get()) ? kDone : kFailedRun;
@@ -162,4 +163,4 @@ void command_check(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = check(*options); });
 }
 
-}  // namespace drape
+}  // namespace drape::command

@@ -15,19 +15,19 @@
 #include "command/files/csv.h"
 #include "figures/fabric_plot.h"
 #include "laboratory/bending.h"
-#include "laboratory/write_calibration.h"
 #include "laboratory/strip_order.h"
-#include "validation/load.h"
+#include "laboratory/write_calibration.h"
 #include "standards/strip.h"
+#include "validation/load.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 constexpr double kMicroNcm2 = 1e10;       // uN cm^2 per N m^2
 constexpr double kBendingCell = 1.25e-3;  // m, of the PT-2 specimen
 constexpr int kOverhangCells = 40;
 constexpr int kMostCells = 200;  // across a strip
-constexpr Thread kThreads[] = {Thread::kWarp, Thread::kWeft, Thread::kBias};
+constexpr model::Thread kThreads[] = {model::Thread::kWarp, model::Thread::kWeft, model::Thread::kBias};
 
 struct Options {
   std::string fabric_file, output;
@@ -38,23 +38,23 @@ struct Options {
   bool has_output = false;
 };
 
-bool is_along(const Options& options, Thread along) {
+bool is_along(const Options& options, model::Thread along) {
   const auto& list = options.along;
-  return std::find(list.begin(), list.end(), thread_name(along)) != list.end();
+  return std::find(list.begin(), list.end(), laboratory::thread_name(along)) != list.end();
 }
 
-double cell_of(const Options& options, const FabricSpec& f) {
-  return options.cell > 0 ? options.cell : f.strip_width / kStripCells;
+double cell_of(const Options& options, const scene::FabricSpec& f) {
+  return options.cell > 0 ? options.cell : f.strip_width / laboratory::kStripCells;
 }
 
-bool there(const DiagramSpec& d) {
+bool there(const scene::DiagramSpec& d) {
   return std::any_of(d.force.begin(), d.force.end(), [](double f) { return f > 0; });
 }
 
 // " (A, B)", the standards whose strips have this size; else nothing.
-std::string standards_of(const FabricSpec& f) {
+std::string standards_of(const scene::FabricSpec& f) {
   std::string list;
-  for (const StripStandard& s : kStripStandards)
+  for (const standards::StripStandard& s : standards::kStripStandards)
     if (std::abs(s.width / f.strip_width - 1) < 1e-9 && std::abs(s.gauge / f.strip_gauge - 1) < 1e-9)
       list += (list.empty() ? " (" : ", ") + std::string(s.name);
   return list.empty() ? "" : list + ")";
@@ -67,30 +67,31 @@ std::string text_of(double value, const char* format = "%.6g") {
 }
 
 // All that is wrong with what is to be pulled, on standard error.
-bool wishes_check(const Options& options, const FabricSpec& f) {
+bool wishes_check(const Options& options, const scene::FabricSpec& f) {
   std::vector<std::string> problems;
-  const double cell = cell_of(options, f), least = std::min(f.strip_width, f.strip_gauge) / kLeastCells;
+  const double cell = cell_of(options, f),
+               least = std::min(f.strip_width, f.strip_gauge) / laboratory::kLeastCells;
   if (cell > least * (1 + 1e-9) || cell < f.strip_width / kMostCells)
     problems.push_back((options.cell > 0 ? "--cell" : "strip: the cell") + (" = " + text_of(cell)) +
                        " m; allowed: from " + text_of(f.strip_width / kMostCells) + " to " + text_of(least) +
                        " m, four cells across and along a strip of " + text_of(f.strip_width) + " x " +
                        text_of(f.strip_gauge) + " m");
-  if (problems.empty() && f.strip_gauge > kLongestCells * cell)
+  if (problems.empty() && f.strip_gauge > laboratory::kLongestCells * cell)
     problems.push_back("strip: " + text_of(f.strip_gauge / cell) + " cells along its gauge of " +
-                       text_of(f.strip_gauge) + " m; allowed: at most " + text_of(kLongestCells));
+                       text_of(f.strip_gauge) + " m; allowed: at most " + text_of(laboratory::kLongestCells));
   bool any = false;
-  for (Thread along : kThreads) {
-    const DiagramSpec& d = strip_diagram(f, along);
+  for (model::Thread along : kThreads) {
+    const scene::DiagramSpec& d = laboratory::strip_diagram(f, along);
     if (!there(d)) continue;
     any = true;
     if (is_along(options, along) && options.pull >= 0 && options.pull < 100 * d.elongation[1] * (1 - 1e-12))
       problems.push_back("--pull = " + text_of(options.pull) + " percent; allowed: at least " +
                          text_of(100 * d.elongation[1]) + " percent, the first point of the diagram of the " +
-                         thread_name(along));
+                         laboratory::thread_name(along));
     if (is_along(options, along) && options.pull > 100 * d.elongation.back() * (1 + 1e-12))
       problems.push_back("--pull = " + text_of(options.pull) + " percent; allowed: at most " +
                          text_of(100 * d.elongation.back()) + " percent, where the diagram of the " +
-                         thread_name(along) + " ends");
+                         laboratory::thread_name(along) + " ends");
   }
   if (!any) problems.push_back(options.fabric_file + ": has no diagram; wanted: warp, weft or bias");
   for (const std::string& problem : problems) fail(kBadInput, problem);
@@ -98,34 +99,36 @@ bool wishes_check(const Options& options, const FabricSpec& f) {
 }
 
 bool problems_tell(const std::vector<Problem>& problems) {
-  for (const Problem& p : problems) fail(kBadInput, problem_text(p));
+  for (const Problem& p : problems) fail(kBadInput, scene::problem_text(p));
   return problems.empty();
 }
 
 // A bias strip on other cells too: the largest difference, and the order by which it changes.
-void cells_tell(const FabricSpec& f, double cell, const std::vector<double>& elongation) {
+void cells_tell(const scene::FabricSpec& f, double cell, const std::vector<double>& elongation) {
   std::vector<Problem> problems;
-  const StripOrder o = strip_order(f, cell, elongation, problems);
+  const laboratory::StripOrder o = laboratory::strip_order(f, cell, elongation, problems);
   if (!o.told) return;
   if (!o.why.empty()) return void(std::printf("  on cells of twice and half the edge %s\n", o.why.c_str()));
   std::printf("  on cells of %.6g mm at most %.3f %% off, of %.6g mm %.3f %%; order %.2f\n", 1e3 * o.cell[0],
               100 * o.off[0], 1e3 * o.cell[2], 100 * o.off[2], o.order);
 }
 
-int strip_test(const Options& options, const FabricSpec& f, Thread along, std::vector<PlotPanel>& panels) {
-  const DiagramSpec& d = strip_diagram(f, along);
-  const char* name = along == Thread::kBias ? "45 degrees" : thread_name(along);
+int strip_test(const Options& options, const scene::FabricSpec& f, model::Thread along,
+               std::vector<figures::PlotPanel>& panels) {
+  const scene::DiagramSpec& d = laboratory::strip_diagram(f, along);
+  const char* name = along == model::Thread::kBias ? "45 degrees" : laboratory::thread_name(along);
   if (!there(d)) return std::printf("%s: no diagram\n\n", name), kDone;
   const double cell = cell_of(options, f), pull = options.pull < 0 ? d.elongation.back() : options.pull / 100;
-  const std::vector<double> elongation = strip_elongations(f, along, pull);
+  const std::vector<double> elongation = laboratory::strip_elongations(f, along, pull);
   std::vector<Problem> problems;
-  const StripPull strip = strip_pull(f, along, cell, elongation, problems);
+  const laboratory::StripPull strip = laboratory::strip_pull(f, along, cell, elongation, problems);
   if (!problems_tell(problems)) return kBadInput;
-  const bool free = along == Thread::kBias && !f.bias.jaws;
+  const bool free = along == model::Thread::kBias && !f.bias.jaws;
   std::printf("%s, %s, cells of %.6g mm, %s\n", name, free ? "a trellis without jaws" : "between jaws",
-              1e3 * strip_cell(f, along, cell), d.correction.empty() ? "not calibrated" : "calibrated");
+              1e3 * laboratory::strip_cell(f, along, cell),
+              d.correction.empty() ? "not calibrated" : "calibrated");
   std::printf("  elongation, %%      input, N  simulated, N  difference, %%\n");
-  PlotPanel panel{name, {}, {}, strip.force};
+  figures::PlotPanel panel{name, {}, {}, strip.force};
   for (std::size_t k = 0; k < strip.force.size(); ++k) {
     const double input = d.force[k + 1], off = 100 * (strip.force[k] / input - 1);
     std::printf("  %13.5g %13.5g %13.5g %14s\n", 100 * elongation[k], input, strip.force[k],
@@ -133,26 +136,27 @@ int strip_test(const Options& options, const FabricSpec& f, Thread along, std::v
     panel.elongation.push_back(elongation[k]);
     panel.input.push_back(input);
   }
-  if (strip.force.size() == elongation.size() && along == Thread::kBias && !free)
+  if (strip.force.size() == elongation.size() && along == model::Thread::kBias && !free)
     cells_tell(f, cell, elongation);
   std::printf("\n");
   panels.push_back(panel);
   if (strip.force.size() < elongation.size())
-    return fail(kFailedRun, std::string("the strip of the ") + thread_name(along) + " finds no rest at " +
-                                text_of(100 * elongation[strip.force.size()]) + " percent");
+    return fail(kFailedRun, std::string("the strip of the ") + laboratory::thread_name(along) +
+                                " finds no rest at " + text_of(100 * elongation[strip.force.size()]) +
+                                " percent");
   return kDone;
 }
 
-int bending_test(const FabricSpec& f, bool warp) {
+int bending_test(const scene::FabricSpec& f, bool warp) {
   const double rigidity = warp ? f.bending_warp : f.bending_weft;
   const char* name = warp ? "warp" : "weft";
   if (!(rigidity > 0)) return std::printf("  %s: no rigidity\n", name), kDone;
   const double plate = 1 / (1 - f.poisson * f.poisson), si = f.bending_width * kMicroNcm2;
   std::vector<Problem> problems;
-  const BendingTest drop = pt2_test(f, warp, kBendingCell, problems),
-                    length = overhang_test(f, warp, kOverhangCells, problems);
+  const laboratory::BendingTest drop = laboratory::pt2_test(f, warp, kBendingCell, problems),
+                                length = laboratory::overhang_test(f, warp, kOverhangCells, problems);
   if (!problems_tell(problems)) return kBadInput;
-  const auto row = [&](const char* test, const char* what, const BendingTest& t) {
+  const auto row = [&](const char* test, const char* what, const laboratory::BendingTest& t) {
     if (!t.found) return fail(kFailedRun, std::string(test) + " of the " + name + " finds no rest");
     std::printf("  %-5s %-24s %9.6g %9.4f %9.4f %12.6g %+10.3f\n", name, what, rigidity * plate * si,
                 1e3 * t.expected, 1e3 * t.reading, t.rigidity * si,
@@ -183,7 +187,7 @@ std::string target_problem(const std::string& option, const std::string& file, c
 
 int test(const Options& options) {
   std::vector<Problem> problems;
-  const FabricSpec f = fabric_load(options.fabric_file, problems);
+  const scene::FabricSpec f = validation::fabric_load(options.fabric_file, problems);
   if (!problems_tell(problems)) return kBadInput;
   if (!wishes_check(options, f)) return kBadInput;
   if (options.picture)
@@ -193,8 +197,8 @@ int test(const Options& options) {
   std::printf("fabric %s, strips of %.6g x %.6g mm%s\n\n", f.name.c_str(), 1e3 * f.strip_width,
               1e3 * f.strip_gauge, standards_of(f).c_str());
   int code = kDone;
-  std::vector<PlotPanel> panels;
-  for (Thread along : kThreads) {
+  std::vector<figures::PlotPanel> panels;
+  for (model::Thread along : kThreads) {
     if (!is_along(options, along)) continue;
     const int done = strip_test(options, f, along, panels);
     if (done == kBadInput) return done;
@@ -206,10 +210,10 @@ int test(const Options& options) {
     std::printf("                                   EI input  elastica simulated simulated EI difference\n");
     std::printf("                                     uN cm2        mm        mm       uN cm2          %%\n");
     for (bool warp : {true, false})
-      if (is_along(options, warp ? Thread::kWarp : Thread::kWeft))
+      if (is_along(options, warp ? model::Thread::kWarp : model::Thread::kWeft))
         code = std::max(code, bending_test(f, warp));
   }
-  if (options.picture && !file_write(*options.picture, fabric_plot_svg(f.name, panels)))
+  if (options.picture && !file_write(*options.picture, figures::fabric_plot_svg(f.name, panels)))
     return fail(kBadInput, cannot_write(*options.picture));
   return code;
 }
@@ -249,9 +253,10 @@ int calibrate_fabric(const Options& options) {
         !problem.empty())
       return fail(kBadInput, problem);
   std::vector<Problem> problems;
-  const FabricSpec f = fabric_load(options.fabric_file, problems, Corrections::kDropped);
+  const scene::FabricSpec f =
+      validation::fabric_load(options.fabric_file, problems, scene::Corrections::kDropped);
   if (!problems_tell(problems) || !wishes_check(options, f)) return kBadInput;
-  const Calibration c = calibrate(f, {.cell = options.cell}, problems);
+  const laboratory::Calibration c = laboratory::calibrate(f, {.cell = options.cell}, problems);
   if (!problems_tell(problems)) return kBadInput;
   for (std::size_t k = 0; k < c.residuals.size(); ++k)
     std::printf("sweep %zu: strips at most %.4f %% off their diagrams\n", k + 1, 100 * c.residuals[k]);
@@ -265,7 +270,7 @@ int calibrate_fabric(const Options& options) {
   }
   std::ifstream in(options.fabric_file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
-  const std::string stored = calibration_store(text, c, today(), problems);
+  const std::string stored = laboratory::calibration_store(text, c, today(), problems);
   if (!problems_tell(problems)) return kBadInput;
   const std::string file = options.has_output ? options.output : options.fabric_file;
   if (const int code = text_replace(file, stored); code != kDone) return code;
@@ -318,4 +323,4 @@ void command_fabric(CLI::App& app, int& exit_code) {
   });
 }
 
-}  // namespace drape
+}  // namespace drape::command

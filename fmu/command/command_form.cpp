@@ -6,20 +6,21 @@
 #include "command/dress_form/form.h"
 #include "scene/diagnostics.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 int form_write(const Measures& m, const std::string& file) {
   std::vector<Problem> problems;
   measures_check(m, problems);
   if (file.empty()) problems.push_back({"--output", "is empty; allowed: the name of a file"});
-  for (const Problem& p : problems) fail(kBadInput, problem_text(p));
+  for (const Problem& p : problems) fail(kBadInput, scene::problem_text(p));
   if (!problems.empty()) return kBadInput;
   const Mesh mesh = form_make(m);
   std::ofstream stream(file, std::ios::binary);
-  stream << mesh_obj(mesh, "Dress form made by drape form: bust " + number_text(m.bust) + ", waist " +
-                               number_text(m.waist) + ", hips " + number_text(m.hips) + ", height " +
-                               number_text(m.height) + " m; metres, y up, z to the front");
+  stream << mesh_obj(mesh, "Dress form made by drape form: bust " + scene::number_text(m.bust) + ", waist " +
+                               scene::number_text(m.waist) + ", hips " + scene::number_text(m.hips) +
+                               ", height " + scene::number_text(m.height) +
+                               " m; metres, y up, z to the front");
   if (!stream.flush()) return fail(kBadInput, file + ": cannot be written");
   std::printf("%s: %zu triangles; bust at %.3f m, waist at %.3f m, hips at %.3f m above the floor\n",
               file.c_str(), mesh.triangles.size(), kBustHeight * m.height, kWaistHeight * m.height,
@@ -47,4 +48,4 @@ void command_form(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = form_write(options->measures, options->file); });
 }
 
-}  // namespace drape
+}  // namespace drape::command

@@ -12,7 +12,7 @@
 #include "scene/diagnostics.h"
 #include "validation/load.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 namespace fs = std::filesystem;
@@ -47,7 +47,7 @@ std::string seen_from(const fs::path& file, const fs::path& folder) {
 
 void options_check(const Options& o, std::vector<Problem>& problems) {
   if (!(o.cell > 0 && o.cell <= 10))
-    problems.push_back({"--cell", "= " + number_text(o.cell) + " m; allowed: above 0, at most 10 m"});
+    problems.push_back({"--cell", "= " + scene::number_text(o.cell) + " m; allowed: above 0, at most 10 m"});
   if (o.output.empty()) problems.push_back({"--output", "is empty; allowed: the name of a file"});
   for (const std::string& read : {o.pattern, o.body, o.fabric}) {
     std::error_code error;
@@ -57,16 +57,16 @@ void options_check(const Options& o, std::vector<Problem>& problems) {
 }
 
 // The garment's fabric: the file that is named, or the wool beside the scene.
-FabricSpec fabric_choose(const Options& o, const fs::path& folder, Garment& garment,
-                         std::vector<Problem>& problems) {
+scene::FabricSpec fabric_choose(const Options& o, const fs::path& folder, Garment& garment,
+                                std::vector<Problem>& problems) {
   const fs::path file = o.has_fabric ? fs::path(o.fabric) : folder / "wool.toml";
   garment.fabric = name_made(file.stem().string(), "fabric");
   garment.fabric_file = o.has_fabric ? seen_from(file, folder) : file.filename().string();
-  return o.has_fabric || fs::exists(file) ? fabric_load(file, problems) : FabricSpec{};
+  return o.has_fabric || fs::exists(file) ? validation::fabric_load(file, problems) : scene::FabricSpec{};
 }
 
 int told(const std::vector<Problem>& problems) {
-  for (const Problem& p : problems) fail(kBadInput, problem_text(p));
+  for (const Problem& p : problems) fail(kBadInput, scene::problem_text(p));
   return kBadInput;
 }
 
@@ -80,11 +80,11 @@ int import_pattern(const Options& o) {
   garment.cell = o.cell;
   const Pattern pattern = pattern_read(o.pattern, problems);
   if (o.has_body) garment.body = body_measure(o.body, problems);
-  const FabricSpec fabric = fabric_choose(o, folder, garment, problems);
+  const scene::FabricSpec fabric = fabric_choose(o, folder, garment, problems);
   if (!problems.empty()) return told(problems);
   if (garment.body) garment.body->file = seen_from(o.body, folder);
   const Scene scene = garment_scene(pattern, garment, fabric);
-  scene_check(scene, problems);
+  validation::scene_check(scene, problems);
   for (Problem& p : problems) p.place = o.pattern + ": " + p.place;
   if (!problems.empty()) return told(problems);
 
@@ -128,4 +128,4 @@ void command_import(CLI::App& app, int& exit_code) {
   });
 }
 
-}  // namespace drape
+}  // namespace drape::command

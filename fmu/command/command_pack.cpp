@@ -1,15 +1,15 @@
 #include "command/command.h"
-#include "package/package.h"
 #include "figures/picture.h"
+#include "package/package.h"
 #include "validation/load.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 struct Options {
   std::string scene_file, file;
   int fmi = 2;
-  Nodes nodes = Nodes::kNone;
+  description::Nodes nodes = description::Nodes::kNone;
 };
 
 int pack(const Options& options) {
@@ -20,10 +20,11 @@ int pack(const Options& options) {
   const Cloth cloth = cloth_open(options.scene_file);
   if (!cloth) return kBadInput;
   std::vector<Problem> problems;  // none: the cloth has just been opened from the same file
-  const std::string picture = picture_svg(scene_load(options.scene_file, problems));
+  const std::string picture = figures::picture_svg(validation::scene_load(options.scene_file, problems));
   std::string problem;
-  return fmu_pack(cloth.get(), options.nodes, picture, options.file, problem) ? kDone
-                                                                              : fail(kBadInput, problem);
+  return package::fmu_pack(cloth.get(), options.nodes, picture, options.file, problem)
+             ? kDone
+             : fail(kBadInput, problem);
 }
 
 }  // namespace
@@ -40,4 +41,4 @@ void command_pack(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = pack(*options); });
 }
 
-}  // namespace drape
+}  // namespace drape::command

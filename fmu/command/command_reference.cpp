@@ -6,7 +6,7 @@
 #include "reference/run.h"
 #include "validation/load.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 struct Options {
@@ -19,7 +19,8 @@ struct Options {
 bool inputs_read(const Options& options, reference::InputTable& inputs) {
   const Cloth cloth = cloth_open(options.scene_file);
   if (!cloth) return false;
-  const std::vector<Variable> variables = variables_of(cloth.get(), Nodes::kNone);
+  const std::vector<description::Variable> variables =
+      description::variables_of(cloth.get(), description::Nodes::kNone);
   std::vector<std::string> problems;
   const InputTable table = input_table_read(options.inputs_file, variables, problems);
   for (const std::string& problem : problems) fail(kBadInput, problem);
@@ -35,7 +36,7 @@ bool inputs_read(const Options& options, reference::InputTable& inputs) {
 int run_reference(const Options& options) {
   if (options.folder.empty()) return fail(kBadInput, "--output is empty; allowed: the name of a folder");
   std::vector<Problem> problems;
-  const Scene scene = scene_load(options.scene_file, problems);
+  const Scene scene = validation::scene_load(options.scene_file, problems);
   for (const Problem& problem : problems) fail(kBadInput, problem.place + " " + problem.message);
   if (!problems.empty()) return kBadInput;
   reference::Options run = options.run;
@@ -80,4 +81,4 @@ void command_reference(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = run_reference(*options); });
 }
 
-}  // namespace drape
+}  // namespace drape::command

@@ -9,12 +9,12 @@
 
 #include "command/command.h"
 #include "command/files/csv.h"
-#include "decimal.h"
 #include "command/files/frames.h"
 #include "command/files/input_table.h"
 #include "command/files/report.h"
+#include "decimal.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 struct Options {
@@ -25,11 +25,11 @@ struct Options {
   std::optional<std::string> report;  // text, or CSV by its ending
   std::optional<double> limit;        // %, of elongation in the report
   bool frames = false, verbose = false;
-  Nodes nodes = Nodes::kNone;
+  description::Nodes nodes = description::Nodes::kNone;
 };
 
 // Empty, or what is wrong with NAME=VALUE.
-std::string apply_setting(const std::vector<Variable>& table, const std::string& setting) {
+std::string apply_setting(const std::vector<description::Variable>& table, const std::string& setting) {
   const std::size_t equals = setting.find('=');
   if (equals == std::string::npos) return "--set is '" + setting + "'; allowed: NAME=VALUE";
   const std::string name = setting.substr(0, equals), text = setting.substr(equals + 1);
@@ -38,22 +38,22 @@ std::string apply_setting(const std::vector<Variable>& table, const std::string&
   const auto [end, error] = std::from_chars(text.data() + plus, text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size())
     return "--set " + name + " is '" + text + "'; allowed: a number";
-  const Variable* v = variable_find(table, name);
+  const description::Variable* v = description::variable_find(table, name);
   if (!v) {
-    const std::string nearest = variable_nearest(table, name);
+    const std::string nearest = description::variable_nearest(table, name);
     return "--set names the unknown variable '" + name + "'; " +
            (nearest.empty() ? "`drape variables SCENE` lists them" : "the nearest is '" + nearest + "'");
   }
-  if (v->causality == Causality::kOutput)
+  if (v->causality == description::Causality::kOutput)
     return "--set names the output '" + name + "'; allowed: parameters and inputs";
-  const std::string problem = range_problem(*v, value);
+  const std::string problem = description::range_problem(*v, value);
   if (problem.empty()) *v->value = value;
   return problem.empty() ? "" : "--set " + problem;
 }
 
 // Sets values before the start and reads the inputs; prints all problems.
-int apply_settings(const Options& options, drape_cloth* cloth, const std::vector<Variable>& table,
-                   InputTable& inputs) {
+int apply_settings(const Options& options, drape_cloth* cloth,
+                   const std::vector<description::Variable>& table, InputTable& inputs) {
   std::vector<std::string> problems;
   for (const std::string& setting : options.settings)
     if (const std::string problem = apply_setting(table, setting); !problem.empty())
@@ -77,7 +77,7 @@ struct Recorder {
 // What moves the cloth from row to row.
 struct Driven {
   drape_cloth* cloth;
-  const std::vector<Variable>& table;
+  const std::vector<description::Variable>& table;
   InputTable inputs;  // no rows: none
 };
 
@@ -135,7 +135,7 @@ std::vector<std::string> options_problems(const Options& options) {
   std::vector<std::string> problems;
   if (options.folder.empty()) problems.push_back("--output is empty; allowed: the name of a folder");
   if (options.limit && !(*options.limit > 0 && *options.limit <= 1000))
-    problems.push_back("--limit is " + decimal_text(*options.limit) +
+    problems.push_back("--limit is " + description::decimal_text(*options.limit) +
                        " %; allowed: above 0 %, at most 1000 %");
   if (options.limit && !options.report)
     problems.push_back("--limit is of the report; allowed: together with --report FILE");
@@ -152,15 +152,15 @@ int run(const Options& options) {
   if (!problems.empty()) return kBadInput;
   const Cloth cloth = cloth_open(options.scene_file, options.verbose);
   if (!cloth) return kBadInput;
-  const std::vector<Variable> table = variables_of(cloth.get(), options.nodes);
+  const std::vector<description::Variable> table = description::variables_of(cloth.get(), options.nodes);
   Driven driven{cloth.get(), table, {}};
   if (const int code = apply_settings(options, cloth.get(), table, driven.inputs); code != kDone) return code;
   const double duration = drape_duration(cloth.get());
-  Recorder r{cloth.get(), {}, options.nodes != Nodes::kNone, {}, options.frames, {}};
+  Recorder r{cloth.get(), {}, options.nodes != description::Nodes::kNone, {}, options.frames, {}};
   r.frames.folder = options.folder;
   std::vector<std::string> header{"time"};
-  for (const Variable& v : table) {
-    if (v.causality != Causality::kOutput) continue;
+  for (const description::Variable& v : table) {
+    if (v.causality != description::Causality::kOutput) continue;
     header.push_back(v.name());
     r.columns.push_back(v.value);
   }
@@ -168,10 +168,10 @@ int run(const Options& options) {
                every = options.every > 0 ? options.every : duration / 100;
   constexpr double kLongest = 1e7, kMostRows = 1e7;  // s; rows
   if (until > kLongest)
-    return fail(kBadInput, "--until is " + decimal_text(until) + " s; allowed: at most 1e7 s");
+    return fail(kBadInput, "--until is " + description::decimal_text(until) + " s; allowed: at most 1e7 s");
   if (until / every > kMostRows)
-    return fail(kBadInput, "--every is " + decimal_text(every) + " s; allowed: at least " +
-                               decimal_text(until / kMostRows) +
+    return fail(kBadInput, "--every is " + description::decimal_text(every) + " s; allowed: at least " +
+                               description::decimal_text(until / kMostRows) +
                                " s, a ten-millionth of the time to the end");
   std::string problem;
   if (!csv_open(r.csv, options.folder, problem)) return fail(kBadInput, problem);
@@ -218,4 +218,4 @@ void command_run(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 
-}  // namespace drape
+}  // namespace drape::command

@@ -3,21 +3,21 @@
 #include "command/command.h"
 #include "description.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 struct Options {
   std::string scene_file;
   bool xml = false;
-  Nodes nodes = Nodes::kNone;
+  description::Nodes nodes = description::Nodes::kNone;
 };
 
 int variables(const Options& options) {
   const Cloth cloth = cloth_open(options.scene_file);
   if (!cloth) return kBadInput;
-  const Description description = description_of(cloth.get(), options.nodes);
-  const std::string text =
-      options.xml ? description_xml_fmi2(description) : description_markdown(description);
+  const description::Description description = description::description_of(cloth.get(), options.nodes);
+  const std::string text = options.xml ? description::description_xml_fmi2(description)
+                                       : description::description_markdown(description);
   std::fwrite(text.data(), 1, text.size(), stdout);
   return std::fflush(stdout) == 0 ? kDone : fail(kFailedRun, "cannot write to standard output");
 }
@@ -34,4 +34,4 @@ void command_variables(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = variables(*options); });
 }
 
-}  // namespace drape
+}  // namespace drape::command

@@ -8,10 +8,10 @@
 #include <system_error>
 
 #include "command/command.h"
-#include "scene/spelling.h"
 #include "scene/reader/read.h"
+#include "scene/spelling.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 void log_quiet(void*, drape_log_kind kind, const char* message) {
@@ -51,7 +51,7 @@ std::string command_problem(const CLI::App& app, int argc, char** argv) {
     all += (all.empty() ? "" : ", ") + command->get_name();
   }
   if (std::find(commands.begin(), commands.end(), argv[1]) != commands.end()) return "";
-  const std::string nearest = name_nearest(argv[1], commands);
+  const std::string nearest = scene::name_nearest(argv[1], commands);
   return "unknown command '" + std::string(argv[1]) + "'; " +
          (nearest.empty() ? "known: " + all : "the nearest is '" + nearest + "'") + "; see drape --help";
 }
@@ -62,9 +62,11 @@ CLI::Option* option_scene(CLI::App& command, std::string& scene_file) {
   return command.add_option("SCENE", scene_file, "scene file (TOML)")->required();
 }
 
-CLI::Option* option_nodes(CLI::App& command, Nodes& nodes) {
-  static const std::map<std::string, Nodes> kChoices = {
-      {"none", Nodes::kNone}, {"outline", Nodes::kOutline}, {"all", Nodes::kAll}};
+CLI::Option* option_nodes(CLI::App& command, description::Nodes& nodes) {
+  static const std::map<std::string, description::Nodes> kChoices = {
+      {"none", description::Nodes::kNone},
+      {"outline", description::Nodes::kOutline},
+      {"all", description::Nodes::kAll}};
   const auto choose = [&nodes](const std::string& text) {
     const auto choice = kChoices.find(text);
     if (choice == kChoices.end())
@@ -92,7 +94,7 @@ Cloth cloth_open(const std::string& scene_file, bool verbose) {
 std::string output_problem(const std::string& option, const std::string& file,
                            const std::string& scene_file) {
   if (file.empty()) return option + " is empty; allowed: the name of a file";
-  for (const std::filesystem::path& read : scene_files(scene_file)) {
+  for (const std::filesystem::path& read : scene::scene_files(scene_file)) {
     std::error_code error;
     if (std::filesystem::equivalent(file, read, error))
       return option + " is " + file + ", which the scene is read from; allowed: any other file";
@@ -105,32 +107,32 @@ int fail(ExitCode code, const std::string& sentence) {
   return code;
 }
 
-}  // namespace drape
+}  // namespace drape::command
 
 int main(int argc, char** argv) {
   using namespace drape;
   CLI::App app{"Drape: woven cloth as a co-simulation unit", "drape"};
   app.set_version_flag("--version", std::string("drape ") + drape_version());
   app.require_subcommand(1);
-  int exit_code = kDone;
-  command_check(app, exit_code);
-  command_pack(app, exit_code);
-  command_run(app, exit_code);
-  command_reference(app, exit_code);
-  command_variables(app, exit_code);
-  command_bench(app, exit_code);
-  command_fabric(app, exit_code);
-  command_import(app, exit_code);
-  command_form(app, exit_code);
-  if (const std::string problem = command_problem(app, argc, argv); !problem.empty())
-    return fail(kBadInput, problem);
+  int exit_code = command::kDone;
+  command::command_check(app, exit_code);
+  command::command_pack(app, exit_code);
+  command::command_run(app, exit_code);
+  command::command_reference(app, exit_code);
+  command::command_variables(app, exit_code);
+  command::command_bench(app, exit_code);
+  command::command_fabric(app, exit_code);
+  command::command_import(app, exit_code);
+  command::command_form(app, exit_code);
+  if (const std::string problem = command::command_problem(app, argc, argv); !problem.empty())
+    return command::fail(command::kBadInput, problem);
   try {
-    app.parse(arguments_of(argc, argv));
+    app.parse(command::arguments_of(argc, argv));
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
-    return fail(kBadInput, std::string(e.what()) + "; see drape --help");
+    return command::fail(command::kBadInput, std::string(e.what()) + "; see drape --help");
   } catch (const std::exception& e) {
-    return fail(kFailedRun, e.what());
+    return command::fail(command::kFailedRun, e.what());
   }
   return exit_code;
 }

@@ -7,7 +7,7 @@
 
 #include "figures/picture_draw.h"
 
-namespace drape {
+namespace drape::figures {
 namespace {
 
 constexpr double kWide = 250, kHigh = 200, kLeft = 56, kTop = 64, kBetween = 76, kBelow = 52;  // units
@@ -104,4 +104,4 @@ std::string fabric_plot_svg(const std::string& title, const std::vector<PlotPane
   return text.str();
 }
 
-}  // namespace drape
+}  // namespace drape::figures

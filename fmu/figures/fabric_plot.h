@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::figures {
 
 struct PlotPanel {
   std::string title;
@@ -13,4 +13,4 @@ struct PlotPanel {
 
 std::string fabric_plot_svg(const std::string& title, const std::vector<PlotPanel>& panels);
 
-}  // namespace drape
+}  // namespace drape::figures

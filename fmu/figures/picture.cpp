@@ -6,7 +6,7 @@
 
 #include "figures/picture_draw.h"
 
-namespace drape {
+namespace drape::figures {
 namespace {
 
 // In units of the drawing.
@@ -90,8 +90,8 @@ void hatch_define(pugi::xml_node svg) {
 
 }  // namespace
 
-View view_make(const Scene& scene, int piece, const Grid& grid) {
-  View view{scene, piece, grid, outline_flatten(scene.pieces[std::size_t(piece)]), {}, {}, 1, {}};
+View view_make(const Scene& scene, int piece, const piece::Grid& grid) {
+  View view{scene, piece, grid, piece::outline_flatten(scene.pieces[std::size_t(piece)]), {}, {}, 1, {}};
   view.low = view.high = view.loops[0].points[0];
   const auto include = [&](Vec2 p) {
     for (std::size_t a = 0; a < 2; ++a)
@@ -104,8 +104,8 @@ View view_make(const Scene& scene, int piece, const Grid& grid) {
 }
 
 std::string picture_svg(const Scene& scene) {
-  std::vector<Grid> grids;
-  for (std::size_t p = 0; p < scene.pieces.size(); ++p) grids.push_back(grid_make(scene, int(p)));
+  std::vector<piece::Grid> grids;
+  for (std::size_t p = 0; p < scene.pieces.size(); ++p) grids.push_back(piece::grid_make(scene, int(p)));
   std::vector<View> views;
   const double tallest = grids.size() > 1 ? kTallestOfSeveral : kTallest;
   double scale = INFINITY;
@@ -140,4 +140,4 @@ std::string picture_svg(const Scene& scene) {
   return text.str();
 }
 
-}  // namespace drape
+}  // namespace drape::figures

@@ -7,24 +7,26 @@
 
 #include "figures/picture_draw.h"
 
-namespace drape {
+namespace drape::figures {
 namespace {
 
 constexpr double kBeyond = 1e-6;  // cells: how far beyond a line the neighbour is looked up
 
 std::string line_width(const View& view) { return svg_number(std::clamp(0.05 * view.cell(), 0.2, 0.9)); }
 
-Vec2 corner_of(const Grid& grid, int i, int j) { return grid_plane(grid, {double(i), double(j)}); }
+Vec2 corner_of(const piece::Grid& grid, int i, int j) {
+  return piece::grid_plane(grid, {double(i), double(j)});
+}
 
-std::vector<Vec2> square_of(const Grid& grid, int i, int j) {
+std::vector<Vec2> square_of(const piece::Grid& grid, int i, int j) {
   return {corner_of(grid, i, j), corner_of(grid, i + 1, j), corner_of(grid, i + 1, j + 1),
           corner_of(grid, i, j + 1)};
 }
 
 void squares_draw(pugi::xml_node parent, const View& view) {
   std::set<std::array<int, 2>> places;
-  for (const GridCell& c : view.grid.cells)
-    if (grid_is_cut(view.grid, c.i, c.j)) places.insert({c.i, c.j});
+  for (const piece::GridCell& c : view.grid.cells)
+    if (piece::grid_is_cut(view.grid, c.i, c.j)) places.insert({c.i, c.j});
   std::string path;
   for (const auto& [i, j] : places) path += view.path(square_of(view.grid, i, j), true);
   svg_append(parent, "path",
@@ -49,31 +51,31 @@ void fill(pugi::xml_node parent, const char* kind, const std::string& path, cons
 
 // Parts, and whole cells that have taken over some.
 void parts_draw(pugi::xml_node parent, const View& view) {
-  const Grid& grid = view.grid;
+  const piece::Grid& grid = view.grid;
   if (!grid.paper)
-    for (const GridCell& c : grid.cells)
-      if (!grid_is_cut(grid, c.i, c.j) && c.share > 1)
+    for (const piece::GridCell& c : grid.cells)
+      if (!piece::grid_is_cut(grid, c.i, c.j) && c.share > 1)
         fill(parent, "taker", view.path(square_of(grid, c.i, c.j), true), share_colour(c.share),
              "share " + svg_number(c.share));
-  for (const GridPart& part : grid.parts) {
-    const GridCell& c = grid.cells[std::size_t(part.cell)];
+  for (const piece::GridPart& part : grid.parts) {
+    const piece::GridCell& c = grid.cells[std::size_t(part.cell)];
     std::string path;
     for (const std::vector<Vec2>& loop : part.loops) path += view.path(loop, true);
     if (grid.paper) fill(parent, "part", path, kStripInk, "mass only");
     else
       fill(parent, "part", path, share_colour(c.share),
-           (grid_is_merged(grid, part) ? "merged, share " : "share ") + svg_number(c.share));
+           (piece::grid_is_merged(grid, part) ? "merged, share " : "share ") + svg_number(c.share));
   }
 }
 
 // Lines between whole cells, as long as they go on.
 std::string whole_lines(const View& view) {
-  const Grid& grid = view.grid;
+  const piece::Grid& grid = view.grid;
   const int columns = grid.columns - 1, rows = grid.rows - 1;  // of cells
   std::vector<char> whole(std::size_t(columns) * std::size_t(rows));
   for (int c = 0; c < grid.regular; ++c) {
-    const GridCell& cell = grid.cells[std::size_t(c)];
-    whole[std::size_t(cell.j * columns + cell.i)] = !grid_is_cut(grid, cell.i, cell.j);
+    const piece::GridCell& cell = grid.cells[std::size_t(c)];
+    whole[std::size_t(cell.j * columns + cell.i)] = !piece::grid_is_cut(grid, cell.i, cell.j);
   }
   std::string path;
   for (const bool along_weft : {true, false}) {
@@ -96,19 +98,19 @@ std::string whole_lines(const View& view) {
 
 // Sides of parts, where another cell lies beyond.
 std::string part_lines(const View& view) {
-  const Grid& grid = view.grid;
+  const piece::Grid& grid = view.grid;
   std::string path;
-  for (const GridPart& part : grid.parts)
+  for (const piece::GridPart& part : grid.parts)
     for (const std::vector<Vec2>& loop : part.loops)
       for (std::size_t k = 0; k < loop.size(); ++k) {
-        const Vec2 p = grid_coordinates(grid, loop[k]);
-        const Vec2 q = grid_coordinates(grid, loop[(k + 1) % loop.size()]);
+        const Vec2 p = piece::grid_coordinates(grid, loop[k]);
+        const Vec2 q = piece::grid_coordinates(grid, loop[(k + 1) % loop.size()]);
         for (std::size_t a = 0; a < 2; ++a) {
           if (p[a] != q[a] || p[a] != std::floor(p[a])) continue;
           Vec2 beyond{(p[0] + q[0]) / 2, (p[1] + q[1]) / 2};  // the part lies to the left of p -> q
           beyond[a] += (a == 0) == (q[1 - a] > p[1 - a]) ? kBeyond : -kBeyond;
-          if (grid.paper || grid_cell_of(grid, grid_plane(grid, beyond)) != part.cell)
-            path += view.path({grid_plane(grid, p), grid_plane(grid, q)}, false);
+          if (grid.paper || piece::grid_cell_of(grid, piece::grid_plane(grid, beyond)) != part.cell)
+            path += view.path({piece::grid_plane(grid, p), piece::grid_plane(grid, q)}, false);
         }
       }
   return path;
@@ -128,7 +130,7 @@ std::string share_colour(double share) {
 void cells_draw(pugi::xml_node parent, const View& view) {
   squares_draw(parent, view);
   std::string outline;
-  for (const OutlineLoop& loop : view.loops) outline += view.path(loop.points, true);
+  for (const piece::OutlineLoop& loop : view.loops) outline += view.path(loop.points, true);
   const std::string id = "drape-piece-" + std::to_string(view.piece);
   const pugi::xml_node clip = svg_append(parent, "clipPath", {{"id", id}});
   svg_append(clip, "path", {{"d", outline}, {"clip-rule", "evenodd"}});
@@ -151,4 +153,4 @@ void cells_draw(pugi::xml_node parent, const View& view) {
               {"stroke-linejoin", "round"}});
 }
 
-}  // namespace drape
+}  // namespace drape::figures

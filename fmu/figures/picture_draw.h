@@ -1,10 +1,10 @@
 // What a picture of pieces consists of. A piece is drawn from below: cells, twins, seams, pins, probes.
 #pragma once
+#include "figures/svg.h"
 #include "piece/grid/grid.h"
 #include "piece/outline/outline.h"
-#include "figures/svg.h"
 
-namespace drape {
+namespace drape::figures {
 
 // Colours.
 inline constexpr char kInk[] = "#203040", kGhostInk[] = "#cfd8e0", kLineInk[] = "#a9b8c6";
@@ -16,8 +16,8 @@ inline constexpr char kPinInk[] = "#c0281c", kProbeInk[] = "#1c5fc0", kTwinInk[]
 struct View {
   const Scene& scene;
   int piece;
-  const Grid& grid;
-  std::vector<OutlineLoop> loops;
+  const piece::Grid& grid;
+  std::vector<piece::OutlineLoop> loops;
   Vec2 low, high;  // of outline and cells in the plane, m
   double scale;    // drawing units per metre
   Vec2 corner;     // of the drawing: where (low x, high y) goes
@@ -33,7 +33,7 @@ struct View {
   double cell() const { return grid.cell * scale; }
 };
 
-View view_make(const Scene& scene, int piece, const Grid& grid);
+View view_make(const Scene& scene, int piece, const piece::Grid& grid);
 
 // Grid, cut cells by their share, outline.
 void cells_draw(pugi::xml_node parent, const View& view);
@@ -62,8 +62,8 @@ void twin_mark(pugi::xml_node parent, Vec2 at, Vec2 cloth, double radius, bool t
 
 // A bar with its length and what the marks of these pieces mean, from `corner` down, at most to `right`;
 // returns the height.
-double legend_draw(pugi::xml_node parent, const Scene& scene, const std::vector<Grid>& grids, double scale,
-                   Vec2 corner, double right);
+double legend_draw(pugi::xml_node parent, const Scene& scene, const std::vector<piece::Grid>& grids,
+                   double scale, Vec2 corner, double right);
 double text_width(const std::string& text);  // about, in the font of the picture
 
-}  // namespace drape
+}  // namespace drape::figures

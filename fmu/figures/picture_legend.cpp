@@ -5,7 +5,7 @@
 
 #include "figures/picture_draw.h"
 
-namespace drape {
+namespace drape::figures {
 namespace {
 
 constexpr double kLine = 24;
@@ -16,7 +16,8 @@ struct Item {
   std::function<void(Vec2)> draw;  // to the right of its left middle
 };
 
-std::vector<Item> cell_items(pugi::xml_node parent, const Scene& scene, const std::vector<Grid>& grids) {
+std::vector<Item> cell_items(pugi::xml_node parent, const Scene& scene,
+                             const std::vector<piece::Grid>& grids) {
   const auto square = [parent](Vec2 at, const std::string& colour) {
     svg_append(parent, "rect",
                {{"x", svg_number(at[0])},
@@ -28,14 +29,14 @@ std::vector<Item> cell_items(pugi::xml_node parent, const Scene& scene, const st
                 {"stroke-width", "0.7"}});
   };
   std::vector<Item> items;
-  const bool paper = scene.outline == OutlineModel::kPaper;
+  const bool paper = scene.outline == scene::OutlineModel::kPaper;
   const auto any = [&](auto is) { return std::any_of(grids.begin(), grids.end(), is); };
-  const auto has_whole = [](const Grid& g) {
+  const auto has_whole = [](const piece::Grid& g) {
     return std::any_of(g.cells.begin(), g.cells.end(),
-                       [&](const GridCell& c) { return !grid_is_cut(g, c.i, c.j); });
+                       [&](const piece::GridCell& c) { return !piece::grid_is_cut(g, c.i, c.j); });
   };
   if (any(has_whole)) items.push_back({12, "whole cell", [square](Vec2 at) { square(at, kClothInk); }});
-  if (any([](const Grid& g) { return !g.parts.empty(); })) {
+  if (any([](const piece::Grid& g) { return !g.parts.empty(); })) {
     if (paper) items.push_back({12, "mass only", [square](Vec2 at) { square(at, kStripInk); }});
     else
       items.push_back(
@@ -43,7 +44,7 @@ std::vector<Item> cell_items(pugi::xml_node parent, const Scene& scene, const st
              for (int k = 0; k < 4; ++k) square({at[0] + 12 * k, at[1]}, share_colour(0.25 * (k + 1)));
            }});
   }
-  if (any([](const Grid& g) { return !g.twin.empty(); }))
+  if (any([](const piece::Grid& g) { return !g.twin.empty(); }))
     items.push_back({30, "particle and its twin at one place, with their cloth", [parent](Vec2 at) {
                        twin_mark(parent, {at[0] + 11, at[1]}, {at[0], at[1]}, 3, false);
                        twin_mark(parent, {at[0] + 19, at[1]}, {at[0] + 30, at[1]}, 3, true);
@@ -59,17 +60,17 @@ void hold_draw(pugi::xml_node parent, Vec2 at, bool clamp) {
 }
 
 std::vector<Item> pin_items(pugi::xml_node parent, const Scene& scene) {
-  const std::vector<PinSpec>& pins = scene.pins;
+  const std::vector<scene::PinSpec>& pins = scene.pins;
   const auto any = [&](auto is) { return std::any_of(pins.begin(), pins.end(), is); };
   std::vector<Item> items;
   for (const bool clamp : {false, true})
-    if (any([&](const PinSpec& pin) { return pin.clamp == clamp; }))
+    if (any([&](const scene::PinSpec& pin) { return pin.clamp == clamp; }))
       items.push_back({64, std::string(clamp ? "clamp" : "pin") + ": points, edges, region",
                        [parent, clamp](Vec2 at) { hold_draw(parent, at, clamp); }});
-  if (any([](const PinSpec& pin) { return pin.at.empty(); }))
+  if (any([](const scene::PinSpec& pin) { return pin.at.empty(); }))
     items.push_back(
         {4, "held by an edge or region", [parent](Vec2 at) { held_mark(parent, {{at[0] + 2, at[1]}}, 4); }});
-  if (any([](const PinSpec& pin) { return pin.drive != Drive::kNone; }))
+  if (any([](const scene::PinSpec& pin) { return pin.drive != scene::Drive::kNone; }))
     items.push_back({20, "driven pin", [parent](Vec2 at) { drive_mark(parent, {at[0] + 10, at[1]}, 10); }});
   if (!scene.seams.empty())
     items.push_back({40, "seam, its particles and its start", [parent](Vec2 at) {
@@ -110,8 +111,8 @@ Item scale_item(pugi::xml_node parent, double scale) {
 
 double text_width(const std::string& text) { return 6.4 * double(text.size()); }
 
-double legend_draw(pugi::xml_node parent, const Scene& scene, const std::vector<Grid>& grids, double scale,
-                   Vec2 corner, double right) {
+double legend_draw(pugi::xml_node parent, const Scene& scene, const std::vector<piece::Grid>& grids,
+                   double scale, Vec2 corner, double right) {
   std::vector<Item> items = {scale_item(parent, scale)};
   for (const auto& more : {cell_items(parent, scene, grids), pin_items(parent, scene)})
     items.insert(items.end(), more.begin(), more.end());
@@ -126,4 +127,4 @@ double legend_draw(pugi::xml_node parent, const Scene& scene, const std::vector<
   return at[1] + kLine / 2 - corner[1];
 }
 
-}  // namespace drape
+}  // namespace drape::figures

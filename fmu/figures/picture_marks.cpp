@@ -4,7 +4,7 @@
 
 #include "figures/picture_draw.h"
 
-namespace drape {
+namespace drape::figures {
 namespace {
 
 constexpr double kTick = 7;  // between the ticks of a clamp, and their length
@@ -134,4 +134,4 @@ void probe_mark(pugi::xml_node parent, Vec2 at) {
                 {"stroke-width", "1.4"}});
 }
 
-}  // namespace drape
+}  // namespace drape::figures

@@ -6,7 +6,7 @@
 #include "figures/picture_draw.h"
 #include "piece/support/support.h"
 
-namespace drape {
+namespace drape::figures {
 namespace {
 
 // From a mark to the middle of the piece.
@@ -15,14 +15,14 @@ Vec2 inwards(const View& view, Vec2 at) {
   return {middle[0] - at[0], middle[1] - at[1]};
 }
 
-std::string title_of(const PinSpec& pin) {
+std::string title_of(const scene::PinSpec& pin) {
   const char* drives[] = {"", ", driven by position", ", driven by velocity",
                           ", driven by position and velocity"};
   return "pin " + pin.name + (pin.clamp ? ", clamp" : "") + drives[int(pin.drive)];
 }
 
-void edges_draw(pugi::xml_node parent, const View& view, const PinSpec& pin) {
-  const OutlineLoop& rim = view.loops[0];
+void edges_draw(pugi::xml_node parent, const View& view, const scene::PinSpec& pin) {
+  const piece::OutlineLoop& rim = view.loops[0];
   const std::size_t n = rim.points.size();
   const auto held = [&](std::size_t k) {
     return std::find(pin.edges.begin(), pin.edges.end(), rim.edge[k]) != pin.edges.end();
@@ -42,8 +42,8 @@ void edges_draw(pugi::xml_node parent, const View& view, const PinSpec& pin) {
   }
 }
 
-void pin_draw(pugi::xml_node parent, const View& view, const PinSpec& pin) {
-  const Hold hold = hold_make(view.grid, view.scene, pin);
+void pin_draw(pugi::xml_node parent, const View& view, const scene::PinSpec& pin) {
+  const piece::Hold hold = piece::hold_make(view.grid, view.scene, pin);
   const pugi::xml_node group = svg_append(parent, "g", {{"class", "pin"}});
   svg_title(group, title_of(pin));
   if (!pin.region.empty())
@@ -56,7 +56,7 @@ void pin_draw(pugi::xml_node parent, const View& view, const PinSpec& pin) {
   if (pin.at.empty()) held_mark(group, points, std::clamp(0.25 * view.cell(), 1.0, 4.0));
   else
     for (const Vec2& at : points) point_mark(group, at, 7, pin.clamp);
-  const bool driven = pin.drive != Drive::kNone;
+  const bool driven = pin.drive != scene::Drive::kNone;
   if (driven) drive_mark(group, view(hold.centre), 15);
   const Vec2 named = pin.at.empty() ? view(hold.centre) : points[0];
   label_draw(group, named, inwards(view, named), driven ? 24 : 15, pin.name, kPinInk);
@@ -65,12 +65,12 @@ void pin_draw(pugi::xml_node parent, const View& view, const PinSpec& pin) {
 }  // namespace
 
 void pins_draw(pugi::xml_node parent, const View& view) {
-  for (const PinSpec& pin : view.scene.pins)
+  for (const scene::PinSpec& pin : view.scene.pins)
     if (pin.piece == view.piece) pin_draw(parent, view, pin);
 }
 
 void probes_draw(pugi::xml_node parent, const View& view) {
-  for (const ProbeSpec& probe : view.scene.probes) {
+  for (const scene::ProbeSpec& probe : view.scene.probes) {
     if (probe.piece != view.piece) continue;
     const pugi::xml_node group = svg_append(parent, "g", {{"class", "probe"}});
     svg_title(group, "probe " + probe.name);
@@ -80,4 +80,4 @@ void probes_draw(pugi::xml_node parent, const View& view) {
   }
 }
 
-}  // namespace drape
+}  // namespace drape::figures

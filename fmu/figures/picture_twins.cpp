@@ -6,7 +6,7 @@
 
 #include "figures/picture_draw.h"
 
-namespace drape {
+namespace drape::figures {
 namespace {
 
 constexpr double kTwinShift = 0.24;  // cells, from the place
@@ -14,21 +14,21 @@ constexpr double kTwinShift = 0.24;  // cells, from the place
 }  // namespace
 
 void twins_draw(pugi::xml_node parent, const View& view) {
-  const Grid& grid = view.grid;
+  const piece::Grid& grid = view.grid;
   std::set<int> nodes;
   for (int n = grid.columns * grid.rows; n < grid.nodes(); ++n) {
     const auto [i, j] = grid.index(n);
     nodes.insert({n, j * grid.columns + i});
   }
   std::map<int, std::vector<Vec2>> cloth;  // centres of the cells of these nodes
-  const auto note = [&](const GridCell& c, Vec2 centre) {
+  const auto note = [&](const piece::GridCell& c, Vec2 centre) {
     for (const int n : c.node)
       if (nodes.count(n)) cloth[n].push_back(centre);
   };
-  for (const GridCell& c : grid.cells)
-    if (!grid_is_cut(grid, c.i, c.j)) note(c, grid_plane(grid, {c.i + 0.5, c.j + 0.5}));
-  for (const GridPart& part : grid.parts)
-    note(grid.cells[std::size_t(part.cell)], polygon_centre(part.loops[0]));
+  for (const piece::GridCell& c : grid.cells)
+    if (!piece::grid_is_cut(grid, c.i, c.j)) note(c, piece::grid_plane(grid, {c.i + 0.5, c.j + 0.5}));
+  for (const piece::GridPart& part : grid.parts)
+    note(grid.cells[std::size_t(part.cell)], piece::polygon_centre(part.loops[0]));
   for (const auto& [n, centres] : cloth) {
     const Vec2 at = grid.place(n);
     Vec2 way{0, 0};
@@ -57,4 +57,4 @@ void twin_mark(pugi::xml_node parent, Vec2 at, Vec2 cloth, double radius, bool t
               {"stroke-width", svg_number(radius / 3)}});
 }
 
-}  // namespace drape
+}  // namespace drape::figures

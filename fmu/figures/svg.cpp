@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-namespace drape {
+namespace drape::figures {
 
 std::string svg_number(double value) {
   char text[32];
@@ -35,4 +35,4 @@ std::string svg_path(const std::vector<Vec2>& points, bool closed) {
   return closed ? path + "Z" : path;
 }
 
-}  // namespace drape
+}  // namespace drape::figures

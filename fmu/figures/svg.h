@@ -8,7 +8,7 @@
 
 #include "scene/scene.h"
 
-namespace drape {
+namespace drape::figures {
 
 using SvgAttributes = std::initializer_list<std::pair<const char*, std::string>>;
 pugi::xml_node svg_append(pugi::xml_node parent, const char* tag, SvgAttributes attributes);
@@ -22,4 +22,4 @@ std::string svg_number(double value);
 // "M1 2L3 4" through points of the drawing, closed with "Z".
 std::string svg_path(const std::vector<Vec2>& points, bool closed);
 
-}  // namespace drape
+}  // namespace drape::figures

@@ -1,6 +1,6 @@
 #include "fmi2/component.h"
 
-namespace drape {
+namespace drape::fmi2 {
 
 fmi2Status status_fmi2(drape_status status) {
   switch (status) {
@@ -24,7 +24,7 @@ void component_log(const Component& component, fmi2Status status, const char* ca
 }
 
 fmi2Status component_discard(Component& k, const std::string& sentence) {
-  return status_fmi2(instance_refuse(*k.instance, DRAPE_DISCARD, sentence));
+  return status_fmi2(instance::instance_refuse(*k.instance, DRAPE_DISCARD, sentence));
 }
 
 fmi2Status component_illegal(Component& component, const Rule& rule) {
@@ -43,4 +43,4 @@ fmi2Status component_illegal(Component& component, const Rule& rule) {
   return fmi2Error;
 }
 
-}  // namespace drape
+}  // namespace drape::fmi2

@@ -3,14 +3,14 @@
 #include <exception>
 #include <string>
 
-#include "fmi2Functions.h"
 #include "fmi2/legal_states.h"
+#include "fmi2Functions.h"
 #include "instance/instance.h"
 
-namespace drape {
+namespace drape::fmi2 {
 
 struct Component {
-  Instance* instance = nullptr;
+  instance::Instance* instance = nullptr;
   std::string name;
   fmi2CallbackFunctions callbacks{};
 };
@@ -36,10 +36,10 @@ fmi2Status gate(fmi2Component c, const Rule& rule, Body body) {
   try {
     return body(component);
   } catch (const std::exception& e) {
-    component.instance->phase = Phase::kError;
+    component.instance->phase = instance::Phase::kError;
     component_log(component, fmi2Error, "logStatusError", std::string(rule.call) + " failed: " + e.what());
     return fmi2Error;
   }
 }
 
-}  // namespace drape
+}  // namespace drape::fmi2

@@ -6,19 +6,19 @@
 #include "fmi2/component.h"
 #include "instance/resource_uri.h"
 
-namespace drape {
+namespace drape::fmi2 {
 namespace {
 
 struct Category {
   const char* name;
-  bool LogFilter::*filter;  // null: always on
+  bool LogFilter::* filter;  // null: always on
 };
 constexpr Category kCategories[] = {
     // in the order of drape_log_kind
     {"logStatusError", nullptr},
-    {"logStatusWarning", &LogFilter::warnings},
-    {"logEvents", &LogFilter::events},
-    {"logStability", &LogFilter::stability},
+    {"logStatusWarning", &instance::LogFilter::warnings},
+    {"logEvents", &instance::LogFilter::events},
+    {"logStability", &instance::LogFilter::stability},
 };
 
 void log_fmi2(void* user, drape_status status, drape_log_kind kind, const std::string& message) {
@@ -28,7 +28,7 @@ void log_fmi2(void* user, drape_status status, drape_log_kind kind, const std::s
   component_log(*static_cast<Component*>(user), fmi_status, kCategories[kind].name, message);
 }
 
-LogFilter filter_of(bool logging_on) {
+instance::LogFilter filter_of(bool logging_on) {
   return {.warnings = true, .events = logging_on, .stability = logging_on};
 }
 
@@ -44,15 +44,16 @@ fmi2Component instantiate(std::unique_ptr<Component> k, fmi2Type type, fmi2Strin
   if (!location)
     return refuse("the resource location is missing; expected: the URI of the FMU's resources folder");
   std::string problem;
-  const std::string folder = resource_path(location, problem);
+  const std::string folder = instance::resource_path(location, problem);
   if (!problem.empty()) return refuse(problem);
-  k->instance = instance_open(folder + "/scene.toml", guid, filter_of(logging_on), log_fmi2, k.get());
+  k->instance =
+      instance::instance_open(folder + "/scene.toml", guid, filter_of(logging_on), log_fmi2, k.get());
   return k->instance ? k.release() : nullptr;
 }
 
 fmi2Status set_logging(Component& k, bool on, size_t count, const fmi2String names[]) {
   if (count > 0 && !names) return component_discard(k, "the list of log categories is missing");
-  LogFilter filter = count == 0 ? filter_of(on) : k.instance->filter;
+  instance::LogFilter filter = count == 0 ? filter_of(on) : k.instance->filter;
   if (count > 0 && on) filter = {.warnings = false, .events = false, .stability = false};
   for (size_t i = 0; i < count; ++i) {
     const std::string name = names[i] ? names[i] : "";
@@ -70,9 +71,10 @@ fmi2Status set_logging(Component& k, bool on, size_t count, const fmi2String nam
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::fmi2
 
 using namespace drape;
+using namespace drape::fmi2;
 
 const char* fmi2GetTypesPlatform() { return fmi2TypesPlatform; }
 const char* fmi2GetVersion() { return fmi2Version; }
@@ -97,7 +99,7 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
 void fmi2FreeInstance(fmi2Component c) {
   if (!c) return;
   Component* k = static_cast<Component*>(c);
-  instance_close(k->instance);
+  instance::instance_close(k->instance);
   delete k;
 }
 
@@ -110,37 +112,37 @@ fmi2Status fmi2SetDebugLogging(fmi2Component c, fmi2Boolean on, size_t count, co
 fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean /*tolerance_defined*/, fmi2Real /*tolerance*/,
                                fmi2Real start, fmi2Boolean stop_defined, fmi2Real stop) {
   return gate(c, rule_of("fmi2SetupExperiment"), [&](Component& k) {
-    return status_fmi2(instance_setup(*k.instance, start, stop_defined ? stop : INFINITY));
+    return status_fmi2(instance::instance_setup(*k.instance, start, stop_defined ? stop : INFINITY));
   });
 }
 
 fmi2Status fmi2EnterInitializationMode(fmi2Component c) {
   return gate(c, rule_of("fmi2EnterInitializationMode"), [](Component& k) {
-    k.instance->phase = Phase::kInitialization;
+    k.instance->phase = instance::Phase::kInitialization;
     return fmi2OK;
   });
 }
 
 fmi2Status fmi2ExitInitializationMode(fmi2Component c) {
   return gate(c, rule_of("fmi2ExitInitializationMode"),
-              [](Component& k) { return status_fmi2(instance_exit_initialization(*k.instance)); });
+              [](Component& k) { return status_fmi2(instance::instance_exit_initialization(*k.instance)); });
 }
 
 fmi2Status fmi2Terminate(fmi2Component c) {
   return gate(c, rule_of("fmi2Terminate"), [](Component& k) {
-    k.instance->phase = Phase::kTerminated;
+    k.instance->phase = instance::Phase::kTerminated;
     return fmi2OK;
   });
 }
 
 fmi2Status fmi2Reset(fmi2Component c) {
   return gate(c, rule_of("fmi2Reset"), [](Component& k) {
-    instance_reset(*k.instance);
+    instance::instance_reset(*k.instance);
     return fmi2OK;
   });
 }
 
 fmi2Status fmi2DoStep(fmi2Component c, fmi2Real time, fmi2Real length, fmi2Boolean /*no_state_set_before*/) {
   return gate(c, rule_of("fmi2DoStep"),
-              [&](Component& k) { return status_fmi2(instance_step(*k.instance, time, length)); });
+              [&](Component& k) { return status_fmi2(instance::instance_step(*k.instance, time, length)); });
 }

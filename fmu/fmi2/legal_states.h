@@ -6,22 +6,22 @@
 
 #include "instance/instance.h"
 
-namespace drape {
+namespace drape::fmi2 {
 
 constexpr unsigned phases() { return 0; }
 template <class... Rest>
-constexpr unsigned phases(Phase phase, Rest... rest) {
+constexpr unsigned phases(instance::Phase phase, Rest... rest) {
   return 1u << unsigned(phase) | phases(rest...);
 }
 
 inline constexpr const char* kPhaseNames[] = {"instantiated", "initialization mode", "step complete",
                                               "terminated", "error"};
 
-inline constexpr unsigned kInstantiated = phases(Phase::kInstantiated);
-inline constexpr unsigned kInitialization = phases(Phase::kInitialization);
-inline constexpr unsigned kStepComplete = phases(Phase::kStepComplete);
-inline constexpr unsigned kTerminated = phases(Phase::kTerminated);
-inline constexpr unsigned kError = phases(Phase::kError);
+inline constexpr unsigned kInstantiated = phases(instance::Phase::kInstantiated);
+inline constexpr unsigned kInitialization = phases(instance::Phase::kInitialization);
+inline constexpr unsigned kStepComplete = phases(instance::Phase::kStepComplete);
+inline constexpr unsigned kTerminated = phases(instance::Phase::kTerminated);
+inline constexpr unsigned kError = phases(instance::Phase::kError);
 inline constexpr unsigned kSettable = kInstantiated | kInitialization | kStepComplete;
 inline constexpr unsigned kReadable = kInitialization | kStepComplete | kTerminated | kError;
 inline constexpr unsigned kAlways = kInstantiated | kReadable;
@@ -82,4 +82,4 @@ consteval const Rule& rule_of(std::string_view call) {
   throw "no rule for this call";
 }
 
-}  // namespace drape
+}  // namespace drape::fmi2

@@ -3,6 +3,7 @@
 #include "fmi2/component.h"
 
 using namespace drape;
+using namespace drape::fmi2;
 
 namespace {
 fmi2Status not_offered(Component&) { return fmi2Error; }

@@ -3,7 +3,7 @@
 
 #include "fmi2/component.h"
 
-namespace drape {
+namespace drape::fmi2 {
 namespace {
 
 // fmi2Pending is never returned, so that nothing can be asked about a pending step.
@@ -14,14 +14,15 @@ fmi2Status no_status(Component& k, const char* type) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::fmi2
 
 using namespace drape;
+using namespace drape::fmi2;
 
 fmi2Status fmi2GetFMUstate(fmi2Component c, fmi2FMUstate* state) {
   return gate(c, rule_of("fmi2GetFMUstate"), [&](Component& k) {
     if (!state) return component_discard(k, "fmi2GetFMUstate: the place for the state is missing");
-    Saved* saved = instance_save(*k.instance, static_cast<Saved*>(*state));
+    instance::Saved* saved = instance::instance_save(*k.instance, static_cast<instance::Saved*>(*state));
     if (!saved) return fmi2Discard;
     *state = saved;
     return fmi2OK;
@@ -30,14 +31,15 @@ fmi2Status fmi2GetFMUstate(fmi2Component c, fmi2FMUstate* state) {
 
 fmi2Status fmi2SetFMUstate(fmi2Component c, fmi2FMUstate state) {
   return gate(c, rule_of("fmi2SetFMUstate"), [&](Component& k) {
-    return status_fmi2(instance_restore(*k.instance, static_cast<const Saved*>(state)));
+    return status_fmi2(instance::instance_restore(*k.instance, static_cast<const instance::Saved*>(state)));
   });
 }
 
 fmi2Status fmi2FreeFMUstate(fmi2Component c, fmi2FMUstate* state) {
   return gate(c, rule_of("fmi2FreeFMUstate"), [&](Component& k) {
     if (!state || !*state) return fmi2OK;  // the standard: freeing null is ignored
-    const drape_status status = instance_forget(*k.instance, static_cast<const Saved*>(*state));
+    const drape_status status =
+        instance::instance_forget(*k.instance, static_cast<const instance::Saved*>(*state));
     if (status == DRAPE_OK) *state = nullptr;
     return status_fmi2(status);
   });

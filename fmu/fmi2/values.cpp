@@ -3,7 +3,7 @@
 
 #include "fmi2/component.h"
 
-namespace drape {
+namespace drape::fmi2 {
 namespace {
 
 // Integer, Boolean and String: there are no variables of these types.
@@ -15,15 +15,16 @@ fmi2Status no_variable(Component& k, const fmi2ValueReference references[], size
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::fmi2
 
 using namespace drape;
+using namespace drape::fmi2;
 
 fmi2Status fmi2GetReal(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, fmi2Real value[]) {
   return gate(c, rule_of("fmi2GetReal"), [&](Component& k) {
     if (nvr > 0 && (!vr || !value))
       return component_discard(k, "fmi2GetReal: the list of references or values is missing");
-    return status_fmi2(instance_get(*k.instance, vr, nvr, value));
+    return status_fmi2(instance::instance_get(*k.instance, vr, nvr, value));
   });
 }
 
@@ -31,7 +32,7 @@ fmi2Status fmi2SetReal(fmi2Component c, const fmi2ValueReference vr[], size_t nv
   return gate(c, rule_of("fmi2SetReal"), [&](Component& k) {
     if (nvr > 0 && (!vr || !value))
       return component_discard(k, "fmi2SetReal: the list of references or values is missing");
-    return status_fmi2(instance_set(*k.instance, vr, nvr, value));
+    return status_fmi2(instance::instance_set(*k.instance, vr, nvr, value));
   });
 }
 
@@ -41,7 +42,7 @@ fmi2Status fmi2SetRealInputDerivatives(fmi2Component c, const fmi2ValueReference
     if (nvr > 0 && (!vr || !order || !value))
       return component_discard(
           k, "fmi2SetRealInputDerivatives: the list of references, orders or values is missing");
-    return status_fmi2(instance_set_rates(*k.instance, vr, nvr, order, value));
+    return status_fmi2(instance::instance_set_rates(*k.instance, vr, nvr, order, value));
   });
 }
 

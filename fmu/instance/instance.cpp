@@ -6,7 +6,7 @@
 #include "decimal.h"
 #include "guid.h"
 
-namespace drape {
+namespace drape::instance {
 namespace {
 
 // Times this close to the clock are the same. A master that adds up its own clock is off by half a unit in
@@ -47,30 +47,34 @@ drape_status log_flush(Instance& s, drape_status status) {
 }
 
 // The choice of node variables under which the scene has this guid.
-bool nodes_of_guid(Instance& s, const std::string& guid, Nodes& nodes) {
+bool nodes_of_guid(Instance& s, const std::string& guid, description::Nodes& nodes) {
   const char* text = drape_scene_text(s.cloth);
-  for (const Nodes candidate : {Nodes::kNone, Nodes::kOutline, Nodes::kAll})
-    if (guid_of(text, candidate) == guid) {
+  for (const description::Nodes candidate :
+       {description::Nodes::kNone, description::Nodes::kOutline, description::Nodes::kAll})
+    if (description::guid_of(text, candidate) == guid) {
       nodes = candidate;
       return true;
     }
   instance_refuse(s, DRAPE_ERROR,
                   "the guid is " + guid + ", but this scene and version of Drape have " +
-                      guid_of(text, Nodes::kNone) + ", " + guid_of(text, Nodes::kOutline) + " or " +
-                      guid_of(text, Nodes::kAll) + " (node variables: none, outline, all)");
+                      description::guid_of(text, description::Nodes::kNone) + ", " +
+                      description::guid_of(text, description::Nodes::kOutline) + " or " +
+                      description::guid_of(text, description::Nodes::kAll) +
+                      " (node variables: none, outline, all)");
   return false;
 }
 
 std::string step_problem(const Instance& s, double time, double length) {
   const double clock = drape_time(s.cloth), same = same_time(s, clock, length);
   if (!(length > 0) || !std::isfinite(length))
-    return "the communication step is " + decimal_text(length) + " s; allowed: above 0 s, finite";
+    return "the communication step is " + description::decimal_text(length) +
+           " s; allowed: above 0 s, finite";
   if (!(std::abs(time - clock) <= same))
-    return "the communication point is " + decimal_text(time) + " s; expected: the cloth's time, " +
-           decimal_text(clock) + " s";
+    return "the communication point is " + description::decimal_text(time) +
+           " s; expected: the cloth's time, " + description::decimal_text(clock) + " s";
   if (clock + length > s.stop_time + same)
-    return "the communication step ends at " + decimal_text(clock + length) +
-           " s; allowed: up to the stop time, " + decimal_text(s.stop_time) + " s";
+    return "the communication step ends at " + description::decimal_text(clock + length) +
+           " s; allowed: up to the stop time, " + description::decimal_text(s.stop_time) + " s";
   return "";
 }
 
@@ -85,12 +89,12 @@ Instance* instance_open(const std::string& scene_file, const std::string& guid, 
   s->cloth = drape_open(scene_file.c_str(), core_heard, s.get());
   log_flush(*s, s->cloth ? DRAPE_OK : DRAPE_ERROR);
   if (!s->cloth) return nullptr;
-  Nodes nodes = Nodes::kNone;
+  description::Nodes nodes = description::Nodes::kNone;
   if (!nodes_of_guid(*s, guid, nodes)) {
     drape_close(s->cloth);
     return nullptr;
   }
-  s->table = variables_of(s->cloth, nodes);
+  s->table = description::variables_of(s->cloth, nodes);
   s->initial = instance_save(*s, nullptr);
   return s.release();
 }
@@ -110,11 +114,13 @@ drape_status instance_refuse(Instance& s, drape_status status, const std::string
 drape_status instance_setup(Instance& s, double start_time, double stop_time) {
   if (!std::isfinite(start_time))
     return instance_refuse(
-        s, DRAPE_DISCARD, "the start time is " + decimal_text(start_time) + " s; allowed: any finite number");
+        s, DRAPE_DISCARD,
+        "the start time is " + description::decimal_text(start_time) + " s; allowed: any finite number");
   if (!(stop_time > start_time))
     return instance_refuse(s, DRAPE_DISCARD,
-                           "the stop time is " + decimal_text(stop_time) +
-                               " s; allowed: above the start time, " + decimal_text(start_time) + " s");
+                           "the stop time is " + description::decimal_text(stop_time) +
+                               " s; allowed: above the start time, " + description::decimal_text(start_time) +
+                               " s");
   const drape_status status = log_flush(s, drape_start(s.cloth, start_time));
   if (status == DRAPE_OK) s.stop_time = stop_time;
   s.read = 0;
@@ -130,7 +136,7 @@ drape_status instance_exit_initialization(Instance& s) {
     const char* set_by = "";
     const double limit = drape_step_limit(s.cloth, &set_by);
     log_write(s, DRAPE_OK, DRAPE_LOG_STABILITY,
-              "the step limit is " + decimal_text(limit) + " s, set by the " + set_by);
+              "the step limit is " + description::decimal_text(limit) + " s, set by the " + set_by);
   }
   return status;
 }
@@ -147,4 +153,4 @@ drape_status instance_step(Instance& s, double time, double length) {
 
 void instance_reset(Instance& s) { instance_restore(s, s.initial); }
 
-}  // namespace drape
+}  // namespace drape::instance

@@ -11,7 +11,7 @@
 #include "drape/drape.h"
 #include "variables.h"
 
-namespace drape {
+namespace drape::instance {
 
 enum class Phase : unsigned { kInstantiated, kInitialization, kStepComplete, kTerminated, kError };
 
@@ -32,7 +32,7 @@ struct Saved {
 
 struct Instance {
   drape_cloth* cloth = nullptr;
-  std::vector<Variable> table;
+  std::vector<description::Variable> table;
   Phase phase = Phase::kInstantiated;
   double stop_time = std::numeric_limits<double>::infinity();  // infinity: none
   std::vector<std::unique_ptr<Saved>> saved;
@@ -75,4 +75,4 @@ Saved* instance_save(Instance& instance, Saved* into);
 drape_status instance_restore(Instance& instance, const Saved* saved);
 drape_status instance_forget(Instance& instance, const Saved* saved);
 
-}  // namespace drape
+}  // namespace drape::instance

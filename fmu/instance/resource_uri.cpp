@@ -3,7 +3,7 @@
 #include <cctype>
 #include <cstdlib>
 
-namespace drape {
+namespace drape::instance {
 namespace {
 
 // "%20" -> " ". False where a percent sign is not followed by two hexadecimal digits, or by 00.
@@ -52,4 +52,4 @@ std::string resource_path(const std::string& location, std::string& problem) {
   return path;
 }
 
-}  // namespace drape
+}  // namespace drape::instance

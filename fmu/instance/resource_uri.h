@@ -3,9 +3,9 @@
 #pragma once
 #include <string>
 
-namespace drape {
+namespace drape::instance {
 
 // The folder it names, without a slash at its end. On a fault: empty, and a sentence in `problem`.
 std::string resource_path(const std::string& location, std::string& problem);
 
-}  // namespace drape
+}  // namespace drape::instance

@@ -2,7 +2,7 @@
 
 #include "instance/instance.h"
 
-namespace drape {
+namespace drape::instance {
 namespace {
 
 void save_into(Instance& s, Saved& saved) {
@@ -53,4 +53,4 @@ drape_status instance_forget(Instance& s, const Saved* saved) {
   return DRAPE_OK;
 }
 
-}  // namespace drape
+}  // namespace drape::instance

@@ -3,10 +3,10 @@
 #include "decimal.h"
 #include "instance/instance.h"
 
-namespace drape {
+namespace drape::instance {
 namespace {
 
-const Variable* row_of(const Instance& s, std::uint32_t reference) {
+const description::Variable* row_of(const Instance& s, std::uint32_t reference) {
   return reference >= 1 && reference <= s.table.size() ? &s.table[reference - 1] : nullptr;
 }
 
@@ -17,26 +17,26 @@ std::string no_row(const Instance& s, std::uint32_t reference) {
 
 // Why a variable may not be set to a value now; empty if it may.
 std::string set_problem(const Instance& s, std::uint32_t reference, double value) {
-  const Variable* v = row_of(s, reference);
+  const description::Variable* v = row_of(s, reference);
   if (!v) return no_row(s, reference);
-  if (v->causality == Causality::kOutput)
+  if (v->causality == description::Causality::kOutput)
     return v->name() + " is an output; allowed: setting parameters and inputs";
   const bool initialized = s.phase != Phase::kInstantiated && s.phase != Phase::kInitialization;
-  if (v->variability == Variability::kFixed && initialized)
+  if (v->variability == description::Variability::kFixed && initialized)
     return v->name() + " is fixed; allowed: setting it until initialization ends";
-  return range_problem(*v, value);
+  return description::range_problem(*v, value);
 }
 
 // The same for a derivative of an input.
 std::string rate_problem(const Instance& s, std::uint32_t reference, int order, double value) {
-  const Variable* v = row_of(s, reference);
+  const description::Variable* v = row_of(s, reference);
   if (!v) return no_row(s, reference);
   if (!v->rate) return v->name() + " is no input; allowed: setting derivatives of inputs";
   if (order != 1)
     return "the order of the derivative of " + v->name() + " is " + std::to_string(order) + "; allowed: 1";
   if (std::isfinite(value)) return "";
   const std::string unit = v->unit == std::string_view("1") ? "1/s" : std::string(v->unit) + "/s";
-  return "the derivative of " + v->name() + " is " + decimal_text(value) + " " + unit +
+  return "the derivative of " + v->name() + " is " + description::decimal_text(value) + " " + unit +
          "; allowed: any finite number";
 }
 
@@ -45,7 +45,7 @@ std::string rate_problem(const Instance& s, std::uint32_t reference, int order, 
 drape_status instance_get(Instance& s, const std::uint32_t* references, std::size_t count, double* values) {
   int needs = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const Variable* v = row_of(s, references[i]);
+    const description::Variable* v = row_of(s, references[i]);
     if (!v) return instance_refuse(s, DRAPE_DISCARD, no_row(s, references[i]));
     needs |= v->needs;
   }
@@ -81,4 +81,4 @@ drape_status instance_set_rates(Instance& s, const std::uint32_t* references, st
   return DRAPE_OK;
 }
 
-}  // namespace drape
+}  // namespace drape::instance

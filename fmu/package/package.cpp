@@ -12,7 +12,7 @@
 #include "description.h"
 #include "package/licenses/licenses.h"
 
-namespace drape {
+namespace drape::package {
 namespace {
 
 // The binary that `drape` has been installed with.
@@ -101,8 +101,8 @@ bool bodies_add(drape_cloth* cloth, std::vector<Entry>& entries, std::string& pr
 
 }  // namespace
 
-bool fmu_pack(drape_cloth* cloth, Nodes nodes, const std::string& picture, const std::filesystem::path& file,
-              std::string& problem) {
+bool fmu_pack(drape_cloth* cloth, description::Nodes nodes, const std::string& picture,
+              const std::filesystem::path& file, std::string& problem) {
   const std::filesystem::path binary_file = binary_path();
   std::string binary;
   if (!file_read(binary_file, binary)) {
@@ -110,15 +110,15 @@ bool fmu_pack(drape_cloth* cloth, Nodes nodes, const std::string& picture, const
               ", the binary of the FMU; it belongs beside the drape command";
     return false;
   }
-  const Description d = description_of(cloth, nodes);
-  std::vector<Entry> entries = {{"modelDescription.xml", description_xml_fmi2(d)},
+  const description::Description d = description::description_of(cloth, nodes);
+  std::vector<Entry> entries = {{"modelDescription.xml", description::description_xml_fmi2(d)},
                                 {"binaries/linux64/" + d.identifier + ".so", binary},
                                 {"resources/scene.toml", drape_scene_text(cloth)},
-                                {"documentation/index.html", description_html(d, picture)}};
+                                {"documentation/index.html", description::description_html(d, picture)}};
   for (const License& license : kLicenses)
     entries.emplace_back("documentation/licenses/" + license.name, license.text);
   if (!bodies_add(cloth, entries, problem)) return false;
   return archive_write(file, entries, problem);
 }
 
-}  // namespace drape
+}  // namespace drape::package

@@ -20,7 +20,7 @@ std::vector<double> rates_of(std::vector<Ready>& cloths, const Patience& patienc
   std::vector<Contender> contenders;
   for (Ready& r : cloths)
     contenders.push_back([&r](long n) {
-      for (long k = 0; k < n; ++k) leapfrog_step(r.system, r.motion, r.state, r.step);
+      for (long k = 0; k < n; ++k) dynamics::leapfrog_step(r.system, r.motion, r.state, r.step);
     });
   std::vector<double> rates = race(contenders, patience.turns, patience.seconds);
   for (std::size_t k = 0; k < rates.size(); ++k)
@@ -42,7 +42,7 @@ void race_kernels(const Features& features, int side, const Patience& patience, 
   const Scene scene = scene_of(features, side);
   std::vector<Ready> cloths;
   for (const char* name : kKernels)
-    if (const Kernel* kernel = kernel_named(name)) {
+    if (const dynamics::Kernel* kernel = dynamics::kernel_named(name)) {
       cloths.push_back(ready(scene));
       cloths.back().motion.kernel = kernel;
     }
@@ -106,7 +106,7 @@ std::vector<Row> bound_rows(const Patience& patience) {
   std::vector<Row> rows;
   for (Ports (*measure)() : {ports_avx2, ports_avx512}) {
     const bool wide = measure == ports_avx512;
-    const Kernel* kernel = kernel_named(wide ? "avx512" : "avx2");
+    const dynamics::Kernel* kernel = dynamics::kernel_named(wide ? "avx512" : "avx2");
     if (!kernel) continue;
     for (const auto& [features, operations] :
          {std::pair{kStretchShear, kStretchShearOperations}, {kHinges, kHingesOperations}}) {
@@ -138,22 +138,23 @@ std::vector<Row> peer_rows(const Patience& patience) {
 // A scene as it is: the time of a simulated second, and how much of a step the pass takes.
 void scene_rows_add(const std::string& file, const Patience& patience, std::vector<Row>& rows) {
   std::vector<Problem> problems;
-  const Scene scene = scene_load(file, problems);
-  for (const Problem& p : problems) throw std::runtime_error(problem_text(p));
+  const Scene scene = validation::scene_load(file, problems);
+  for (const Problem& p : problems) throw std::runtime_error(scene::problem_text(p));
   Ready r = ready_at_start(scene);
   const double q = scene.communication;
   std::string event;
   long intervals = 0;
   const auto advance = [&](long n) {
     for (long k = 0; k < n; ++k, ++intervals)
-      if (leapfrog_advance(r.system, r.motion, r.state, q, event) != Advance::kDone)
+      if (dynamics::leapfrog_advance(r.system, r.motion, r.state, q, event) != dynamics::Advance::kDone)
         throw std::runtime_error(file + " does not run to the end of the measurement");
   };
   advance(10);
   State still = r.state;
-  const StepCoefficients at_rest{1, 0, 0, {0, 0, 0}, 0};
+  const dynamics::StepCoefficients at_rest{1, 0, 0, {0, 0, 0}, 0};
   const auto pass = [&](long n) {
-    for (long k = 0; k < n; ++k) kernel_step(*r.motion.kernel, r.system, at_rest, r.motion.workspace, still);
+    for (long k = 0; k < n; ++k)
+      dynamics::kernel_step(*r.motion.kernel, r.system, at_rest, r.motion.workspace, still);
   };
   const std::vector<double> seconds = race({advance, pass}, patience.turns, patience.seconds);
   const double particles = double(r.system.particle.size()),

@@ -5,8 +5,8 @@
 #include <random>
 #include <stdexcept>
 
-#include "dynamics/step_size/step_limit.h"
 #include "assembly/assemble.h"
+#include "dynamics/step_size/step_limit.h"
 
 namespace drape::bench {
 namespace {
@@ -16,8 +16,8 @@ constexpr double kCrumple = 0.003;  // of a cell
 constexpr double kStep = 0.4;       // of the limit
 
 // Slope at zero k (N/m on a 50 mm strip), three times as steep at 10 %; straight with one point.
-DiagramSpec diagram(double k, int points) {
-  DiagramSpec d{{0}, {0}, {}};
+scene::DiagramSpec diagram(double k, int points) {
+  scene::DiagramSpec d{{0}, {0}, {}};
   for (int i = 1; i <= points; ++i) {
     const double e = 0.1 * i / points;
     d.elongation.push_back(e);
@@ -29,7 +29,7 @@ DiagramSpec diagram(double k, int points) {
 }  // namespace
 
 Scene scene_of(const Features& features, int side) {
-  FabricSpec fabric;
+  scene::FabricSpec fabric;
   fabric.name = "bench";
   fabric.areal_density = 0.15;
   fabric.thickness = 5e-4;
@@ -46,7 +46,7 @@ Scene scene_of(const Features& features, int side) {
   scene.damping = features.damping;
   scene.energy = features.energy;
   if (features.air) scene.has_air = true, scene.air_normal = 1.2, scene.air_tangential = 0.05;
-  PieceSpec piece;
+  scene::PieceSpec piece;
   piece.name = "cloth";
   piece.fabric = 0;
   piece.cell = kCell;
@@ -76,11 +76,11 @@ Scene scene_of(const Features& features, int side) {
 Ready ready_at_start(const Scene& scene, int threads) {
   Ready r;
   std::vector<Problem> problems;
-  r.system = system_assemble(scene, r.state, problems);
-  for (const Problem& p : problems) throw std::runtime_error(problem_text(p));
+  r.system = assembly::system_assemble(scene, r.state, problems);
+  for (const Problem& p : problems) throw std::runtime_error(scene::problem_text(p));
   r.system.threads = threads;
-  r.motion = motion_make(r.system);
-  leapfrog_begin(r.system, r.motion, r.state);
+  r.motion = dynamics::motion_make(r.system);
+  dynamics::leapfrog_begin(r.system, r.motion, r.state);
   return r;
 }
 
@@ -90,8 +90,8 @@ Ready ready(const Scene& scene, int threads) {
   std::uniform_real_distribution<double> shift(-kCrumple * kCell, kCrumple * kCell);
   for (std::size_t n : r.system.particle)
     for (Array* a : {&r.state.x, &r.state.y, &r.state.z}) (*a)[n] += shift(random);
-  leapfrog_begin(r.system, r.motion, r.state);
-  r.step = kStep * step_limit_of(r.system, r.state.omega2);
+  dynamics::leapfrog_begin(r.system, r.motion, r.state);
+  r.step = kStep * dynamics::step_limit_of(r.system, r.state.omega2);
   return r;
 }
 

@@ -31,7 +31,7 @@ Scene scene_of(const Features& features, int side);
 struct Ready {
   System system;
   State state;
-  Motion motion;
+  dynamics::Motion motion;
   double step = 0;  // s
 };
 Ready ready_at_start(const Scene& scene, int threads = 1);  // as the scene says; its step is automatic

@@ -4,6 +4,6 @@
 
 namespace drape::bench {
 
-Ports ports_avx2() { return ports_of<Avx2Lane>("avx2"); }
+Ports ports_avx2() { return ports_of<simd::Avx2Lane>("avx2"); }
 
 }  // namespace drape::bench

@@ -4,6 +4,6 @@
 
 namespace drape::bench {
 
-Ports ports_avx512() { return ports_of<Avx512Lane>("avx512"); }
+Ports ports_avx512() { return ports_of<simd::Avx512Lane>("avx512"); }
 
 }  // namespace drape::bench

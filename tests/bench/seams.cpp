@@ -7,10 +7,10 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "assembly/assemble.h"
 #include "forces/seam_bending.h"
 #include "laboratory/stiffness.h"
 #include "model/seam_rows.h"
-#include "assembly/assemble.h"
 
 namespace drape::bench {
 namespace {
@@ -23,18 +23,18 @@ constexpr double kLocked = 10;   // stiffer than that: links between jaws that c
 constexpr double kRest = 1e-13;  // of the force
 
 struct Rest {
-  std::vector<Grid> grids;
+  std::vector<piece::Grid> grids;
   System system;
   State state;
-  Unknowns unknowns;
+  laboratory::Unknowns unknowns;
   Eigen::VectorXd u;
   double force = 0, left = 0;
 };
 
-DiagramSpec straight(double k) { return {{0, 0.1}, {0, 0.1 * k * 0.05}, {}}; }
+scene::DiagramSpec straight(double k) { return {{0, 0.1}, {0, 0.1 * k * 0.05}, {}}; }
 
-PieceSpec piece_of(const char* name, double cell, std::vector<Vec2> outline) {
-  PieceSpec piece;
+scene::PieceSpec piece_of(const char* name, double cell, std::vector<Vec2> outline) {
+  scene::PieceSpec piece;
   piece.name = name;
   piece.fabric = 0;
   piece.cell = cell;
@@ -43,7 +43,7 @@ PieceSpec piece_of(const char* name, double cell, std::vector<Vec2> outline) {
 }
 
 void pin_add(Scene& scene, int piece, int edge, bool high) {
-  PinSpec pin;
+  scene::PinSpec pin;
   pin.name = (high ? "high" : "low") + std::to_string(piece);
   pin.piece = piece;
   pin.edges = {edge};
@@ -55,8 +55,8 @@ Scene strip(bool paper) {
   scene.name = "strip";
   scene.clamp_correction = false;
   scene.gravity = {0, 0, 0};
-  scene.outline = paper ? OutlineModel::kPaper : OutlineModel::kCutCell;
-  FabricSpec fabric;
+  scene.outline = paper ? scene::OutlineModel::kPaper : scene::OutlineModel::kCutCell;
+  scene::FabricSpec fabric;
   fabric.name = "linear";
   fabric.areal_density = 0.15;
   fabric.thickness = 5e-4;
@@ -79,7 +79,7 @@ Scene uncut(const SeamCase& of) {
 Scene cut(const SeamCase& of) {
   Scene scene = strip(of.paper);
   const double b = kWidth / of.across, c = b * of.ratio, w = kWidth, h = kHeight, middle = h / 2;
-  SeamSpec seam;
+  scene::SeamSpec seam;
   seam.name = "cut";
   if (of.cut == SeamCut::kWarp) {
     scene.pieces = {piece_of("left", b, {{0, 0}, {w / 2, 0}, {w / 2, h}, {0, h}}),
@@ -117,22 +117,22 @@ Held held_of(const Scene& scene, const Rest& rest) {
   const auto entry = [&](std::size_t node, double weight, int axis) {
     if (weight != 0) entries.emplace_back(Eigen::Index(target.size()), first[node] + axis, weight);
   };
-  const auto add = [&](const ConstraintRow& row, int axis, double to) {
+  const auto add = [&](const constraint::ConstraintRow& row, int axis, double to) {
     for (std::size_t k = 0; k < row.node.size(); ++k) entry(row.node[k], row.weight[k], axis);
     target.push_back(to);
   };
-  for (const ConstraintRow& row : rest.system.pin_rows) {
+  for (const constraint::ConstraintRow& row : rest.system.pin_rows) {
     const bool high = scene.pins[std::size_t(row.pin)].name[0] == 'h';
     add(row, 0, 0);
     if (high) held.high.push_back(Eigen::Index(target.size()));
     add(row, 1, high ? kPull * kHeight : 0);
   }
-  for (const SeamPair& pair : rest.system.seams.pair)
+  for (const model::SeamPair& pair : rest.system.seams.pair)
     for (int axis : {0, 1}) {
-      for (const SeamTerm& t : pair.gap) entry(t.node, t.weight, axis);
+      for (const model::SeamTerm& t : pair.gap) entry(t.node, t.weight, axis);
       target.push_back(0);
     }
-  for (const RigidLink& link : rest.system.links) {
+  for (const constraint::RigidLink& link : rest.system.links) {
     const auto [a, b] = link.node;
     const double x = (rest.state.x[b] - rest.state.x[a]) / link.length,
                  y = (rest.state.y[b] - rest.state.y[a]) / link.length;
@@ -151,13 +151,14 @@ Held held_of(const Scene& scene, const Rest& rest) {
 
 // The links along a seam.
 void links_add(const Rest& rest, Entries& to) {
-  for (const Seam& seam : rest.system.seams.seam)
+  for (const model::Seam& seam : rest.system.seams.seam)
     for (std::size_t k = seam.link_first; k < seam.link_first + seam.link_count; ++k) {
-      const SeamRow& row = rest.system.seams.link[k].edge;
-      const Vec3 edge = row_value(row, rest.state);
-      const double length = vector3::norm(edge), stiff = seam_link_slope(rest.system, seam) / seam.rest;
-      for (const SeamTerm& i : row)
-        for (const SeamTerm& j : row)
+      const model::SeamRow& row = rest.system.seams.link[k].edge;
+      const Vec3 edge = model::row_value(row, rest.state);
+      const double length = math::vector3::norm(edge),
+                   stiff = forces::seam_link_slope(rest.system, seam) / seam.rest;
+      for (const model::SeamTerm& i : row)
+        for (const model::SeamTerm& j : row)
           for (std::size_t p : {0u, 1u})
             for (std::size_t q : {0u, 1u})
               to.emplace_back(rest.unknowns.first[i.node] + Eigen::Index(p),
@@ -169,12 +170,12 @@ void links_add(const Rest& rest, Entries& to) {
 Rest rest_of(const Scene& scene) {
   Rest rest;
   std::vector<Problem> problems;
-  rest.system = system_assemble(scene, rest.state, problems);
-  for (const Problem& p : problems) throw std::runtime_error(problem_text(p));
-  for (std::size_t p = 0; p < scene.pieces.size(); ++p) rest.grids.push_back(grid_make(scene, int(p)));
-  rest.unknowns = unknowns_make(rest.system, 2);
-  Triplets entries;
-  stiffness_add(rest.system, rest.state, Stiffness::kTangent, rest.unknowns, entries);
+  rest.system = assembly::system_assemble(scene, rest.state, problems);
+  for (const Problem& p : problems) throw std::runtime_error(scene::problem_text(p));
+  for (std::size_t p = 0; p < scene.pieces.size(); ++p) rest.grids.push_back(piece::grid_make(scene, int(p)));
+  rest.unknowns = laboratory::unknowns_make(rest.system, 2);
+  laboratory::Triplets entries;
+  laboratory::stiffness_add(rest.system, rest.state, laboratory::Stiffness::kTangent, rest.unknowns, entries);
   links_add(rest, entries);
   Eigen::SparseMatrix<double> K(rest.unknowns.count, rest.unknowns.count);
   K.setFromTriplets(entries.begin(), entries.end());
@@ -198,7 +199,7 @@ Rest rest_of(const Scene& scene) {
 
 // The displacement at a point of a piece, along y.
 double lift(const Rest& rest, std::size_t piece, Vec2 p) {
-  const GridPoint at = grid_locate(rest.grids[piece], p);
+  const piece::GridPoint at = piece::grid_locate(rest.grids[piece], p);
   double sum = 0;
   for (int k = 0; k < 4; ++k)
     if (at.weight[k] != 0)

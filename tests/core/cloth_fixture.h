@@ -4,24 +4,24 @@
 
 #include <random>
 
+#include "assembly/assemble.h"
 #include "dynamics/advance.h"
 #include "dynamics/step_size/step_limit.h"
 #include "outputs/energy.h"
 #include "outputs/outputs.h"
 #include "reference/test_cloth.h"
-#include "assembly/assemble.h"
 
-namespace drape {
+namespace drape::tests {
 
 struct Assembled {
   Scene scene;
   System system;
   State state;
-  Motion motion;
+  dynamics::Motion motion;
 };
 
-inline FabricSpec linen(double thickness = 1e-3) {
-  FabricSpec fabric;
+inline scene::FabricSpec linen(double thickness = 1e-3) {
+  scene::FabricSpec fabric;
   fabric.name = "linen";
   fabric.areal_density = 0.2;
   fabric.thickness = thickness;
@@ -36,16 +36,16 @@ inline Assembled assemble(const Scene& scene) {
   Assembled a;
   a.scene = scene;
   std::vector<Problem> problems;
-  a.system = system_assemble(scene, a.state, problems);
-  if (!problems.empty()) throw std::runtime_error(problem_text(problems[0]));
-  a.motion = motion_make(a.system);
-  leapfrog_begin(a.system, a.motion, a.state);
+  a.system = assembly::system_assemble(scene, a.state, problems);
+  if (!problems.empty()) throw std::runtime_error(scene::problem_text(problems[0]));
+  a.motion = dynamics::motion_make(a.system);
+  dynamics::leapfrog_begin(a.system, a.motion, a.state);
   return a;
 }
 
 inline void advance(Assembled& a, double length) {
   std::string event;
-  ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, length, event), Advance::kDone);
+  ASSERT_EQ(dynamics::leapfrog_advance(a.system, a.motion, a.state, length, event), dynamics::Advance::kDone);
 }
 
 // Every particle moved by up to `amplitude` (m) along each axis, in the judge's order.
@@ -84,18 +84,18 @@ inline void expect_goes_on(Assembled& a, double length) {
 
 // The energies after as long as `length` from the start.
 inline drape_energy energies_after(Assembled& a, double length) {
-  energy_begin(a.system, a.state);
+  outputs::energy_begin(a.system, a.state);
   advance(a, length);
-  Outputs outputs;
-  outputs_make(outputs, a.scene, a.system);
-  outputs_fill(outputs, a.system, a.motion, a.state, DRAPE_ENERGY);
+  outputs::Outputs outputs;
+  outputs::outputs_make(outputs, a.scene, a.system);
+  outputs::outputs_fill(outputs, a.system, a.motion, a.state, DRAPE_ENERGY);
   return outputs.shown.energy;
 }
 
-inline Eigen::VectorXd forces_by(const Kernel& kernel, Assembled& a) {
+inline Eigen::VectorXd forces_by(const dynamics::Kernel& kernel, Assembled& a) {
   Array fx(a.system.nodes), fy(a.system.nodes), fz(a.system.nodes);
-  kernel_forces(kernel, a.system, a.state, a.motion.workspace, fx.data(), fy.data(), fz.data());
+  dynamics::kernel_forces(kernel, a.system, a.state, a.motion.workspace, fx.data(), fy.data(), fz.data());
   return gathered(a.system, fx, fy, fz);
 }
 
-}  // namespace drape
+}  // namespace drape::tests

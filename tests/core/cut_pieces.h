@@ -5,7 +5,7 @@
 
 #include "reference/test_cloth.h"
 
-namespace drape {
+namespace drape::tests {
 
 enum class Shape { kRectangle, kTriangle, kDiscWithHole, kDart, kSlits };
 inline constexpr Shape kCutShapes[] = {Shape::kTriangle, Shape::kDiscWithHole, Shape::kDart, Shape::kSlits};
@@ -24,9 +24,9 @@ inline std::vector<Vec2> circle(Vec2 centre, double radius, int corners) {
   return points;
 }
 
-inline Scene cut_piece(const FabricSpec& fabric, Shape shape) {
+inline Scene cut_piece(const scene::FabricSpec& fabric, Shape shape) {
   Scene scene = reference::rectangle(fabric, 0.074, 0.0522, 0.01);
-  PieceSpec& piece = scene.pieces[0];
+  scene::PieceSpec& piece = scene.pieces[0];
   switch (shape) {
     case Shape::kRectangle:
       break;
@@ -50,4 +50,4 @@ inline Scene cut_piece(const FabricSpec& fabric, Shape shape) {
   return scene;
 }
 
-}  // namespace drape
+}  // namespace drape::tests

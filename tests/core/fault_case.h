@@ -6,7 +6,7 @@
 
 #include "scene_file.h"
 
-namespace drape {
+namespace drape::tests {
 
 using Messages = std::vector<std::string>;
 
@@ -34,4 +34,4 @@ inline Messages scene_fault(const Case& c, const std::string& scene = kScene) {
   return messages_of(folder, folder.write("scene.toml", edited(scene, c)));
 }
 
-}  // namespace drape
+}  // namespace drape::tests

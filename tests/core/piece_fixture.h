@@ -11,10 +11,10 @@
 #include "piece/grid/grid.h"
 #include "piece/outline/outline.h"
 
-namespace drape {
+namespace drape::tests {
 
-inline PieceSpec piece_of(std::vector<Vec2> outline, double cell) {
-  PieceSpec piece;
+inline scene::PieceSpec piece_of(std::vector<Vec2> outline, double cell) {
+  scene::PieceSpec piece;
   piece.name = "p";
   piece.cell = cell;
   piece.outline = std::move(outline);
@@ -22,15 +22,15 @@ inline PieceSpec piece_of(std::vector<Vec2> outline, double cell) {
 }
 
 // A rectangle from (x, y), counter-clockwise from its low corner.
-inline PieceSpec rectangle(double x, double y, double width, double height, double cell) {
+inline scene::PieceSpec rectangle(double x, double y, double width, double height, double cell) {
   return piece_of({{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}}, cell);
 }
 
-inline Scene scene_of(const PieceSpec& piece, const std::vector<int>& pinned_edges = {}) {
+inline Scene scene_of(const scene::PieceSpec& piece, const std::vector<int>& pinned_edges = {}) {
   Scene scene;
   scene.pieces = {piece};
   if (!pinned_edges.empty()) {
-    PinSpec pin;
+    scene::PinSpec pin;
     pin.piece = 0;
     pin.edges = pinned_edges;
     scene.pins = {pin};
@@ -38,9 +38,9 @@ inline Scene scene_of(const PieceSpec& piece, const std::vector<int>& pinned_edg
   return scene;
 }
 
-inline bool is_sound(const PieceSpec& piece) {
+inline bool is_sound(const scene::PieceSpec& piece) {
   std::vector<Problem> problems;
-  outline_problems(piece, "piece.p", problems);
+  piece::outline_problems(piece, "piece.p", problems);
   return problems.empty();
 }
 
@@ -62,14 +62,14 @@ struct RandomPiece {
   }
 
   // With holes and curves, any grain and origin.
-  PieceSpec piece() {
+  scene::PieceSpec piece() {
     for (;;) {
       const Vec2 centre{(*this)(-2, 2), (*this)(-2, 2)};
-      PieceSpec p = piece_of(star(centre, 0.3, 1, count(6, 30)), (*this)(0.01, 0.4));
+      scene::PieceSpec p = piece_of(star(centre, 0.3, 1, count(6, 30)), (*this)(0.01, 0.4));
       if (bits() % 2) p.holes.push_back(star(centre, 0.02, 0.15, count(3, 9)));
       for (int e = 0; e < int(p.outline.size()); ++e) {
         if (bits() % 4) continue;
-        CurveSpec c;
+        scene::CurveSpec c;
         c.edge = e;
         const Vec2 a = p.outline[std::size_t(e)], b = p.outline[std::size_t(e + 1) % p.outline.size()];
         const double chord = std::hypot(b[0] - a[0], b[1] - a[1]);
@@ -88,11 +88,11 @@ struct RandomPiece {
   }
 
   // Corners on multiples of 1, 1/2 or 1/4 of a cell.
-  PieceSpec snapped_piece() {
+  scene::PieceSpec snapped_piece() {
     for (;;) {
       const double unit = 1.0 / double(1 << count(0, 2));
       const double size = (*this)(1, 6);
-      PieceSpec p = piece_of(star({0, 0}, 0.2 * size, size, count(3, 14)), 1);
+      scene::PieceSpec p = piece_of(star({0, 0}, 0.2 * size, size, count(3, 14)), 1);
       if (bits() % 3 == 0) p.holes.push_back(star({0, 0}, 0.05 * size, 0.4 * size, count(3, 6)));
       for (auto* loop : {&p.outline, p.holes.empty() ? &p.outline : &p.holes[0]})
         for (Vec2& q : *loop)
@@ -103,7 +103,7 @@ struct RandomPiece {
   }
 };
 
-inline double grid_area(const Grid& g) {
+inline double grid_area(const piece::Grid& g) {
   double sum = 0;
   for (double a : g.area) sum += a;
   return sum;
@@ -115,14 +115,14 @@ struct Shape {
   int pieces = 0, euler = 0;
 };
 
-inline Shape shape_of(const Grid& g) {
+inline Shape shape_of(const piece::Grid& g) {
   std::map<int, int> root;
   const auto find = [&](int n) {
     while (root[n] != n) n = root[n];
     return n;
   };
   std::set<std::pair<int, int>> sides;
-  for (const GridCell& c : g.cells) {
+  for (const piece::GridCell& c : g.cells) {
     for (int n : c.node) root.emplace(n, n);
     for (int k = 1; k < 4; ++k) root[find(c.node[k])] = find(c.node[0]);
     for (const auto& [k, l] : {std::pair{0, 1}, {0, 2}, {1, 3}, {2, 3}}) sides.insert({c.node[k], c.node[l]});
@@ -133,4 +133,4 @@ inline Shape shape_of(const Grid& g) {
   return shape;
 }
 
-}  // namespace drape
+}  // namespace drape::tests

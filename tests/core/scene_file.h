@@ -9,7 +9,7 @@
 
 #include "validation/load.h"
 
-namespace drape {
+namespace drape::tests {
 
 struct SceneFolder {
   std::filesystem::path path;
@@ -31,10 +31,10 @@ struct SceneFolder {
 // The messages of reading a file, without the name of its folder.
 inline std::vector<std::string> messages_of(const SceneFolder& folder, const std::filesystem::path& file) {
   std::vector<Problem> problems;
-  scene_load(file, problems);
+  validation::scene_load(file, problems);
   std::vector<std::string> messages;
   for (const Problem& p : problems) {
-    std::string text = problem_text(p);
+    std::string text = scene::problem_text(p);
     const std::string prefix = folder.path.string() + "/";
     for (std::size_t at; (at = text.find(prefix)) != std::string::npos;) text.erase(at, prefix.size());
     messages.push_back(text);
@@ -202,4 +202,4 @@ gost_10550 = { mass_g = [3.17, 3.15], deflection_mm = [63.5, 65.1] }
 poisson = 0.1
 )";
 
-}  // namespace drape
+}  // namespace drape::tests

@@ -3,11 +3,11 @@
 #include "cloth_fixture.h"
 #include "dynamics/seam_welding.h"
 
-namespace drape {
+namespace drape::tests {
 
 // The right edge of the first rectangle to the left one of the second.
-inline SeamSpec seam_join() {
-  SeamSpec seam;
+inline scene::SeamSpec seam_join() {
+  scene::SeamSpec seam;
   seam.name = "join";
   seam.side[0] = {0, {1}, false};
   seam.side[1] = {1, {3}, true};
@@ -17,15 +17,16 @@ inline SeamSpec seam_join() {
 // Advances as a cloth does: seams are looked at at the beginning of each interval.
 inline void sewn_advance(Assembled& a, double length) {
   std::string event;
-  const Advance how = leapfrog_advance(a.system, a.motion, a.state, length, event, [&](double) {
-    bool changed = seams_pull_begin(a.system, a.state);
-    const std::vector<std::size_t> due = seams_due(a.system, a.state);
-    if (!due.empty()) seams_weld(a.system, a.motion, a.state, due);
-    changed = changed || !due.empty();
-    if (changed) leapfrog_retuned(a.system, a.motion, a.state);
-    return changed;
-  });
-  EXPECT_EQ(how, Advance::kDone);
+  const dynamics::Advance how =
+      dynamics::leapfrog_advance(a.system, a.motion, a.state, length, event, [&](double) {
+        bool changed = dynamics::seams_pull_begin(a.system, a.state);
+        const std::vector<std::size_t> due = dynamics::seams_due(a.system, a.state);
+        if (!due.empty()) dynamics::seams_weld(a.system, a.motion, a.state, due);
+        changed = changed || !due.empty();
+        if (changed) dynamics::leapfrog_retuned(a.system, a.motion, a.state);
+        return changed;
+      });
+  EXPECT_EQ(how, dynamics::Advance::kDone);
 }
 
-}  // namespace drape
+}  // namespace drape::tests

@@ -88,10 +88,11 @@ std::vector<Candidate> candidates() {
 }
 
 std::vector<double> moved(const Trial& t, const Candidate& c, long steps) {
-  const Composition own{c.order, int(c.drift.size()), c.kick.data(), c.drift.data(), c.limit};
+  const model::Composition own{c.order, int(c.drift.size()), c.kick.data(), c.drift.data(), c.limit};
   Ready r = ready_at_start(t.scene);
   r.system.composition = &own;
-  for (long k = 0; k < steps; ++k) leapfrog_step(r.system, r.motion, r.state, t.end / double(steps));
+  for (long k = 0; k < steps; ++k)
+    dynamics::leapfrog_step(r.system, r.motion, r.state, t.end / double(steps));
   std::vector<double> places;
   for (std::size_t n : r.system.particle)
     places.insert(places.end(), {r.state.x[n], r.state.y[n], r.state.z[n]});

@@ -18,13 +18,13 @@
 #include <random>
 #include <thread>
 
-#include "scene_file.h"
+#include "assembly/assemble.h"
 #include "dynamics/advance.h"
 #include "dynamics/step_size/step_limit.h"
 #include "outputs/energy.h"
-#include "assembly/assemble.h"
+#include "scene_file.h"
 
-namespace drape {
+namespace drape::stress {
 namespace {
 
 constexpr double kRatios[] = {0.4, 0.45, 0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95, 1.0, 1.05};
@@ -95,7 +95,7 @@ Scene scene_of(const Cloth& cloth, double damping, int order) {
 struct Run {
   System system;
   State state;
-  Motion motion;
+  dynamics::Motion motion;
   Array vx, vy, vz;
   std::vector<PinLoad> load;
 };
@@ -104,7 +104,7 @@ struct Run {
 void run_begin(Run& r, const Scene& scene, unsigned seed) {
   std::vector<Problem> problems;
   r.system = system_assemble(scene, r.state, problems);
-  r.motion = motion_make(r.system);
+  r.motion = dynamics::motion_make(r.system);
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(-1, 1);
   for (std::size_t n : r.system.particle) {
@@ -126,9 +126,9 @@ struct Energy {
   double total;   // and of the weight
 };
 Energy energy_of(Run& r) {
-  leapfrog_synchronous(r.system, r.motion, r.state, r.vx.data(), r.vy.data(), r.vz.data(), r.load);
-  const drape_energy e = energy_potential(r.system, r.state);
-  const double moving = energy_kinetic(r.system, r.vx, r.vy, r.vz) + e.stretch + e.shear + e.bending;
+  dynamics::leapfrog_synchronous(r.system, r.motion, r.state, r.vx.data(), r.vy.data(), r.vz.data(), r.load);
+  const drape_energy e = outputs::energy_potential(r.system, r.state);
+  const double moving = outputs::energy_kinetic(r.system, r.vx, r.vy, r.vz) + e.stretch + e.shear + e.bending;
   return {moving, moving + e.gravity};
 }
 
@@ -142,14 +142,14 @@ bool survives(const Cloth& cloth, double damping, int order, double ratio, unsig
   for (long n = 0; n < steps; ++n) {
     if (n % kLook == 0) {
       const double ahead = std::isfinite(h) ? kLook * h : 0;
-      const double limit =
-          step_limit_of(r.system, step_limit_omega2(r.system, *r.motion.kernel, r.state, ahead));
+      const double limit = dynamics::step_limit_of(
+          r.system, dynamics::step_limit_omega2(r.system, *r.motion.kernel, r.state, ahead));
       h = std::min(h, ratio * limit);
       least = std::min(least, limit);
       if (!(h > 1e-9)) return false;
     }
     if (n % kWindow == kWindow - 1) h = ratio * least, least = INFINITY;
-    leapfrog_step(r.system, r.motion, r.state, h);
+    dynamics::leapfrog_step(r.system, r.motion, r.state, h);
     if (n % kSample == kSample - 1 && !(energy_of(r).total <= most)) return false;
   }
   return true;
@@ -212,12 +212,12 @@ int run(long steps, unsigned seeds, const char* only, double least, double most,
     broken += j.ratio <= (j.damping > 0 ? kSafetyDamped : kSafetyUndamped) && !j.survived;
   if (broken)
     std::printf("%d runs at or below the default factors %g, undamped, and %g grew\n", broken,
-                kSafetyUndamped, kSafetyDamped);
+                dynamics::kSafetyUndamped, dynamics::kSafetyDamped);
   return broken ? 1 : 0;
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::stress
 
 int main(int argc, char** argv) {
   long steps = 100000;
@@ -243,5 +243,5 @@ int main(int argc, char** argv) {
   }
   if (steps < 1 || seeds < 1) return std::fprintf(stderr, "--steps and --seeds: allowed: 1 or more\n"), 1;
   if (order != 2 && order != 4 && order != 6) return std::fprintf(stderr, "--order: allowed: 2, 4, 6\n"), 1;
-  return drape::run(steps, seeds, only, least, most, int(order));
+  return drape::stress::run(steps, seeds, only, least, most, int(order));
 }

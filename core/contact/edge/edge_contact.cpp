@@ -1,6 +1,6 @@
-// What ridges do to links and cells: the law of particles (contact/particle/response.h) on the gap of a pair. With
-// K = sum W_k^2/m_k, an impulse J on the gap's velocity sum W_k v_k gives the nodes W_k J/m_k and the gap K
-// J.
+// What ridges do to links and cells: the law of particles (contact/particle/response.h) on the gap of a pair.
+// With K = sum W_k^2/m_k, an impulse J on the gap's velocity sum W_k v_k gives the nodes W_k J/m_k and the
+// gap K J.
 //
 // The stiffness k = min(m_k) W^2/2 (in a fit, which has no balance of energy, W^2/(2 K)) does not change as
 // the foot slides along a link, so that the penalty has an energy. With S = sum |W_k|, 1 on a link and up to
@@ -11,44 +11,44 @@
 #include <array>
 #include <cmath>
 
-#include "math/smooth_ramp.h"
-#include "contact/particle/response.h"
-#include "simd/lane_scalar.h"
-#include "contact/edge/pairs.h"
 #include "contact/edge/elements.h"
+#include "contact/edge/pairs.h"
 #include "contact/particle/contact.h"
+#include "contact/particle/response.h"
+#include "math/smooth_ramp.h"
+#include "simd/lane_scalar.h"
 
-namespace drape {
+namespace drape::contact {
 namespace {
 
-using vector3::cross;
-using vector3::dot;
-using vector3::norm;
-using vector3::operator*;
-using vector3::operator+;
-using vector3::operator-;
-using vector3::operator+=;
-using Lane = ScalarLane<false>;
+using math::vector3::cross;
+using math::vector3::dot;
+using math::vector3::norm;
+using math::vector3::operator*;
+using math::vector3::operator+;
+using math::vector3::operator-;
+using math::vector3::operator+=;
+using forces::Lane = simd::ScalarLane<false>;
 
 constexpr double kSoft = 0.5;      // of W^2 of a particle
 constexpr double kSettled = 1e-3;  // of the first change of a velocity: sweeps end
 constexpr int kSweeps = 10;
 constexpr double kAsleep = 1e-9;  // m
 
-Vec<Lane> lanes(const Vec3& v) { return {v[0], v[1], v[2]}; }
-Vec3 vector(const Vec<Lane>& v) { return {v.x.v, v.y.v, v.z.v}; }
+simd::Vec<forces::Lane> lanes(const Vec3& v) { return {v[0], v[1], v[2]}; }
+Vec3 vector(const simd::Vec<forces::Lane>& v) { return {v.x.v, v.y.v, v.z.v}; }
 
 // What is past a ridge is cut by it where it is in the solid; else it is beyond, as below a plate. Of a sheet
 // only what was out of it before: the rest is in the groove behind a fold.
-bool belongs_out(const Body& body, const RidgePair& pair, const RidgeGap& gap) {
+bool belongs_out(const model::Body& body, const model::RidgePair& pair, const RidgeGap& gap) {
   if (!gap.over) return false;
   if (gap.distance > 0) return true;
   return body.mesh.surface.solid ? -gap.distance < gap.inside : pair.outside;
 }
 
 RidgeTouch touch_of(const System& system, const State& s, std::size_t b, std::size_t pair,
-                    const RidgePart& part, const RidgeGap& gap) {
-  const Body& body = system.bodies[b];
+                    const model::RidgePart& part, const RidgeGap& gap) {
+  const model::Body& body = system.bodies[b];
   RidgeTouch t{b, pair, &part, gap, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0};
   double least = INFINITY, lightness = 0;  // kg, 1/kg, of inertia
   for (int k = 0; k < part.weights(); ++k) {
@@ -56,12 +56,12 @@ RidgeTouch touch_of(const System& system, const State& s, std::size_t b, std::si
     const double w = gap.weight[k];
     t.at += w * Vec3{s.x[n], s.y[n], s.z[n]};
     t.old += w * Vec3{s.vx[n], s.vy[n], s.vz[n]};
-    const double inertia = inertia_of(system, s, n);
+    const double inertia = model::inertia_of(system, s, n);
     least = std::min(least, inertia);
     lightness += w * w / inertia;
   }
-  t.gap.n = pose_outward(body, s.body[b], gap.n);
-  t.carried = pose_velocity(body, s.body[b], t.at);
+  t.gap.n = model::pose_outward(body, s.body[b], gap.n);
+  t.carried = model::pose_velocity(body, s.body[b], t.at);
   t.stiffness = gap.share * kSoft * system.lattices[std::size_t(part.lattice)].touch.omega2 *
                 (system.fit ? 1 / lightness : least);
   return t;
@@ -71,7 +71,7 @@ RidgeTouch touch_of(const System& system, const State& s, std::size_t b, std::si
 double energy_of(const System& system, const RidgeTouch& t) {
   const double layer = system.lattices[std::size_t(t.part->lattice)].touch.layer;
   const double depth = std::min(layer - t.gap.distance, layer);
-  return depth > 0 ? t.stiffness * contact_penalty_energy(kContactBlend * layer, depth) : 0;
+  return depth > 0 ? t.stiffness * math::contact_penalty_energy(kContactBlend * layer, depth) : 0;
 }
 
 // Finds what touches or may within the reach of the step. With `moves`, notes what that tells of each pair.
@@ -80,12 +80,12 @@ double find(const System& system, const State& s, State* moves, std::vector<Ridg
   double lost = 0;
   touches.clear();
   for (std::size_t b = 0; b < s.body.size(); ++b) {
-    const RidgeContact& c = s.body[b].ridge;
+    const model::RidgeContact& c = s.body[b].ridge;
     for (std::size_t p = 0; p < c.pair.size(); ++p) {
       if (c.wake[p] > c.way + c.reach + kAsleep) continue;
-      const RidgePair& pair = c.pair[p];
-      const RidgePart& part = system.ridge_cloth.part[pair.part];
-      const Lattice& l = system.lattices[std::size_t(part.lattice)];
+      const model::RidgePair& pair = c.pair[p];
+      const model::RidgePart& part = system.ridge_cloth.part[pair.part];
+      const model::Lattice& l = system.lattices[std::size_t(part.lattice)];
       Vec3 x[6];
       ridge_places(system, s, b, part, x);
       const RidgeGap gap = ridge_gap(part, system.bodies[b].ridges.ridge[pair.ridge], x, ridge_sine(l));
@@ -93,7 +93,7 @@ double find(const System& system, const State& s, State* moves, std::vector<Ridg
       const bool asleep = left > c.reach;
       const bool out = !asleep && belongs_out(system.bodies[b], pair, gap);
       if (moves) {
-        RidgeContact& to = moves->body[b].ridge;
+        model::RidgeContact& to = moves->body[b].ridge;
         to.wake[p] = asleep ? to.way + left : to.way;
         to.pair[p].outside = out;
         if (!out) to.pair[p].grip = 0, to.pair[p].carry = {0, 0, 0};
@@ -118,7 +118,7 @@ double find(const System& system, const State& s, State* moves, std::vector<Ridg
 struct PairLaw {
   std::array<double, 4> over;  // W_k/m_k, 1/kg, of inertia
   double lightness;            // K
-  ContactLanes<Lane> lanes;
+  ContactLanes<forces::Lane> lanes;
 };
 
 std::array<double, 4> pair_over(const System& system, const RidgeTouch& t, const RidgeField& f) {
@@ -135,10 +135,10 @@ PairLaw pair_law(const System& system, const State& s, const RidgeTouch& t, cons
   const std::array<double, 4> over = pair_over(system, t, f);
   double lightness = 0;
   for (std::size_t k = 0; k < 4; ++k) lightness += t.gap.weight[k] * over[k];
-  const Body& body = system.bodies[t.body];
-  ContactLaw law = touch_law_now(system, s, body, system.lattices[std::size_t(t.part->lattice)]);
+  const model::Body& body = system.bodies[t.body];
+  model::ContactLaw law = touch_law_now(system, s, body, system.lattices[std::size_t(t.part->lattice)]);
   law.omega2 = t.stiffness * lightness;
-  return {over, lightness, ContactLanes<Lane>(law, c, body.damping)};
+  return {over, lightness, ContactLanes<forces::Lane>(law, c, body.damping)};
 }
 
 // Adds what an impulse J on the gap does.
@@ -169,7 +169,7 @@ double ridge_keep(const System& system, State& s, std::vector<RidgeTouch>& touch
 
 double ridge_note(const System& system, State& s, double moved) {
   static thread_local std::vector<RidgeTouch> touches;
-  for (BodyContact& body : s.body) body.ridge.reach = std::max(body.ridge.reach, moved);
+  for (model::BodyContact& body : s.body) body.ridge.reach = std::max(body.ridge.reach, moved);
   return find(system, s, &s, touches);
 }
 
@@ -200,9 +200,9 @@ double pair_respond(const State& s, const RidgeTouch& t, const PairLaw& law, con
   const double k = law.lightness;
   push(t, law.over, c, f, -1.0 * given.impulse);
   const Vec3 free = gap_velocity(t, f), old = c.old_time > 0 || c.new_time > 0 ? t.old : free;
-  const ContactHit<Lane> hit =
-      contact_hit(law.lanes, lanes(t.gap.n), Lane(std::max(t.gap.distance, 0.0)), lanes(free - t.carried),
-                  lanes(old - t.carried), Lane(s.body[t.body].ridge.pair[t.pair].grip), Lane(1.0));
+  const ContactHit<forces::Lane> hit = contact_hit(
+      law.lanes, lanes(t.gap.n), forces::Lane(std::max(t.gap.distance, 0.0)), lanes(free - t.carried),
+      lanes(old - t.carried), forces::Lane(s.body[t.body].ridge.pair[t.pair].grip), forces::Lane(1.0));
   const Vec3 impulse = (1 / k) * vector(hit.dv);
   const double change = k * norm(impulse - given.impulse);
   given = {impulse, hit.stored.v / k, hit.stop.v / k, hit.grip.v};
@@ -226,7 +226,7 @@ void ridge_respond(const System& system, const State& s, const std::vector<Ridge
                    const ContactCoefficients& c, const RidgeField& f, State* moves, RidgeSums& sums) {
   static thread_local std::vector<Given> given;
   static thread_local std::vector<PairLaw> laws;
-  sums.load.assign(s.body.size(), PinLoad{});
+  sums.load.assign(s.body.size(), math::PinLoad{});
   sums.dissipated = sums.input = 0;
   given.assign(touches.size(), Given{});
   laws.clear();
@@ -248,10 +248,10 @@ void ridge_respond(const System& system, const State& s, const std::vector<Ridge
     sums.stop[k] = given[k].stop;
     sums_add(s, t, c, f, given[k], sums);
     if (!moves) continue;
-    RidgePair& to = moves->body[t.body].ridge.pair[t.pair];
+    model::RidgePair& to = moves->body[t.body].ridge.pair[t.pair];
     to.grip = given[k].grip;
     to.carry = 1 / c.kick * (given[k].impulse - given[k].stop * t.gap.n);  // stops would swing
   }
 }
 
-}  // namespace drape
+}  // namespace drape::contact

@@ -3,17 +3,17 @@
 #include <algorithm>
 
 #include "body/distance_grid.h"
+#include "contact/edge/gap.h"
 #include "contact/particle/contact_pass.h"
 #include "math/smooth_ramp.h"
-#include "contact/edge/gap.h"
 #include "model/system.h"
 
-namespace drape {
+namespace drape::contact {
 
 // What a pair does at t_n.
 struct RidgeTouch {
   std::size_t body, pair;
-  const RidgePart* part;
+  const model::RidgePart* part;
   RidgeGap gap;       // n in space
   Vec3 at;            // m, of the cloth: sum W_k r_k
   Vec3 carried;       // m/s, of the body there
@@ -22,7 +22,7 @@ struct RidgeTouch {
 };
 
 inline bool ridge_any(const State& s) {  // a pair is near
-  for (const BodyContact& c : s.body)
+  for (const model::BodyContact& c : s.body)
     if (!c.ridge.pair.empty()) return true;
   return false;
 }
@@ -63,7 +63,7 @@ void ridge_carry(const System& system, const State& state, const std::vector<Rid
 // What touching does to a free motion. `moves`: writes into it what goes on with it, or null. Adds the
 // impulses to load [bodies], J to dissipated and input.
 struct RidgeSums {
-  std::vector<PinLoad> load;
+  std::vector<math::PinLoad> load;
   std::vector<double> stop;  // [touches] N s along n
   double dissipated, input;
 };
@@ -77,8 +77,8 @@ struct RidgeDeep {
   double depth = 0;  // m, of the deepest, and where it is
   Vec3 at{0, 0, 0};
 };
-RidgeDeep ridge_deepest(const System& system, const State& state, std::size_t body, const Lattice& lattice,
-                        Voxels& voxels);
+RidgeDeep ridge_deepest(const System& system, const State& state, std::size_t body,
+                        const model::Lattice& lattice, body::Voxels& voxels);
 
 // Visits (touch, its place in ridge_look, depth in m, force of the penalty in N) where links and cells are
 // within their layer.
@@ -93,8 +93,8 @@ void ridge_each(const System& system, const State& s, Visit visit) {
     const double pressed = std::min(depth, layer);  // past the ridge it is pushed as from the ridge itself
     if (depth > 0)
       visit(t, std::size_t(&t - touches.data()), depth,
-            t.stiffness * contact_penalty(kContactBlend * layer, pressed));
+            t.stiffness* math::contact_penalty(kContactBlend * layer, pressed));
   }
 }
 
-}  // namespace drape
+}  // namespace drape::contact

@@ -10,7 +10,7 @@
 
 #include "model/elements.h"
 
-namespace drape {
+namespace drape::contact {
 namespace {
 
 constexpr double kSink = 0.125;   // of the layer
@@ -19,9 +19,9 @@ constexpr double kStretched = 1;  // of a cell: how far the nearer end of a link
 constexpr double kBucket = 2;     // of what is near
 
 void cell_add(const std::size_t* corner, int lattice,
-              std::map<std::array<std::uint32_t, 2>, std::size_t>& links, RidgeCloth& cloth) {
+              std::map<std::array<std::uint32_t, 2>, std::size_t>& links, model::RidgeCloth& cloth) {
   constexpr int kSide[4][4] = {{0, 1, 2, 3}, {2, 3, 0, 1}, {0, 2, 1, 3}, {1, 3, 0, 2}};  // and across
-  RidgePart cell{{}, 4, true, lattice};
+  model::RidgePart cell{{}, 4, true, lattice};
   for (int k = 0; k < 4; ++k) cell.node[k] = std::uint32_t(corner[k]);
   cloth.part.push_back(cell);
   for (const auto& side : kSide) {
@@ -33,14 +33,14 @@ void cell_add(const std::size_t* corner, int lattice,
       cloth.part.push_back({{n[0], n[1], n[2], n[3], 0, 0}, 4, false, lattice});
       continue;
     }
-    RidgePart& link = cloth.part[at->second];
+    model::RidgePart& link = cloth.part[at->second];
     if (link.nodes == 6) continue;  // of cells in three leaves
     link.node[4] = n[2], link.node[5] = n[3];
     link.nodes = 6;
   }
 }
 
-void nodes_number(std::size_t nodes, RidgeCloth& cloth) {
+void nodes_number(std::size_t nodes, model::RidgeCloth& cloth) {
   cloth.first.assign(nodes + 1, 0);
   const auto each = [&](auto visit) {
     for (std::size_t p = 0; p < cloth.part.size(); ++p)
@@ -55,29 +55,30 @@ void nodes_number(std::size_t nodes, RidgeCloth& cloth) {
 
 }  // namespace
 
-double ridge_sine(const Lattice& l) { return kSink * l.touch.layer / l.cell; }
-double ridge_margin(const Lattice& l) { return kMargin * l.cell; }
-double ridge_near(const Lattice& l) { return kStretched * l.cell + l.touch.layer + ridge_margin(l); }
+double ridge_sine(const model::Lattice& l) { return kSink * l.touch.layer / l.cell; }
+double ridge_margin(const model::Lattice& l) { return kMargin * l.cell; }
+double ridge_near(const model::Lattice& l) { return kStretched * l.cell + l.touch.layer + ridge_margin(l); }
 
 void ridges_find(System& system) {
   double sine = INFINITY, near = 0;
-  for (const Lattice& l : system.lattices) {
+  for (const model::Lattice& l : system.lattices) {
     sine = std::min(sine, 2 * ridge_sine(l));
     near = std::max(near, ridge_near(l));
   }
   bool any = false;
-  for (Body& body : system.bodies) {
-    body.ridges = ridges_make(body.mesh.surface, std::max(sine, system.fit ? kRidgeSineFit : kRidgeSine),
-                              kBucket * near);
+  for (model::Body& body : system.bodies) {
+    body.ridges = body::ridges_make(body.mesh.surface,
+                                    std::max(sine, system.fit ? body::kRidgeSineFit : body::kRidgeSine),
+                                    kBucket * near);
     any = any || !body.ridges.ridge.empty();
   }
   if (!any) return;
   std::map<std::array<std::uint32_t, 2>, std::size_t> links;
-  for (const Lattice& l : system.lattices)
-    each_cell(system, l, [&](const std::size_t* corner, double) {
+  for (const model::Lattice& l : system.lattices)
+    model::each_cell(system, l, [&](const std::size_t* corner, double) {
       cell_add(corner, l.piece, links, system.ridge_cloth);
     });
   nodes_number(system.nodes, system.ridge_cloth);
 }
 
-}  // namespace drape
+}  // namespace drape::contact

@@ -2,13 +2,13 @@
 #pragma once
 #include "model/system.h"
 
-namespace drape {
+namespace drape::contact {
 
 // Finds the ridges of all bodies, and lays the parts where there are any.
 void ridges_find(System& system);
 
-double ridge_sine(const Lattice& lattice);    // from which a ridge counts for a lattice
-double ridge_margin(const Lattice& lattice);  // m, that a listing is good for
-double ridge_near(const Lattice& lattice);    // m, from a ridge: nodes whose parts may come near it
+double ridge_sine(const model::Lattice& lattice);    // from which a ridge counts for a lattice
+double ridge_margin(const model::Lattice& lattice);  // m, that a listing is good for
+double ridge_near(const model::Lattice& lattice);    // m, from a ridge: nodes whose parts may come near it
 
-}  // namespace drape
+}  // namespace drape::contact

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/vector3.h"
 #include "math/closest_points.h"
+#include "math/vector3.h"
 
-namespace drape {
+namespace drape::contact {
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
 constexpr double kThin = 1e-12;     // of the square of a length: no direction is left
 constexpr double kBeyond = 1e-9;    // of a ridge: what meets two of them where they join counts
@@ -20,7 +20,7 @@ constexpr double kSettled = 1e-13;  // of a cell's side
 
 // Turns n, of length 1, to the side from which the body falls away in all directions; the least sine of
 // these, or 0 where there is none.
-double side_set(const Ridge& r, Vec3& n) {
+double side_set(const body::Ridge& r, Vec3& n) {
   double low = INFINITY, high = -INFINITY;
   for (const Vec3& f : r.fall) {
     const double falls = -dot(n, f);
@@ -34,7 +34,8 @@ double side_set(const Ridge& r, Vec3& n) {
 }
 
 // Over the ridge where `sines`, the least that counts, is above `sine`.
-void over_set(const Ridge& r, double sines, double sine, const Vec3& n, double distance, RidgeGap& gap) {
+void over_set(const body::Ridge& r, double sines, double sine, const Vec3& n, double distance,
+              RidgeGap& gap) {
   if (!(sines > sine)) return;
   const double rise = std::min(sines / sine - 1, 1.0);
   gap.over = true;
@@ -53,20 +54,20 @@ void over_set(const Ridge& r, double sines, double sine, const Vec3& n, double d
 // and its way out. On a ridge of more than 90 degrees of turn, the foot on the link's line may then lie a
 // little beyond its end, by half a link at most. There the weights are up to 3/2 and sum |W_k| up to 2: the
 // penalty is over (sum |W_k|)^2, so that it stiffens the nodes as one on the link with |W_k|/sum |W_j|.
-RidgeGap gap_link_edge(const Ridge& edge, const Vec3* end, double sine) {
+RidgeGap gap_link_edge(const body::Ridge& edge, const Vec3* end, double sine) {
   RidgeGap gap;
   const Vec3 e = end[1] - end[0], f = edge.to - edge.from, r = end[0] - edge.from, across = cross(e, f);
-  const auto [s, t, skew] = lines_foot(e, f, r);
+  const auto [s, t, skew] = math::lines_foot(e, f, r);
   const bool crosses = skew && t >= -kBeyond && t <= 1 + kBeyond;
   const bool on_link = crosses && s > 0 && s < 1;
   Vec3 n = crosses ? (1 / norm(across)) * across : across;
   if (on_link) {
     gap.clearance = std::abs(dot(r, n));
   } else {
-    const double to_ends = std::min(segment_distance2(end[0], edge.from, edge.to),
-                                    segment_distance2(end[1], edge.from, edge.to));
-    gap.clearance = std::sqrt(std::min(
-        {to_ends, segment_distance2(edge.from, end[0], end[1]), segment_distance2(edge.to, end[0], end[1])}));
+    const double to_ends = std::min(math::segment_distance2(end[0], edge.from, edge.to),
+                                    math::segment_distance2(end[1], edge.from, edge.to));
+    gap.clearance = std::sqrt(std::min({to_ends, math::segment_distance2(edge.from, end[0], end[1]),
+                                        math::segment_distance2(edge.to, end[0], end[1])}));
     if (!crosses || !(s > -kPast && s < 1 + kPast)) return gap;
     const Vec3 side = cross(f, edge.out);
     if (!(dot(r, side) * dot(end[1] - edge.from, side) < 0)) return gap;
@@ -81,10 +82,11 @@ RidgeGap gap_link_edge(const Ridge& edge, const Vec3* end, double sine) {
 }
 
 // A minimum also along the cloth: n.m >= sine |m| for the ways m from the link into its cells.
-RidgeGap gap_link_tip(const Ridge& tip, const Vec3* end, const Vec3 (*beyond)[2], int cells, double sine) {
+RidgeGap gap_link_tip(const body::Ridge& tip, const Vec3* end, const Vec3 (*beyond)[2], int cells,
+                      double sine) {
   RidgeGap gap;
   const Vec3 link = end[1] - end[0];
-  const double t = segment_foot(tip.from, end[0], end[1]);
+  const double t = math::segment_foot(tip.from, end[0], end[1]);
   const Vec3 arm = end[0] + t * link - tip.from;
   gap.clearance = norm(arm);
   const double length2 = dot(link, link);
@@ -162,12 +164,12 @@ void weights_set(double u, double v, RidgeGap& gap) {
 // The cell passes over (or under) the tip where its foot is on the cell, or the way out of the tip meets it.
 // Where it is steeper than the tip, or the foot is beyond its sides, the height along the way out counts, and
 // is only stopped: it does not jump as the tip slides from cell to cell.
-RidgeGap gap_cell_tip(const Ridge& tip, const Vec3* c, double sine) {
+RidgeGap gap_cell_tip(const body::Ridge& tip, const Vec3* c, double sine) {
   RidgeGap gap;
   const Vec3& p = tip.from;
   const double sides2 =
-      std::min(std::min(segment_distance2(p, c[0], c[1]), segment_distance2(p, c[2], c[3])),
-               std::min(segment_distance2(p, c[0], c[2]), segment_distance2(p, c[1], c[3])));
+      std::min(std::min(math::segment_distance2(p, c[0], c[1]), math::segment_distance2(p, c[2], c[3])),
+               std::min(math::segment_distance2(p, c[0], c[2]), math::segment_distance2(p, c[1], c[3])));
   const BilinearFoot f = bilinear_foot(p, c);
   gap.clearance = std::sqrt(f.inside ? std::min(sides2, dot(f.arm, f.arm)) : sides2);
   if (f.inside) {
@@ -191,4 +193,4 @@ RidgeGap gap_cell_tip(const Ridge& tip, const Vec3* c, double sine) {
   return gap;
 }
 
-}  // namespace drape
+}  // namespace drape::contact

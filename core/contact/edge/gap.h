@@ -9,7 +9,7 @@
 #pragma once
 #include "body/sharp_edges.h"
 
-namespace drape {
+namespace drape::contact {
 
 struct RidgeGap {
   double clearance = 0;  // m, of the two from each other, without a sign
@@ -23,13 +23,14 @@ struct RidgeGap {
 };
 
 // `sine`: from which on it counts.
-RidgeGap gap_link_edge(const Ridge& edge, const Vec3* end, double sine);
+RidgeGap gap_link_edge(const body::Ridge& edge, const Vec3* end, double sine);
 
 // The cells on either side of the link continue to the points `beyond`, across from its ends; `cells` of
 // them.
-RidgeGap gap_link_tip(const Ridge& tip, const Vec3* end, const Vec3 (*beyond)[2], int cells, double sine);
+RidgeGap gap_link_tip(const body::Ridge& tip, const Vec3* end, const Vec3 (*beyond)[2], int cells,
+                      double sine);
 
 // The cell is the bilinear surface of its corners a, b, c, d.
-RidgeGap gap_cell_tip(const Ridge& tip, const Vec3* corner, double sine);
+RidgeGap gap_cell_tip(const body::Ridge& tip, const Vec3* corner, double sine);
 
-}  // namespace drape
+}  // namespace drape::contact

@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/edge/elements.h"
+#include "contact/edge/pairs.h"
+#include "math/closest_points.h"
 #include "math/vector3.h"
 #include "model/body_pose.h"
-#include "contact/edge/pairs.h"
-#include "contact/edge/elements.h"
-#include "math/closest_points.h"
 
-namespace drape {
+namespace drape::contact {
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
 constexpr double kReachSteps = 2;    // at the present speed, for which pairs are looked at before they touch
 constexpr double kReachLayer = 0.1;  // of the layer, likewise
@@ -24,12 +24,12 @@ constexpr double kWay = 0.25;  // of the layer: the most a step may move what is
 
 Vec3 place(const State& s, std::size_t n) { return {s.x[n], s.y[n], s.z[n]}; }
 
-bool before(const RidgePair& a, const RidgePair& b) {
+bool before(const model::RidgePair& a, const model::RidgePair& b) {
   return a.part != b.part ? a.part < b.part : a.ridge < b.ridge;
 }
 
 // The parts that have one of the nodes.
-void parts_of(const RidgeCloth& cloth, const std::vector<std::uint32_t>& nodes,
+void parts_of(const model::RidgeCloth& cloth, const std::vector<std::uint32_t>& nodes,
               std::vector<std::uint32_t>& parts) {
   parts.clear();
   for (std::uint32_t n : nodes)
@@ -40,18 +40,19 @@ void parts_of(const RidgeCloth& cloth, const std::vector<std::uint32_t>& nodes,
 }
 
 double speed_of(const System& system, const State& s, std::size_t b, std::size_t n) {
-  return norm(Vec3{s.vx[n], s.vy[n], s.vz[n]} - pose_velocity(system.bodies[b], s.body[b], place(s, n)));
+  return norm(Vec3{s.vx[n], s.vy[n], s.vz[n]} -
+              model::pose_velocity(system.bodies[b], s.body[b], place(s, n)));
 }
 
 // Lists the pairs of these parts, in order.
 void pairs_find(const System& system, const State& s, std::size_t b, const std::vector<std::uint32_t>& parts,
-                double ahead, std::vector<RidgePair>& found) {
+                double ahead, std::vector<model::RidgePair>& found) {
   static thread_local std::vector<std::uint32_t> ridges;
-  const Ridges& of = system.bodies[b].ridges;
+  const body::Ridges& of = system.bodies[b].ridges;
   found.clear();
   for (std::uint32_t p : parts) {
-    const RidgePart& part = system.ridge_cloth.part[p];
-    const Lattice& l = system.lattices[std::size_t(part.lattice)];
+    const model::RidgePart& part = system.ridge_cloth.part[p];
+    const model::Lattice& l = system.lattices[std::size_t(part.lattice)];
     Vec3 x[6], middle{0, 0, 0};
     ridge_places(system, s, b, part, x);
     double fastest = 0, around = 0;
@@ -62,11 +63,12 @@ void pairs_find(const System& system, const State& s, std::size_t b, const std::
     for (int k = 0; k < part.weights(); ++k) around = std::max(around, norm(x[k] - middle));
     const double reach = l.touch.layer + ridge_margin(l) + kListSteps * fastest * ahead;
     const Vec3 box = (around + reach) * Vec3{1, 1, 1};
-    ridges_in(of, middle - box, middle + box, ridges);
+    body::ridges_in(of, middle - box, middle + box, ridges);
     for (std::uint32_t r : ridges) {
-      const Ridge& ridge = of.ridge[r];
+      const body::Ridge& ridge = of.ridge[r];
       if (part.cell && !ridge.tip) continue;
-      if (segment_distance2(middle, ridge.from, ridge.to) > (around + reach) * (around + reach)) continue;
+      if (math::segment_distance2(middle, ridge.from, ridge.to) > (around + reach) * (around + reach))
+        continue;
       if (ridge_gap(part, ridge, x, ridge_sine(l)).clearance <= reach) found.push_back({p, r});
     }
   }
@@ -74,12 +76,12 @@ void pairs_find(const System& system, const State& s, std::size_t b, const std::
 
 // The nodes of the parts that have one of `nodes` join those that are watched; those are watched from here.
 void nodes_watch(const System& system, const State& s, std::size_t b, const std::vector<std::uint32_t>& nodes,
-                 const std::vector<std::uint32_t>& parts, RidgeContact& c) {
+                 const std::vector<std::uint32_t>& parts, model::RidgeContact& c) {
   static thread_local std::vector<std::uint32_t> joined;
   static thread_local std::vector<Vec3> from;
   joined = c.node;
   for (std::uint32_t p : parts) {
-    const RidgePart& part = system.ridge_cloth.part[p];
+    const model::RidgePart& part = system.ridge_cloth.part[p];
     joined.insert(joined.end(), part.node, part.node + part.nodes);
   }
   std::sort(joined.begin(), joined.end());
@@ -88,7 +90,7 @@ void nodes_watch(const System& system, const State& s, std::size_t b, const std:
   c.last.resize(joined.size());
   std::size_t known = 0;
   for (std::size_t k = 0; k < joined.size(); ++k) {
-    c.last[k] = pose_inward(system.bodies[b], s.body[b], place(s, joined[k]));
+    c.last[k] = model::pose_inward(system.bodies[b], s.body[b], place(s, joined[k]));
     while (known < c.node.size() && c.node[known] < joined[k]) ++known;
     const bool old = known < c.node.size() && c.node[known] == joined[k] &&
                      !std::binary_search(nodes.begin(), nodes.end(), joined[k]);
@@ -99,15 +101,15 @@ void nodes_watch(const System& system, const State& s, std::size_t b, const std:
 }
 
 // `found` takes the place of the pairs of `parts`, or of all; what they remember goes on.
-void pairs_join(const std::vector<std::uint32_t>& parts, const std::vector<RidgePair>& found, bool all,
-                RidgeContact& c) {
-  static thread_local std::vector<RidgePair> pair;
+void pairs_join(const std::vector<std::uint32_t>& parts, const std::vector<model::RidgePair>& found, bool all,
+                model::RidgeContact& c) {
+  static thread_local std::vector<model::RidgePair> pair;
   static thread_local std::vector<double> wake;
   pair.clear();
   wake.clear();
   std::size_t part = 0, old = 0;
   const auto take = [&](std::size_t k) { pair.push_back(c.pair[k]), wake.push_back(c.wake[k]); };
-  for (const RidgePair& p : found) {
+  for (const model::RidgePair& p : found) {
     for (; old < c.pair.size() && before(c.pair[old], p); ++old) {
       while (part < parts.size() && parts[part] < c.pair[old].part) ++part;
       if (!all && (part == parts.size() || parts[part] != c.pair[old].part)) take(old);
@@ -127,8 +129,8 @@ void pairs_join(const std::vector<std::uint32_t>& parts, const std::vector<Ridge
 void list(const System& system, State& s, std::size_t b, const std::vector<std::uint32_t>& nodes, bool all,
           double ahead) {
   static thread_local std::vector<std::uint32_t> parts;
-  static thread_local std::vector<RidgePair> found;
-  RidgeContact& c = s.body[b].ridge;
+  static thread_local std::vector<model::RidgePair> found;
+  model::RidgeContact& c = s.body[b].ridge;
   parts_of(system.ridge_cloth, nodes, parts);
   pairs_find(system, s, b, parts, ahead, found);
   nodes_watch(system, s, b, nodes, parts, c);
@@ -138,15 +140,15 @@ void list(const System& system, State& s, std::size_t b, const std::vector<std::
 // How far and how fast the nodes have gone against the body. Whether one may by the next step have gone so
 // far from where its parts were listed that they must be anew.
 bool way_add(const System& system, State& s, std::size_t b, double ahead, double margin) {
-  BodyContact& body = s.body[b];
-  RidgeContact& c = body.ridge;
+  model::BodyContact& body = s.body[b];
+  model::RidgeContact& c = body.ridge;
   double way2 = 0, speed2 = 0, layer = 0;
   bool due = false;
-  for (const Lattice& l : system.lattices) layer = std::max(layer, l.touch.layer);
+  for (const model::Lattice& l : system.lattices) layer = std::max(layer, l.touch.layer);
   for (std::size_t k = 0; k < c.node.size(); ++k) {
     const std::size_t n = c.node[k];
-    const Vec3 at = place(s, n), x = pose_inward(system.bodies[b], body, at), moved = x - c.last[k];
-    const Vec3 v = Vec3{s.vx[n], s.vy[n], s.vz[n]} - pose_velocity(system.bodies[b], body, at);
+    const Vec3 at = place(s, n), x = model::pose_inward(system.bodies[b], body, at), moved = x - c.last[k];
+    const Vec3 v = Vec3{s.vx[n], s.vy[n], s.vz[n]} - model::pose_velocity(system.bodies[b], body, at);
     const Vec3 away = x - c.from[k];
     const double v2 = dot(v, v), ahead2 = kAheadSteps * kAheadSteps * ahead * ahead * v2;
     way2 = std::max(way2, dot(moved, moved));
@@ -161,7 +163,7 @@ bool way_add(const System& system, State& s, std::size_t b, double ahead, double
 
 double margin_least(const System& system) {
   double least = INFINITY;
-  for (const Lattice& l : system.lattices) least = std::min(least, ridge_margin(l));
+  for (const model::Lattice& l : system.lattices) least = std::min(least, ridge_margin(l));
   return least;
 }
 
@@ -169,7 +171,7 @@ double margin_least(const System& system) {
 
 void ridge_begin(const System& system, State& s) {
   for (std::size_t b = 0; b < s.body.size(); ++b) {
-    s.body[b].ridge = RidgeContact{};
+    s.body[b].ridge = model::RidgeContact{};
     if (!system.bodies[b].ridges.ridge.empty()) s.body[b].ridge.near.assign(system.nodes, 0);
   }
 }
@@ -179,7 +181,7 @@ void ridge_begin(const System& system, State& s) {
 // it was. Where one is to be listed anew, so are all that have used up half of that.
 void ridge_watch(const System& system, State& s, std::size_t b, double ahead) {
   static thread_local std::vector<std::uint32_t> nodes;
-  RidgeContact& c = s.body[b].ridge;
+  model::RidgeContact& c = s.body[b].ridge;
   if (c.fresh.empty() && c.node.empty()) return;
   const double half = margin_least(system) / 2;
   const bool due = way_add(system, s, b, ahead, half);
@@ -207,8 +209,8 @@ void ridge_watch(const System& system, State& s, std::size_t b, double ahead) {
 void ridge_stick(const System& system, State& s) {
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     if (system.bodies[b].moves) continue;
-    for (RidgePair& pair : s.body[b].ridge.pair) {
-      const RidgePart& part = system.ridge_cloth.part[pair.part];
+    for (model::RidgePair& pair : s.body[b].ridge.pair) {
+      const model::RidgePart& part = system.ridge_cloth.part[pair.part];
       pair.grip = 1;
       for (int k = 0; k < part.weights(); ++k) {
         const std::size_t n = part.node[k];
@@ -222,9 +224,9 @@ double ridge_step_most(const System& system, const State& s) {
   double longest = INFINITY;
   for (std::size_t b = 0; b < s.body.size(); ++b)
     for (std::uint32_t n : s.body[b].ridge.node)
-      longest =
-          std::min(longest, kWay * system_lattice_of(system, n).touch.layer / speed_of(system, s, b, n));
+      longest = std::min(longest,
+                         kWay * model::system_lattice_of(system, n).touch.layer / speed_of(system, s, b, n));
   return longest;
 }
 
-}  // namespace drape
+}  // namespace drape::contact

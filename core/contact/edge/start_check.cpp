@@ -3,10 +3,10 @@
 #include "contact/edge/elements.h"
 #include "contact/edge/pairs.h"
 
-namespace drape {
+namespace drape::contact {
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
 // Whether a segment goes through a triangle: its ends on both sides of the plane, and the corners around it.
 bool goes_through(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q, const Vec3& r) {
@@ -17,7 +17,8 @@ bool goes_through(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q, co
   return (u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0);
 }
 
-bool is_cut(const BodySurface& surface, const Ridge& ridge, const RidgePart& part, const Vec3* x) {
+bool is_cut(const body::BodySurface& surface, const body::Ridge& ridge, const model::RidgePart& part,
+            const Vec3* x) {
   if (part.cell || ridge.tip) return false;
   for (int t : surface.edges[std::size_t(ridge.edge)].triangle) {
     const std::array<int, 3>& c = surface.corner[std::size_t(t)];
@@ -30,15 +31,15 @@ bool is_cut(const BodySurface& surface, const Ridge& ridge, const RidgePart& par
 
 }  // namespace
 
-RidgeDeep ridge_deepest(const System& system, const State& s, std::size_t b, const Lattice& l,
-                        Voxels& voxels) {
+RidgeDeep ridge_deepest(const System& system, const State& s, std::size_t b, const model::Lattice& l,
+                        body::Voxels& voxels) {
   RidgeDeep deep;
-  const Body& body = system.bodies[b];
+  const model::Body& body = system.bodies[b];
   std::uint32_t last = 0xffffffff;  // a part over several ridges counts once
-  for (const RidgePair& pair : s.body[b].ridge.pair) {
-    const RidgePart& part = system.ridge_cloth.part[pair.part];
+  for (const model::RidgePair& pair : s.body[b].ridge.pair) {
+    const model::RidgePart& part = system.ridge_cloth.part[pair.part];
     if (part.lattice != l.piece) continue;
-    const Ridge& ridge = body.ridges.ridge[pair.ridge];
+    const body::Ridge& ridge = body.ridges.ridge[pair.ridge];
     Vec3 x[6], foot{0, 0, 0}, at{0, 0, 0};
     ridge_places(system, s, b, part, x);
     const RidgeGap gap = ridge_gap(part, ridge, x, ridge_sine(l));
@@ -48,7 +49,8 @@ RidgeDeep ridge_deepest(const System& system, const State& s, std::size_t b, con
       foot += gap.weight[k] * x[k];
       at += gap.weight[k] * Vec3{s.x[n], s.y[n], s.z[n]};
     }
-    if (gap.distance < 0 && !is_cut(body.mesh.surface, ridge, part, x) && !(voxels_depth(voxels, foot) > 0))
+    if (gap.distance < 0 && !is_cut(body.mesh.surface, ridge, part, x) &&
+        !(body::voxels_depth(voxels, foot) > 0))
       continue;  // beyond the body
     const double depth = l.touch.layer - gap.distance;
     deep.count += pair.part != last;
@@ -58,4 +60,4 @@ RidgeDeep ridge_deepest(const System& system, const State& s, std::size_t b, con
   return deep;
 }
 
-}  // namespace drape
+}  // namespace drape::contact

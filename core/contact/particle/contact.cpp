@@ -3,41 +3,41 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/edge/elements.h"
+#include "contact/particle/update_neighbours.h"
+#include "contact/self/self_contact.h"
 #include "math/vector3.h"
 #include "model/body_pose.h"
-#include "contact/particle/update_neighbours.h"
-#include "contact/edge/elements.h"
-#include "contact/self/self_contact.h"
 
-namespace drape {
+namespace drape::contact {
 namespace {
 
-using vector3::cross;
-using vector3::dot;
-using vector3::operator*;
-using vector3::operator+;
-using vector3::operator-;
-using vector3::operator+=;
+using math::vector3::cross;
+using math::vector3::dot;
+using math::vector3::operator*;
+using math::vector3::operator+;
+using math::vector3::operator-;
+using math::vector3::operator+=;
 
 double layer_most(const System& system) {
   double most = 0;
-  for (const Lattice& l : system.lattices) most = std::max(most, l.touch.layer);
+  for (const model::Lattice& l : system.lattices) most = std::max(most, l.touch.layer);
   return most;
 }
 
 void block_renew(const System& system, TouchRoom& room, State& s, std::size_t b, std::size_t node,
                  double ahead) {
-  const Body& body = system.bodies[b];
-  const Lattice& l = system_lattice_of(system, node);
-  const Frame& frame = s.body[b].frame;
-  Vec3 x[kRowUnit], step[kRowUnit];
-  for (std::size_t i = 0; i < std::size_t(kRowUnit); ++i) {
+  const model::Body& body = system.bodies[b];
+  const model::Lattice& l = model::system_lattice_of(system, node);
+  const math::Frame& frame = s.body[b].frame;
+  Vec3 x[math::kRowUnit], step[math::kRowUnit];
+  for (std::size_t i = 0; i < std::size_t(math::kRowUnit); ++i) {
     const std::size_t n = node + i;
     const Vec3 at{s.x[n], s.y[n], s.z[n]}, arm = at - frame.position;
     Vec3 v{s.vx[n], s.vy[n], s.vz[n]};
     if (body.moves) v = v - frame.velocity - cross(frame.spin, arm);
-    x[i] = pose_inward(body, s.body[b], at);
-    step[i] = pose_inward(body, s.body[b], at + ahead * v) - x[i];
+    x[i] = model::pose_inward(body, s.body[b], at);
+    step[i] = model::pose_inward(body, s.body[b], at + ahead * v) - x[i];
   }
   contact_renew(body.mesh.surface, room.voxels[b], s.body[b], node, l.piece, l.touch.layer,
                 {body.ridges, ridge_near(l), ridge_margin(l)}, x, step);
@@ -46,8 +46,9 @@ void block_renew(const System& system, TouchRoom& room, State& s, std::size_t b,
 ContactJob job_of(const System& system, TouchRoom& room, const State& s, std::size_t b, double* sum) {
   ContactJob job{};
   room.law.clear();
-  for (const Lattice& l : system.lattices) room.law.push_back(touch_law_now(system, s, system.bodies[b], l));
-  job.body = const_cast<BodyContact*>(&s.body[b]);  // its grips are written by passes that move
+  for (const model::Lattice& l : system.lattices)
+    room.law.push_back(touch_law_now(system, s, system.bodies[b], l));
+  job.body = const_cast<model::BodyContact*>(&s.body[b]);  // its grips are written by passes that move
   job.old = room.old[b].data();
   job.mass = system.mass.data();
   if (!room.tied.empty()) job.tied = room.tied.data(), job.hit = room.hit.data();
@@ -58,14 +59,15 @@ ContactJob job_of(const System& system, TouchRoom& room, const State& s, std::si
   return job;
 }
 
-PinLoad load_of(const double* sum) { return {{sum[0], sum[1], sum[2]}, {sum[3], sum[4], sum[5]}}; }
+math::PinLoad load_of(const double* sum) { return {{sum[0], sum[1], sum[2]}, {sum[3], sum[4], sum[5]}}; }
 
 double rate_of(double time) { return time > 0 ? 1 / time : kContactUnbound; }
 
 }  // namespace
 
-ContactLaw touch_law_now(const System& system, const State& s, const Body& body, const Lattice& l) {
-  ContactLaw law = l.touch;
+model::ContactLaw touch_law_now(const System& system, const State& s, const model::Body& body,
+                                const model::Lattice& l) {
+  model::ContactLaw law = l.touch;
   if (body.has_friction) law.friction = body.friction;
   if (system.fit && (s.fit.sewing || s.fit.settling > 0)) law.friction = {0, 0};
   return law;
@@ -99,7 +101,7 @@ ContactCoefficients touch_last_kick(double half, double centred) {
 }
 
 ContactCoefficients touch_force(const System& system, const State& s) {
-  const double h = s.h_old > 0 ? s.h_old : step_next(system, s);
+  const double h = s.h_old > 0 ? s.h_old : model::step_next(system, s);
   ContactCoefficients c;
   c.kick = 1;
   c.stop_rate = rate_of(h * h);
@@ -109,29 +111,29 @@ ContactCoefficients touch_force(const System& system, const State& s) {
 TouchRoom touch_make(const System& system) {
   TouchRoom room;
   const double layer = layer_most(system);
-  for (const Body& body : system.bodies)
-    room.voxels.push_back(voxels_make(*body.mesh.library, *body.mesh.query, body.mesh.surface,
-                                      contact_reach(body.mesh.surface, layer)));
+  for (const model::Body& body : system.bodies)
+    room.voxels.push_back(body::voxels_make(*body.mesh.library, *body.mesh.query, body.mesh.surface,
+                                            contact_reach(body.mesh.surface, layer)));
   room.old.resize(system.bodies.size());
   room.load.resize(system.bodies.size());
-  if (!system.bodies.empty()) room.due.resize(system.nodes / kRowUnit);
+  if (!system.bodies.empty()) room.due.resize(system.nodes / math::kRowUnit);
   return room;
 }
 
 void touch_begin(const System& system, const ContactKernel& kernel, TouchRoom& room, State& s) {
   ridge_begin(system, s);
-  for (BodyContact& c : s.body) {
-    c.blocks = ContactBlocks{};
+  for (model::BodyContact& c : s.body) {
+    c.blocks = model::ContactBlocks{};
     c.x = s.x, c.y = s.y, c.z = s.z;
     c.budget2.assign(system.nodes, INFINITY);
     for (std::size_t n : system.particle) c.budget2[n] = 0;
-    c.ease.assign(system.nodes / kRowUnit, 0.0);
+    c.ease.assign(system.nodes / math::kRowUnit, 0.0);
   }
-  touch_watch(system, kernel, room, s, 0, step_next(system, s));
+  touch_watch(system, kernel, room, s, 0, model::step_next(system, s));
   for (std::size_t b = 0; b < s.body.size(); ++b) {  // what is at rest on a body sticks to it
     if (system.bodies[b].moves) continue;
-    for (ContactBlock& block : s.body[b].blocks.pool)
-      for (std::size_t i = 0; i < std::size_t(kRowUnit); ++i) {
+    for (model::ContactBlock& block : s.body[b].blocks.pool)
+      for (std::size_t i = 0; i < std::size_t(math::kRowUnit); ++i) {
         const std::size_t n = block.node + i;
         if (s.vx[n] == 0 && s.vy[n] == 0 && s.vz[n] == 0) block.grip[i] = 1;
       }
@@ -143,12 +145,12 @@ namespace {
 
 void old_keep(TouchRoom& room, const State& s) {
   for (std::size_t b = 0; b < s.body.size(); ++b) {
-    const ContactBlocks& blocks = s.body[b].blocks;
-    room.old[b].resize(3 * kRowUnit * blocks.order.size());
+    const model::ContactBlocks& blocks = s.body[b].blocks;
+    room.old[b].resize(3 * math::kRowUnit * blocks.order.size());
     double* to = room.old[b].data();
-    for (const ContactPlace& place : blocks.order)
+    for (const model::ContactPlace& place : blocks.order)
       for (const Array* v : {&s.vx, &s.vy, &s.vz})
-        to = std::copy_n(v->data() + std::size_t(place.node) * kRowUnit, kRowUnit, to);
+        to = std::copy_n(v->data() + std::size_t(place.node) * math::kRowUnit, math::kRowUnit, to);
   }
 }
 
@@ -160,15 +162,15 @@ void touch_keep(const System& system, TouchRoom& room, State& s) {
   if (system.energy) s.dissipated += lost;
 }
 
-void touch_tie(const System& system, const Constraints& constraints, TouchRoom& room) {
+void touch_tie(const System& system, const constraint::Constraints& constraints, TouchRoom& room) {
   room.tied.clear();
   room.hit.clear();
   if (system.bodies.empty() || constraints.rows.empty()) return;
   room.tied.assign(system.nodes, 0.0);
-  room.hit.assign(system.nodes / kRowUnit, 0);
-  for (const HeldRow& row : constraints.rows)
+  room.hit.assign(system.nodes / math::kRowUnit, 0);
+  for (const constraint::HeldRow& row : constraints.rows)
     for (std::size_t n : row.on.node) room.tied[n] = 1;
-  for (const RigidLink& link : constraints.rigid.link)
+  for (const constraint::RigidLink& link : constraints.rigid.link)
     for (std::size_t n : link.node) room.tied[n] = 1;
 }
 
@@ -177,11 +179,11 @@ namespace {
 // Gives particles that are not alone in advance what they got in the step before.
 void carry_give(const State& s, double kick, const double* lightness, double* v[3], double* r[3],
                 double drift) {
-  for (const BodyContact& body : s.body)
-    for (const ContactPlace& place : body.blocks.order) {
-      const ContactBlock& b = body.blocks.pool[place.block];
+  for (const model::BodyContact& body : s.body)
+    for (const model::ContactPlace& place : body.blocks.order) {
+      const model::ContactBlock& b = body.blocks.pool[place.block];
       if (!b.carries) continue;
-      for (std::size_t i = 0; i < std::size_t(kRowUnit); ++i) {
+      for (std::size_t i = 0; i < std::size_t(math::kRowUnit); ++i) {
         const std::size_t n = b.node + i;
         const double given = kick * (lightness ? lightness[n] : 1);
         for (std::size_t k = 0; k < 3; ++k) {
@@ -217,7 +219,7 @@ void touch_apply(const System& system, const ContactKernel& kernel, TouchRoom& r
                  State& s) {
   std::fill(room.hit.begin(), room.hit.end(), char(0));
   for (std::size_t b = 0; b < s.body.size(); ++b) {
-    BodyContact& body = s.body[b];
+    model::BodyContact& body = s.body[b];
     if (body.blocks.order.empty()) continue;
     double sum[8]{};
     ContactJob job = job_of(system, room, s, b, sum);
@@ -236,7 +238,8 @@ void touch_apply(const System& system, const ContactKernel& kernel, TouchRoom& r
   }
   if (room.ridge.empty()) return;
   for (const RidgeTouch& t : room.ridge)
-    for (int k = 0; !room.hit.empty() && k < t.part->weights(); ++k) room.hit[t.part->node[k] / kRowUnit] = 1;
+    for (int k = 0; !room.hit.empty() && k < t.part->weights(); ++k)
+      room.hit[t.part->node[k] / math::kRowUnit] = 1;
   ridge_respond(system, s, room.ridge, touch_kick(step),
                 {{s.vx.data(), s.vy.data(), s.vz.data()},
                  {s.x.data(), s.y.data(), s.z.data()},
@@ -261,14 +264,14 @@ struct StepBound {
   double listed, carried;
 };
 StepBound step_bound(const System& system, const State& s, std::size_t b) {
-  const BodySurface& surface = system.bodies[b].mesh.surface;
+  const body::BodySurface& surface = system.bodies[b].mesh.surface;
   const double layer = layer_most(system);
-  const Frame& frame = s.body[b].frame;
+  const math::Frame& frame = s.body[b].frame;
   return {kWay * (contact_reach(surface, layer) - layer),
-          vector3::norm(frame.velocity) + vector3::norm(frame.spin) * surface.size};
+          math::vector3::norm(frame.velocity) + math::vector3::norm(frame.spin) * surface.size};
 }
 
-double way2_of(const StepBound& bound, const BodyContact& c, std::size_t n) {
+double way2_of(const StepBound& bound, const model::BodyContact& c, std::size_t n) {
   return std::max(bound.listed * bound.listed, c.budget2.empty() ? 0 : kLeft * kLeft * c.budget2[n]);
 }
 
@@ -280,7 +283,7 @@ double speed2_of(const State& s, std::size_t n) {
 // limit could know.
 bool outruns(const System& system, const State& s, std::size_t b, const StepBound& bound, std::size_t node,
              double step) {
-  for (std::size_t n = node; n < node + std::size_t(kRowUnit); ++n)
+  for (std::size_t n = node; n < node + std::size_t(math::kRowUnit); ++n)
     if (system.mass[n] > 0 &&
         step * (std::sqrt(speed2_of(s, n)) + bound.carried) > std::sqrt(way2_of(bound, s.body[b], n)))
       return true;
@@ -290,14 +293,14 @@ bool outruns(const System& system, const State& s, std::size_t b, const StepBoun
 }  // namespace
 
 void touch_hurry(State& s) {
-  for (BodyContact& c : s.body) std::fill(c.ease.begin(), c.ease.end(), 0.0);
+  for (model::BodyContact& c : s.body) std::fill(c.ease.begin(), c.ease.end(), 0.0);
 }
 
 void touch_watch(const System& system, const ContactKernel& kernel, TouchRoom& room, State& s, double drift,
                  double ahead) {
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     std::size_t count = 0;
-    for (const Lattice& l : system.lattices) {
+    for (const model::Lattice& l : system.lattices) {
       ContactWatch watch{&s.body[b],
                          {s.x.data(), s.y.data(), s.z.data()},
                          {s.vx.data(), s.vy.data(), s.vz.data()},
@@ -313,7 +316,7 @@ void touch_watch(const System& system, const ContactKernel& kernel, TouchRoom& r
     const StepBound bound = chosen ? step_bound(system, s, b) : StepBound{};
     for (std::size_t k = 0; k < count; ++k) {
       block_renew(system, room, s, b, room.due[k], ahead);
-      if (chosen && outruns(system, s, b, bound, room.due[k], std::max(ahead, step_next(system, s))))
+      if (chosen && outruns(system, s, b, bound, room.due[k], std::max(ahead, model::step_next(system, s))))
         s.watch_wait = 0;
     }
     ridge_watch(system, s, b, ahead);
@@ -326,7 +329,7 @@ void touch_synchronous(const System& system, const ContactKernel& kernel, TouchR
   room.input = 0;
   if (half > 0) old_keep(room, s);
   for (std::size_t b = 0; b < s.body.size(); ++b) {
-    room.load[b] = PinLoad{};
+    room.load[b] = math::PinLoad{};
     if (s.body[b].blocks.order.empty()) continue;
     double sum[8]{};
     ContactJob job = job_of(system, room, s, b, sum);
@@ -374,8 +377,9 @@ double touch_step_most(const System& system, const State& s) {
 }
 
 bool touch_any(const State& s) {
-  return std::any_of(s.body.begin(), s.body.end(),
-                     [](const BodyContact& c) { return !c.blocks.order.empty() || !c.ridge.pair.empty(); });
+  return std::any_of(s.body.begin(), s.body.end(), [](const model::BodyContact& c) {
+    return !c.blocks.order.empty() || !c.ridge.pair.empty();
+  });
 }
 
 double touch_omega2(const System& system, const State& s, int lattice) {
@@ -383,4 +387,4 @@ double touch_omega2(const System& system, const State& s, int lattice) {
   return (touch_any(s) ? omega2 : 0) + (ridge_any(s) ? omega2 : 0) + (self_any(s) ? omega2 : 0);
 }
 
-}  // namespace drape
+}  // namespace drape::contact

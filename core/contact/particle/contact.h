@@ -1,25 +1,25 @@
 // Contact within a step: what keeps the cloth out of bodies. core/README.md, section 7.
 #pragma once
-#include "contact/particle/contact_pass.h"
 #include "body/distance_grid.h"
 #include "contact/edge/edge_contact.h"
+#include "contact/particle/contact_pass.h"
 #include "model/system.h"
 
-namespace drape {
+namespace drape::contact {
 
 // Room for contact; made once per System.
 struct TouchRoom {
-  std::vector<Voxels> voxels;     // [bodies]
-  std::vector<Array> old;         // [bodies][blocks x 3 x kRowUnit] v_{n-1/2}
-  std::vector<std::size_t> due;   // [nodes / kRowUnit] first nodes of blocks to look at anew
-  Array tied;                     // [nodes] 1 where pins and welds tie a particle to others; empty: nowhere
-  std::vector<char> hit;          // [nodes / kRowUnit] where tied nodes have been touched in the present step
-  std::vector<ContactLaw> law;    // [lattices] of the present body
-  std::vector<RidgeTouch> ridge;  // links and cells on ridges, of the present pass
+  std::vector<body::Voxels> voxels;  // [bodies]
+  std::vector<Array> old;            // [bodies][blocks x 3 x kRowUnit] v_{n-1/2}
+  std::vector<std::size_t> due;      // [nodes / kRowUnit] first nodes of blocks to look at anew
+  Array tied;             // [nodes] 1 where pins and welds tie a particle to others; empty: nowhere
+  std::vector<char> hit;  // [nodes / kRowUnit] where tied nodes have been touched in the present step
+  std::vector<model::ContactLaw> law;  // [lattices] of the present body
+  std::vector<RidgeTouch> ridge;       // links and cells on ridges, of the present pass
   RidgeSums ridge_sums;
   double ridge_lost = 0;  // J, of ridge_look
   bool told = false;      // what bodies were told of the half step before this advance is taken out already
-  std::vector<PinLoad> load;         // [bodies] of the last synchronous pass
+  std::vector<math::PinLoad> load;   // [bodies] of the last synchronous pass
   double dissipated = 0, input = 0;  // J, likewise
 };
 TouchRoom touch_make(const System& system);
@@ -53,10 +53,11 @@ ContactCoefficients touch_force(const System& system, const State& state);
 
 // How a lattice touches a body now: in a fit nothing rubs while seams are to be closed, and until what has
 // been sewn has settled.
-ContactLaw touch_law_now(const System& system, const State& state, const Body& body, const Lattice& lattice);
+model::ContactLaw touch_law_now(const System& system, const State& state, const model::Body& body,
+                                const model::Lattice& lattice);
 
 // Notes which particles are tied to others; for new constraints.
-void touch_tie(const System& system, const Constraints& constraints, TouchRoom& room);
+void touch_tie(const System& system, const constraint::Constraints& constraints, TouchRoom& room);
 
 // Before pins and welds: gives particles that are not alone what the bodies did to them in the step before.
 void touch_carry(const System& system, const TouchRoom& room, const TouchStep& step, State& state);
@@ -70,8 +71,8 @@ void touch_apply(const System& system, const ContactKernel& kernel, TouchRoom& r
 // After the particles and bodies have moved, or velocities have jumped: looks at the surroundings of those
 // that may have come near something else, or will. `drift`: how long they moved since the last watch, s;
 // `ahead`: the next step.
-void touch_watch(const System& system, const ContactKernel& kernel, TouchRoom& room, State& state, double drift,
-                 double ahead);
+void touch_watch(const System& system, const ContactKernel& kernel, TouchRoom& room, State& state,
+                 double drift, double ahead);
 
 // After particles have been put elsewhere: all are compared with their budgets at the next watch.
 void touch_hurry(State& state);
@@ -101,10 +102,10 @@ TouchStops touch_stops(const System& system, const State& state, const std::vect
                        double* const a[3]);
 
 // What touches now, and the energy of the penalties, J.
-ContactSummary touch_summary(const System& system, const State& state, const TouchStops& stops);
+model::ContactSummary touch_summary(const System& system, const State& state, const TouchStops& stops);
 double touch_energy(const System& system, const State& state);
 
 // The pressure of bodies on each node, Pa, summed over the surfaces that it touches.
 std::vector<double> touch_pressure(const System& system, const State& state, const TouchStops& stops);
 
-}  // namespace drape
+}  // namespace drape::contact

@@ -2,7 +2,7 @@
 #pragma once
 #include "model/contact.h"
 
-namespace drape {
+namespace drape::contact {
 
 inline constexpr double kContactBlend = 0.125;   // of the layer: where the penalty reaches its slope
 inline constexpr double kContactDeepest = 0.9;   // of the layer: no particle is pressed deeper
@@ -24,15 +24,15 @@ struct ContactCoefficients {
 };
 
 struct ContactJob {
-  BodyContact* body;
+  model::BodyContact* body;
   double *r[3], *v[3];             // [nodes]
   const double* old;               // [blocks in order x 3 x kRowUnit] v_{n-1/2}; null: v stands for it
   const double *mass, *lightness;  // [nodes]; lightness: or null
   const double* stiff;  // [nodes] accelerations of a fit: the lightness, as its penalties go; or null
   const double* tied;   // [nodes] 1 where pins or welds tie a particle to others, else 0; or null
   char* hit;  // [nodes / kRowUnit] set where tied nodes have been touched by a pass that moves; or null
-  const ContactLaw* law;  // [lattices]
-  double damping;         // of the body
+  const model::ContactLaw* law;  // [lattices]
+  double damping;                // of the body
   ContactCoefficients c, told;
   bool begins, energy, moves;  // moves: grips and carries become those of now
   double* sum;                 // [8] force, torque on the body (impulses), dissipated, input
@@ -40,7 +40,7 @@ struct ContactJob {
 
 inline constexpr std::size_t kWatchGroup = 64;  // nodes that are watched together
 struct ContactWatch {
-  BodyContact* body;          // its ease is written
+  model::BodyContact* body;   // its ease is written
   const double *r[3], *v[3];  // [nodes]
   double drift, ahead;     // s, how long they have moved with v since they were watched last (below 0: back);
                            // the next step
@@ -54,4 +54,4 @@ struct ContactKernel {
   std::size_t (*watch[2])(const ContactWatch&, std::size_t* due);
 };
 
-}  // namespace drape
+}  // namespace drape::contact

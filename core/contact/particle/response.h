@@ -21,7 +21,7 @@
 #include "contact/particle/contact_pass.h"
 #include "simd/vector_lanes.h"
 
-namespace drape {
+namespace drape::contact {
 namespace {
 
 template <class L>
@@ -30,7 +30,7 @@ struct ContactLanes {
   L omega2, nu, layer, inverse_blend, blend, least;  // nu = 2 zeta omega
   L stick, slide;
 
-  DRAPE_INLINE ContactLanes(const ContactLaw& law, const ContactCoefficients& c, double zeta)
+  DRAPE_INLINE ContactLanes(const model::ContactLaw& law, const ContactCoefficients& c, double zeta)
       : kick(c.kick),
         old_time(c.old_time),
         new_time(c.new_time),
@@ -66,18 +66,18 @@ struct ContactLanes {
 
 template <class L>
 struct ContactHit {
-  Vec<L> dv;
+  simd::Vec<L> dv;
   L grip, stored, stop;  // stored, stop: along n
 };
 
 template <class L>
-DRAPE_INLINE ContactHit<L> contact_hit(const ContactLanes<L>& k, const Vec<L>& n, L distance, const Vec<L>& w,
-                                       const Vec<L>& before, L grip, L stiff) {
-  const L wn = dot(w, n);
-  const typename ContactLanes<L>::Normal normal = k.normal(distance, wn, dot(before, n), stiff);
+DRAPE_INLINE ContactHit<L> contact_hit(const ContactLanes<L>& k, const simd::Vec<L>& n, L distance,
+                                       const simd::Vec<L>& w, const simd::Vec<L>& before, L grip, L stiff) {
+  const L wn = simd::dot(w, n);
+  const typename ContactLanes<L>::Normal normal = k.normal(distance, wn, simd::dot(before, n), stiff);
   const L p = normal.impulse;
-  const Vec<L> wt = w - n * wn;
-  const L speed = sqrt(dot(wt, wt));
+  const simd::Vec<L> wt = w - n * wn;
+  const L speed = sqrt(simd::dot(wt, wt));
   const auto touches = gt(p, L(0.0));
   const L hold = select(gt(grip, L(0.0)), k.stick, k.slide) * p;
   const auto sticks = ge(hold, speed);
@@ -94,32 +94,33 @@ DRAPE_INLINE ContactHit<L> contact_hit(const ContactLanes<L>& k, const Vec<L>& n
 // The pose of a body in lanes.
 template <class L, bool kMoves>
 struct PoseLanes {
-  Vec<L> origin, velocity, spin;
+  simd::Vec<L> origin, velocity, spin;
   L r[3][3];
-  DRAPE_INLINE explicit PoseLanes(const BodyContact& b) {
-    const auto lanes = [](const Vec3& v) DRAPE_INLINE_LAMBDA { return Vec<L>{L(v[0]), L(v[1]), L(v[2])}; };
+  DRAPE_INLINE explicit PoseLanes(const model::BodyContact& b) {
+    const auto lanes = [](const Vec3& v)
+                           DRAPE_INLINE_LAMBDA { return simd::Vec<L>{L(v[0]), L(v[1]), L(v[2])}; };
     origin = lanes(b.frame.position);
     velocity = lanes(b.frame.velocity);
     spin = lanes(b.frame.spin);
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j) r[i][j] = L(b.turn[i][j]);
   }
-  DRAPE_INLINE Vec<L> inward(const Vec<L>& at) const {  // R^T (r - o)
+  DRAPE_INLINE simd::Vec<L> inward(const simd::Vec<L>& at) const {  // R^T (r - o)
     if constexpr (!kMoves) return at;
-    const Vec<L> d = at - origin;
+    const simd::Vec<L> d = at - origin;
     return {fma(r[0][0], d.x, fma(r[1][0], d.y, r[2][0] * d.z)),
             fma(r[0][1], d.x, fma(r[1][1], d.y, r[2][1] * d.z)),
             fma(r[0][2], d.x, fma(r[1][2], d.y, r[2][2] * d.z))};
   }
-  DRAPE_INLINE Vec<L> outward(const Vec<L>& n) const {  // R n
+  DRAPE_INLINE simd::Vec<L> outward(const simd::Vec<L>& n) const {  // R n
     if constexpr (!kMoves) return n;
     return {fma(r[0][0], n.x, fma(r[0][1], n.y, r[0][2] * n.z)),
             fma(r[1][0], n.x, fma(r[1][1], n.y, r[1][2] * n.z)),
             fma(r[2][0], n.x, fma(r[2][1], n.y, r[2][2] * n.z))};
   }
-  DRAPE_INLINE Vec<L> velocity_at(const Vec<L>& arm) const {  // V + w x (r - o)
+  DRAPE_INLINE simd::Vec<L> velocity_at(const simd::Vec<L>& arm) const {  // V + w x (r - o)
     if constexpr (!kMoves) return {L(0.0), L(0.0), L(0.0)};
-    return velocity + cross(spin, arm);
+    return velocity + simd::cross(spin, arm);
   }
 };
 
@@ -127,21 +128,21 @@ struct PoseLanes {
 template <class L>
 struct Gap {
   L distance;
-  Vec<L> n;
+  simd::Vec<L> n;
 };
 template <class L>
-DRAPE_INLINE Gap<L> contact_gap(const ContactBlock& b, int i, const Vec<L>& x, L s) {
+DRAPE_INLINE Gap<L> contact_gap(const model::ContactBlock& b, int i, const simd::Vec<L>& x, L s) {
   if (b.flat) return {s, {L::load(b.side[0] + i), L::load(b.side[1] + i), L::load(b.side[2] + i)}};
   const auto at = [&](const double* row) DRAPE_INLINE_LAMBDA { return L::load(row + i); };
-  const Vec<L> e = x - Vec<L>{at(b.point[0]), at(b.point[1]), at(b.point[2])};
+  const simd::Vec<L> e = x - simd::Vec<L>{at(b.point[0]), at(b.point[1]), at(b.point[2])};
   const L xx = at(b.shape[0]), xy = at(b.shape[1]), xz = at(b.shape[2]), yy = at(b.shape[3]),
           yz = at(b.shape[4]), zz = at(b.shape[5]);
-  const Vec<L> u{fma(xx, e.x, fma(xy, e.y, xz * e.z)), fma(xy, e.x, fma(yy, e.y, yz * e.z)),
-                 fma(xz, e.x, fma(yz, e.y, zz * e.z))};
-  const L length = sqrt(dot(u, u)), sign = select(ge(s, L(0.0)), L(1.0), L(-1.0));
+  const simd::Vec<L> u{fma(xx, e.x, fma(xy, e.y, xz * e.z)), fma(xy, e.x, fma(yy, e.y, yz * e.z)),
+                       fma(xz, e.x, fma(yz, e.y, zz * e.z))};
+  const L length = sqrt(simd::dot(u, u)), sign = select(ge(s, L(0.0)), L(1.0), L(-1.0));
   const L inverse = sign / max(length, L(1e-300));
-  const auto clear = gt(length, L(1e-12));  // on the surface itself only the side is known
-  const auto none = gt(s, L(kFar / 2));     // a lane without a surface
+  const auto clear = gt(length, L(1e-12));      // on the surface itself only the side is known
+  const auto none = gt(s, L(model::kFar / 2));  // a lane without a surface
   return {select(none, s, sign * length),
           {select(clear, u.x * inverse, at(b.side[0])), select(clear, u.y * inverse, at(b.side[1])),
            select(clear, u.z * inverse, at(b.side[2]))}};
@@ -149,12 +150,12 @@ DRAPE_INLINE Gap<L> contact_gap(const ContactBlock& b, int i, const Vec<L>& x, L
 
 // What a particle that is not alone is given in advance in the next step: all but stops, which would swing.
 template <class L>
-DRAPE_INLINE Vec<L> carry_of(const ContactCoefficients& c, const Vec<L>& n, const ContactHit<L>& hit,
-                             L shares, L light) {
+DRAPE_INLINE simd::Vec<L> carry_of(const ContactCoefficients& c, const simd::Vec<L>& n,
+                                   const ContactHit<L>& hit, L shares, L light) {
   return (hit.dv - n * hit.stop) * select(gt(light, L(0.0)), shares / (L(c.kick) * light), L(0.0));
 }
 template <class L>
-DRAPE_INLINE void carry_store(ContactBlock& b, int i, const Vec<L>& carry) {
+DRAPE_INLINE void carry_store(model::ContactBlock& b, int i, const simd::Vec<L>& carry) {
   L::store(b.carry[0] + i, carry.x);
   L::store(b.carry[1] + i, carry.y);
   L::store(b.carry[2] + i, carry.z);
@@ -164,19 +165,19 @@ DRAPE_INLINE void carry_store(ContactBlock& b, int i, const Vec<L>& carry) {
 // Sums over the blocks, one for each place of a block: the same bits for every width of a lane.
 template <class L>
 struct ContactSums {
-  static constexpr int kParts = kRowUnit / L::kWidth;
+  static constexpr int kParts = math::kRowUnit / L::kWidth;
   L sum[8][kParts];  // force x y z, torque x y z, dissipated, input
   DRAPE_INLINE ContactSums() {
     for (auto& row : sum)
       for (L& v : row) v = L(0.0);
   }
-  DRAPE_INLINE void add(int part, const Vec<L>& impulse, const Vec<L>& arm) {
-    const Vec<L> torque = cross(arm, impulse);
+  DRAPE_INLINE void add(int part, const simd::Vec<L>& impulse, const simd::Vec<L>& arm) {
+    const simd::Vec<L> torque = simd::cross(arm, impulse);
     const L v[6] = {impulse.x, impulse.y, impulse.z, torque.x, torque.y, torque.z};
     for (int k = 0; k < 6; ++k) sum[k][part] = sum[k][part] + v[k];
   }
   void give(double* to) const {
-    alignas(kLine) double lane[kRowUnit];
+    alignas(kLine) double lane[math::kRowUnit];
     for (int k = 0; k < 8; ++k) {
       for (int p = 0; p < kParts; ++p) L::store(lane + p * L::kWidth, sum[k][p]);
       for (double v : lane) to[k] += v;
@@ -185,7 +186,7 @@ struct ContactSums {
 };
 
 // What a pass reads of every block.
-DRAPE_INLINE void block_fetch(const ContactBlock& b) {
+DRAPE_INLINE void block_fetch(const model::ContactBlock& b) {
   for (const double* row : {b.side[0], b.side[1], b.side[2], b.offset, b.grip}) __builtin_prefetch(row);
   __builtin_prefetch(&b.node);
 }
@@ -197,9 +198,9 @@ void contact_run(const ContactJob& job) {
   ContactSums<L> sums;
   int lattice = 0;  // of the laws
   ContactLanes<L> law(job.law[0], c, job.damping), told(job.law[0], job.told, job.damping);
-  const ContactBlocks& blocks = job.body->blocks;
+  const model::ContactBlocks& blocks = job.body->blocks;
   for (std::size_t k = 0; k < blocks.order.size(); ++k) {
-    ContactBlock& b = job.body->blocks.pool[blocks.order[k].block];
+    model::ContactBlock& b = job.body->blocks.pool[blocks.order[k].block];
     if (k + 1 < blocks.order.size()) block_fetch(blocks.pool[blocks.order[k + 1].block]);
     if (b.lattice != lattice) {
       lattice = b.lattice;
@@ -208,21 +209,22 @@ void contact_run(const ContactJob& job) {
     }
     const bool given = b.carries;  // in advance
     if (job.moves) b.carries = false;
-    for (int i = 0, part = 0; i < kRowUnit; i += L::kWidth, ++part) {
+    for (int i = 0, part = 0; i < math::kRowUnit; i += L::kWidth, ++part) {
       const std::size_t n = b.node + std::size_t(i);
-      const Row r{job.r[0] + n, job.r[1] + n, job.r[2] + n}, v{job.v[0] + n, job.v[1] + n, job.v[2] + n};
+      const simd::Row r{job.r[0] + n, job.r[1] + n, job.r[2] + n},
+          v{job.v[0] + n, job.v[1] + n, job.v[2] + n};
       const L light = job.lightness ? L::load(job.lightness + n) : L(1.0);
-      Vec<L> free = vec_load<L>(v, 0), moved = vec_load<L>(r, 0);
+      simd::Vec<L> free = simd::vec_load<L>(v, 0), moved = simd::vec_load<L>(r, 0);
       if (given) {
-        const Vec<L> carried_on =
-            Vec<L>{L::load(b.carry[0] + i), L::load(b.carry[1] + i), L::load(b.carry[2] + i)} *
+        const simd::Vec<L> carried_on =
+            simd::Vec<L>{L::load(b.carry[0] + i), L::load(b.carry[1] + i), L::load(b.carry[2] + i)} *
             (L(c.kick) * light);
         free = free - carried_on;
         moved = moved - carried_on * L(c.drift);
       }
-      const Vec<L> at = moved - free * L(c.drift);
-      const Vec<L> x = pose.inward(at), arm = at - pose.origin, carried = pose.velocity_at(arm),
-                   w = free - carried;
+      const simd::Vec<L> at = moved - free * L(c.drift);
+      const simd::Vec<L> x = pose.inward(at), arm = at - pose.origin, carried = pose.velocity_at(arm),
+                         w = free - carried;
       const L s =
           fma(L::load(b.side[0] + i), x.x,
               fma(L::load(b.side[1] + i), x.y, fms(L::load(b.side[2] + i), x.z, L::load(b.offset + i))));
@@ -230,44 +232,45 @@ void contact_run(const ContactJob& job) {
       if (!any(gt(law.layer, s - nearer))) {
         if (job.moves) L::store(b.grip + i, L(0.0));
         if (given) {
-          vec_store(v, 0, free);
-          if (job.moves) vec_store(r, 0, moved);
-          if (job.moves && job.hit) job.hit[b.node / kRowUnit] = 1;
-          if (job.moves) carry_store(b, i, Vec<L>{L(0.0), L(0.0), L(0.0)});
+          simd::vec_store(v, 0, free);
+          if (job.moves) simd::vec_store(r, 0, moved);
+          if (job.moves && job.hit) job.hit[b.node / math::kRowUnit] = 1;
+          if (job.moves) carry_store(b, i, simd::Vec<L>{L(0.0), L(0.0), L(0.0)});
         }
         continue;
       }
       const Gap<L> gap = contact_gap(b, i, x, s);
-      const Vec<L> normal = pose.outward(gap.n);
+      const simd::Vec<L> normal = pose.outward(gap.n);
       const L grip = L::load(b.grip + i);
       const L stiff = job.stiff ? L(1.0) / max(L::load(job.stiff + n), L(1e-300)) : L(1.0);
-      const double* kept = job.old ? job.old + 3 * kRowUnit * k + std::size_t(i) : nullptr;
-      const Vec<L> old =
-          kept ? Vec<L>{L::load(kept), L::load(kept + kRowUnit), L::load(kept + 2 * kRowUnit)} : free;
+      const double* kept = job.old ? job.old + 3 * math::kRowUnit * k + std::size_t(i) : nullptr;
+      const simd::Vec<L> old = kept ? simd::Vec<L>{L::load(kept), L::load(kept + math::kRowUnit),
+                                                   L::load(kept + 2 * math::kRowUnit)}
+                                    : free;
       const ContactHit<L> hit = contact_hit(law, normal, gap.distance, w, old - carried, grip, stiff);
       const L inertia = select(gt(light, L(0.0)), L::load(job.mass + n) / light, L(0.0)) * L(c.impulse);
-      Vec<L> impulse = hit.dv * (L(0.0) - inertia);
+      simd::Vec<L> impulse = hit.dv * (L(0.0) - inertia);
       if (job.moves) L::store(b.grip + i, hit.grip);
-      const Vec<L> now = free + hit.dv;
-      vec_store(v, 0, now);
-      if (job.moves) vec_store(r, 0, moved + hit.dv * L(c.drift));
+      const simd::Vec<L> now = free + hit.dv;
+      simd::vec_store(v, 0, now);
+      if (job.moves) simd::vec_store(r, 0, moved + hit.dv * L(c.drift));
       if (job.moves && (given || job.tied || b.shares)) {
         const L tied = job.tied ? L::load(job.tied + n) : L(0.0);
         if (job.hit && (given || any(gt(tied * (abs(hit.dv.x) + abs(hit.dv.y) + abs(hit.dv.z)), L(0.0)))))
-          job.hit[b.node / kRowUnit] = 1;
+          job.hit[b.node / math::kRowUnit] = 1;
         carry_store(b, i, carry_of(c, normal, hit, max(tied, L::load(b.shared + i)), light));
       }
       if (job.energy) {
         // J of the rest moves against v_mid - v_b, all of J with v_b
-        const Vec<L> middle = (old + now) * L(0.5) - carried;
-        const L rest = dot(impulse, middle) + inertia * hit.stored * dot(normal, middle);
+        const simd::Vec<L> middle = (old + now) * L(0.5) - carried;
+        const L rest = simd::dot(impulse, middle) + inertia * hit.stored * simd::dot(normal, middle);
         sums.sum[6][part] = sums.sum[6][part] + rest;
-        sums.sum[7][part] = sums.sum[7][part] - dot(impulse, carried);
+        sums.sum[7][part] = sums.sum[7][part] - simd::dot(impulse, carried);
       }
       if (job.begins) {
         // the advance before has been told what turned its last half kick into v_n
-        const Vec<L> kicked = free - old * L(c.keep);
-        const Vec<L> half = (old + kicked * L(c.told_share)) * L(1 / c.told_centred) - carried;
+        const simd::Vec<L> kicked = free - old * L(c.keep);
+        const simd::Vec<L> half = (old + kicked * L(c.told_share)) * L(1 / c.told_centred) - carried;
         const ContactHit<L> was = contact_hit(told, normal, gap.distance, half, half, grip, stiff);
         impulse = impulse + was.dv * (inertia * L(c.told_centred / c.impulse));
       }
@@ -308,32 +311,32 @@ template <class L, bool kMoves>
 std::size_t contact_watch(const ContactWatch& job, std::size_t* due) {
   constexpr double kRounding = 1 - 1e-9;
   const PoseLanes<L, kMoves> pose(*job.body);
-  BodyContact& b = *job.body;
+  model::BodyContact& b = *job.body;
   std::size_t count = 0;
   for (std::size_t begin = job.begin; begin < job.end; begin += kWatchGroup) {
     const std::size_t end = begin + kWatchGroup < job.end ? begin + kWatchGroup : job.end;
     if constexpr (!kMoves) {
       const double speed = contact_speed<L>(job, begin, end);
-      double& ease = b.ease[begin / kRowUnit];
+      double& ease = b.ease[begin / math::kRowUnit];
       ease -= __builtin_fabs(job.drift) * speed;  // stages of order 4 and 6 go partly back
       if (ease > job.ahead * speed) continue;
     }
-    L left(kFar);
-    for (std::size_t n = begin; n < end; n += kRowUnit) {
+    L left(model::kFar);
+    for (std::size_t n = begin; n < end; n += math::kRowUnit) {
       bool moved = false;
-      for (std::size_t i = n; i < n + kRowUnit; i += L::kWidth) {
-        const Vec<L> from{L::load(b.x.data() + i), L::load(b.y.data() + i), L::load(b.z.data() + i)};
-        const Vec<L> at{L::load(job.r[0] + i), L::load(job.r[1] + i), L::load(job.r[2] + i)};
-        const Vec<L> v{L::load(job.v[0] + i), L::load(job.v[1] + i), L::load(job.v[2] + i)};
-        const Vec<L> along = v - pose.velocity_at(at - pose.origin);
-        const Vec<L> d = pose.inward(at + along * L(job.ahead)) - from;
+      for (std::size_t i = n; i < n + math::kRowUnit; i += L::kWidth) {
+        const simd::Vec<L> from{L::load(b.x.data() + i), L::load(b.y.data() + i), L::load(b.z.data() + i)};
+        const simd::Vec<L> at{L::load(job.r[0] + i), L::load(job.r[1] + i), L::load(job.r[2] + i)};
+        const simd::Vec<L> v{L::load(job.v[0] + i), L::load(job.v[1] + i), L::load(job.v[2] + i)};
+        const simd::Vec<L> along = v - pose.velocity_at(at - pose.origin);
+        const simd::Vec<L> d = pose.inward(at + along * L(job.ahead)) - from;
         const L budget2 = L::load(b.budget2.data() + i);
-        moved = moved || any(ge(dot(d, d), budget2));
-        if constexpr (!kMoves) left = min(left, sqrt(budget2) - sqrt(dot(at - from, at - from)));
+        moved = moved || any(ge(simd::dot(d, d), budget2));
+        if constexpr (!kMoves) left = min(left, sqrt(budget2) - sqrt(simd::dot(at - from, at - from)));
       }
       if (moved) due[count++] = n, left = L(0.0);
     }
-    if constexpr (!kMoves) b.ease[begin / kRowUnit] = kRounding * smallest(left);
+    if constexpr (!kMoves) b.ease[begin / math::kRowUnit] = kRounding * smallest(left);
   }
   return count;
 }
@@ -344,4 +347,4 @@ constexpr ContactKernel contact_kernel() {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::contact

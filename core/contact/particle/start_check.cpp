@@ -1,24 +1,24 @@
 // What starts in a body.
 #include "body/closest_features.h"
-#include "model/body_pose.h"
 #include "contact/particle/contact.h"
+#include "model/body_pose.h"
 #include "scene/diagnostics.h"
 
-namespace drape {
+namespace drape::contact {
 namespace {
 
-double depth_at(const System& system, TouchRoom& room, const State& s, std::size_t b, const Lattice& l,
+double depth_at(const System& system, TouchRoom& room, const State& s, std::size_t b, const model::Lattice& l,
                 std::size_t n) {
-  const Body& body = system.bodies[b];
-  const Vec3 x = pose_inward(body, s.body[b], {s.x[n], s.y[n], s.z[n]});
-  Voxels& voxels = room.voxels[b];
-  if (const Neighbourhood near = voxels_at(voxels, x); near.triangle) {
-    Nearest found;
-    nearest_find(body.mesh.surface, *near.triangle, x, l.touch.layer, voxels.reach, voxels.reach, near.listed,
-                 nullptr, found);
+  const model::Body& body = system.bodies[b];
+  const Vec3 x = model::pose_inward(body, s.body[b], {s.x[n], s.y[n], s.z[n]});
+  body::Voxels& voxels = room.voxels[b];
+  if (const body::Neighbourhood near = body::voxels_at(voxels, x); near.triangle) {
+    body::Nearest found;
+    body::nearest_find(body.mesh.surface, *near.triangle, x, l.touch.layer, voxels.reach, voxels.reach,
+                       near.listed, nullptr, found);
     if (!found.touch.empty()) return l.touch.layer - found.touch[0].distance;
   }
-  const double inside = voxels_depth(voxels, x);
+  const double inside = body::voxels_depth(voxels, x);
   return inside > 0 ? l.touch.layer + inside : 0;
 }
 
@@ -27,7 +27,7 @@ double depth_at(const System& system, TouchRoom& room, const State& s, std::size
 void touch_start_check(const System& system, const Scene& scene, TouchRoom& room, const State& s,
                        std::vector<Problem>& problems) {
   for (std::size_t b = 0; b < system.bodies.size(); ++b)
-    for (const Lattice& l : system.lattices) {
+    for (const model::Lattice& l : system.lattices) {
       std::size_t count = 0;
       Vec3 worst{0, 0, 0};
       double deepest = 0;
@@ -46,12 +46,13 @@ void touch_start_check(const System& system, const Scene& scene, TouchRoom& room
       }
       if (count == 0) continue;
       problems.push_back({"piece." + scene.pieces[std::size_t(l.piece)].name + ".place",
-                          "puts " + std::to_string(count) + what + in_quotes(system.bodies[b].name) +
-                              " or nearer to it than half the thickness, " + number_text(l.touch.layer) +
-                              " m; the deepest by " + number_text(deepest) + " m at (" +
-                              number_text(worst[0]) + ", " + number_text(worst[1]) + ", " +
-                              number_text(worst[2]) + "); wanted: all outside"});
+                          "puts " + std::to_string(count) + what + scene::in_quotes(system.bodies[b].name) +
+                              " or nearer to it than half the thickness, " +
+                              scene::number_text(l.touch.layer) + " m; the deepest by " +
+                              scene::number_text(deepest) + " m at (" + scene::number_text(worst[0]) + ", " +
+                              scene::number_text(worst[1]) + ", " + scene::number_text(worst[2]) +
+                              "); wanted: all outside"});
     }
 }
 
-}  // namespace drape
+}  // namespace drape::contact

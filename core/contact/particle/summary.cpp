@@ -2,25 +2,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/particle/contact.h"
+#include "contact/particle/response.h"
 #include "math/smooth_ramp.h"
 #include "model/body_pose.h"
-#include "contact/particle/response.h"
 #include "simd/lane_scalar.h"
-#include "contact/particle/contact.h"
 
-namespace drape {
+namespace drape::contact {
 namespace {
 
-using Lane = ScalarLane<false>;
+using forces::Lane = simd::ScalarLane<false>;
 
 constexpr double kNearStop = 0.999;  // of how deep what a stop holds is
 
 struct Touching {
   std::size_t body, node;
-  const ContactBlock* block;
+  const model::ContactBlock* block;
   int lane;
-  const ContactLaw* law;
-  Gap<Lane> gap;
+  const model::ContactLaw* law;
+  Gap<forces::Lane> gap;
   double depth() const { return law->layer - gap.distance.v; }
 };
 
@@ -28,15 +28,16 @@ struct Touching {
 template <class Visit>
 void each_touching(const System& system, const State& s, Visit visit) {
   for (std::size_t k = 0; k < s.body.size(); ++k)
-    for (const ContactPlace& place : s.body[k].blocks.order) {
-      const ContactBlock& b = s.body[k].blocks.pool[place.block];
-      const ContactLaw& law = system.lattices[std::size_t(b.lattice)].touch;
-      for (int i = 0; i < kRowUnit; ++i) {
-        if (b.offset[i] == -kFar) continue;
+    for (const model::ContactPlace& place : s.body[k].blocks.order) {
+      const model::ContactBlock& b = s.body[k].blocks.pool[place.block];
+      const model::ContactLaw& law = system.lattices[std::size_t(b.lattice)].touch;
+      for (int i = 0; i < math::kRowUnit; ++i) {
+        if (b.offset[i] == -model::kFar) continue;
         const std::size_t n = b.node + std::size_t(i);
-        const Vec3 x = pose_inward(system.bodies[k], s.body[k], {s.x[n], s.y[n], s.z[n]});
-        const double height = vector3::dot(Vec3{b.side[0][i], b.side[1][i], b.side[2][i]}, x) - b.offset[i];
-        const Touching t{k, n, &b, i, &law, contact_gap<Lane>(b, i, {x[0], x[1], x[2]}, height)};
+        const Vec3 x = model::pose_inward(system.bodies[k], s.body[k], {s.x[n], s.y[n], s.z[n]});
+        const double height =
+            math::vector3::dot(Vec3{b.side[0][i], b.side[1][i], b.side[2][i]}, x) - b.offset[i];
+        const Touching t{k, n, &b, i, &law, contact_gap<forces::Lane>(b, i, {x[0], x[1], x[2]}, height)};
         if (t.depth() > 0) visit(t);
       }
     }
@@ -44,8 +45,8 @@ void each_touching(const System& system, const State& s, Visit visit) {
 
 // Of a particle, by one surface: (m/a) W^2 phi(e) and what the stop holds, Pa.
 double pressure_of(const System& system, const State& s, const Touching& t, double stop) {
-  return (inertia_of(system, s, t.node) * t.law->omega2 *
-              contact_penalty(kContactBlend * t.law->layer, t.depth()) +
+  return (model::inertia_of(system, s, t.node) * t.law->omega2 *
+              math::contact_penalty(kContactBlend * t.law->layer, t.depth()) +
           stop) /
          system.area[t.node];
 }
@@ -74,33 +75,33 @@ TouchStops touch_stops(const System& system, const State& s, const std::vector<R
   TouchStops stops;
   const ContactCoefficients c = touch_force(system, s);
   each_touching(system, s, [&](const Touching& t) {
-    const Body& body = system.bodies[t.body];
+    const model::Body& body = system.bodies[t.body];
     const std::size_t n = t.node;
-    const ContactLanes<Lane> law(
+    const ContactLanes<forces::Lane> law(
         touch_law_now(system, s, body, system.lattices[std::size_t(t.block->lattice)]), c, body.damping);
-    const Vec3 out = pose_outward(body, s.body[t.body], {t.gap.n.x.v, t.gap.n.y.v, t.gap.n.z.v});
-    const Vec3 carried = pose_acceleration(body, s.body[t.body], {s.x[n], s.y[n], s.z[n]});
-    Vec<Lane> free;  // against the body
-    Lane* to[] = {&free.x, &free.y, &free.z};
+    const Vec3 out = model::pose_outward(body, s.body[t.body], {t.gap.n.x.v, t.gap.n.y.v, t.gap.n.z.v});
+    const Vec3 carried = model::pose_acceleration(body, s.body[t.body], {s.x[n], s.y[n], s.z[n]});
+    simd::Vec<forces::Lane> free;  // against the body
+    forces::Lane* to[] = {&free.x, &free.y, &free.z};
     for (std::size_t k = 0; k < 3; ++k) *to[k] = a[k][n] - t.block->carry[k][t.lane] - carried[k];
-    const ContactHit<Lane> hit =
-        contact_hit(law, Vec<Lane>{out[0], out[1], out[2]}, t.gap.distance, free, free,
-                    Lane(t.block->grip[t.lane]), Lane(s.lightness.empty() ? 1 : 1 / s.lightness[n]));
-    const Lane dv[] = {hit.dv.x, hit.dv.y, hit.dv.z};
+    const ContactHit<forces::Lane> hit = contact_hit(
+        law, simd::Vec<forces::Lane>{out[0], out[1], out[2]}, t.gap.distance, free, free,
+        forces::Lane(t.block->grip[t.lane]), forces::Lane(s.lightness.empty() ? 1 : 1 / s.lightness[n]));
+    const forces::Lane dv[] = {hit.dv.x, hit.dv.y, hit.dv.z};
     for (std::size_t k = 0; k < 3; ++k) a[k][n] = (*to[k] + dv[k]).v + carried[k];
     stops.particle.push_back(system.mass[n] * hit.stop.v);
   });
   std::vector<RidgeTouch> accelerated = pairs;
   for (RidgeTouch& t : accelerated)
-    t.carried = pose_acceleration(system.bodies[t.body], s.body[t.body], t.at);
+    t.carried = model::pose_acceleration(system.bodies[t.body], s.body[t.body], t.at);
   RidgeSums sums;
   ridge_respond(system, s, accelerated, c, {{a[0], a[1], a[2]}, {}, nullptr}, nullptr, sums);
   stops.pair = sums.stop;
   return stops;
 }
 
-ContactSummary touch_summary(const System& system, const State& s, const TouchStops& stops) {
-  ContactSummary sum;
+model::ContactSummary touch_summary(const System& system, const State& s, const TouchStops& stops) {
+  model::ContactSummary sum;
   std::vector<char> counted(system.nodes, 0);  // a particle in a groove counts once
   std::size_t k = 0;
   each_touching(system, s, [&](const Touching& t) {
@@ -137,14 +138,14 @@ std::vector<double> touch_pressure(const System& system, const State& s, const T
 double touch_energy(const System& system, const State& s) {
   double sum = 0;
   each_touching(system, s, [&](const Touching& t) {
-    sum += inertia_of(system, s, t.node) * t.law->omega2 *
-           contact_penalty_energy(kContactBlend * t.law->layer, t.depth());
+    sum += model::inertia_of(system, s, t.node) * t.law->omega2 *
+           math::contact_penalty_energy(kContactBlend * t.law->layer, t.depth());
   });
   ridge_each(system, s, [&](const RidgeTouch& t, std::size_t, double depth, double) {
     const double layer = layer_of(system, t);
-    sum += t.stiffness * contact_penalty_energy(kContactBlend * layer, std::min(depth, layer));
+    sum += t.stiffness * math::contact_penalty_energy(kContactBlend * layer, std::min(depth, layer));
   });
   return sum;
 }
 
-}  // namespace drape
+}  // namespace drape::contact

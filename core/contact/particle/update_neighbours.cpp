@@ -3,36 +3,36 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/vector3.h"
 #include "body/closest_features.h"
+#include "math/vector3.h"
 
-namespace drape {
+namespace drape::contact {
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
 constexpr double kLeast = 0.02;      // of the layer: a particle may always move so far
 constexpr double kUsed = 0.7;        // of the budget: what has used more is looked at with its neighbours
 constexpr double kAhead = 1.5;       // steps that a particle is looked ahead
 constexpr double kSeenEdges = 0.15;  // of the mean edge, likewise of kSeen
 
-ContactBlock block_make(std::size_t node, int lattice) {
-  ContactBlock b{};
+model::ContactBlock block_make(std::size_t node, int lattice) {
+  model::ContactBlock b{};
   b.node = node;
   b.lattice = lattice;
-  for (double& o : b.offset) o = -kFar;
+  for (double& o : b.offset) o = -model::kFar;
   return b;
 }
 
-void lane_clear(ContactBlock& b, std::size_t i) {
+void lane_clear(model::ContactBlock& b, std::size_t i) {
   for (auto& row : b.side) row[i] = 0;
-  b.offset[i] = -kFar;
+  b.offset[i] = -model::kFar;
   b.grip[i] = 0;
   for (auto& row : b.carry) row[i] = 0;
   b.shared[i] = 0;
 }
 
-void lane_set(ContactBlock& b, std::size_t i, const Touch& touch, double grip) {
+void lane_set(model::ContactBlock& b, std::size_t i, const body::Touch& touch, double grip) {
   for (std::size_t k = 0; k < 3; ++k) {
     b.side[k][i] = touch.side[k];
     b.point[k][i] = touch.point[k];
@@ -42,10 +42,10 @@ void lane_set(ContactBlock& b, std::size_t i, const Touch& touch, double grip) {
   b.grip[i] = grip;
 }
 
-bool is_flat(const ContactBlock& b) {
+bool is_flat(const model::ContactBlock& b) {
   constexpr double kRounding = 1e-12;
-  for (std::size_t i = 0; i < std::size_t(kRowUnit); ++i) {
-    if (b.offset[i] == -kFar) continue;
+  for (std::size_t i = 0; i < std::size_t(math::kRowUnit); ++i) {
+    if (b.offset[i] == -model::kFar) continue;
     const double trace =
         b.shape[0][i] + b.shape[3][i] + b.shape[5][i];  // 1 of a face, 2 of an edge, 3 of a vertex
     if (trace > 1 + kRounding) return false;
@@ -53,51 +53,51 @@ bool is_flat(const ContactBlock& b) {
   return true;
 }
 
-std::size_t place_first(const ContactBlocks& blocks, std::uint32_t node) {
+std::size_t place_first(const model::ContactBlocks& blocks, std::uint32_t node) {
   const auto at = std::lower_bound(blocks.order.begin(), blocks.order.end(), node,
-                                   [](const ContactPlace& p, std::uint32_t n) { return p.node < n; });
+                                   [](const model::ContactPlace& p, std::uint32_t n) { return p.node < n; });
   return std::size_t(at - blocks.order.begin());
 }
 
-std::size_t places_of(const ContactBlocks& blocks, std::size_t first, std::uint32_t node) {
+std::size_t places_of(const model::ContactBlocks& blocks, std::size_t first, std::uint32_t node) {
   std::size_t count = 0;
   while (first + count < blocks.order.size() && blocks.order[first + count].node == node) ++count;
   return count;
 }
 
-void block_insert(ContactBlocks& blocks, std::size_t at, std::uint32_t node, int lattice) {
+void block_insert(model::ContactBlocks& blocks, std::size_t at, std::uint32_t node, int lattice) {
   std::uint32_t k = std::uint32_t(blocks.pool.size());
   if (blocks.free.empty()) {
-    blocks.pool.push_back(block_make(std::size_t(node) * kRowUnit, lattice));
+    blocks.pool.push_back(block_make(std::size_t(node) * math::kRowUnit, lattice));
   } else {
     k = blocks.free.back();
     blocks.free.pop_back();
-    blocks.pool[k] = block_make(std::size_t(node) * kRowUnit, lattice);
+    blocks.pool[k] = block_make(std::size_t(node) * math::kRowUnit, lattice);
   }
   blocks.order.insert(blocks.order.begin() + std::ptrdiff_t(at), {node, k});
 }
 
 // Puts what one particle touches into the blocks of its node. `shared`: its links may meet ridges as well.
-void lane_write(ContactBlocks& blocks, std::uint32_t node, int lattice, std::size_t lane,
-                const std::vector<Touch>& touch, bool shared) {
+void lane_write(model::ContactBlocks& blocks, std::uint32_t node, int lattice, std::size_t lane,
+                const std::vector<body::Touch>& touch, bool shared) {
   const std::size_t first = place_first(blocks, node), count = places_of(blocks, first, node);
   const double grip = count > 0 ? blocks.pool[blocks.order[first].block].grip[lane] : 0;
   for (std::size_t k = touch.size(); k < count; ++k)
     lane_clear(blocks.pool[blocks.order[first + k].block], lane);
   for (std::size_t k = 0; k < touch.size(); ++k) {
     if (k >= count) block_insert(blocks, first + k, node, lattice);
-    ContactBlock& b = blocks.pool[blocks.order[first + k].block];
+    model::ContactBlock& b = blocks.pool[blocks.order[first + k].block];
     lane_set(b, lane, touch[k], k == 0 ? grip : 0);
     b.shared[lane] = touch.size() > 1 || shared ? 1 : 0;
   }
   for (std::size_t k = 0; k < std::max(count, touch.size()); ++k) {
-    ContactBlock& b = blocks.pool[blocks.order[first + k].block];
-    b.shares = std::any_of(b.shared, b.shared + kRowUnit, [](double is) { return is > 0; });
+    model::ContactBlock& b = blocks.pool[blocks.order[first + k].block];
+    b.shares = std::any_of(b.shared, b.shared + math::kRowUnit, [](double is) { return is > 0; });
     b.flat = is_flat(b);
   }
 }
 
-void blocks_prune(ContactBlocks& blocks, std::uint32_t node) {
+void blocks_prune(model::ContactBlocks& blocks, std::uint32_t node) {
   const std::size_t first = place_first(blocks, node);
   for (std::size_t k = places_of(blocks, first, node); k-- > 0;) {
     const std::uint32_t block = blocks.order[first + k].block;
@@ -108,30 +108,30 @@ void blocks_prune(ContactBlocks& blocks, std::uint32_t node) {
 }
 
 // The side of the nearest surface that a particle was near so far.
-bool side_known(const ContactBlocks& blocks, std::uint32_t node, std::size_t lane, Vec3& side) {
+bool side_known(const model::ContactBlocks& blocks, std::uint32_t node, std::size_t lane, Vec3& side) {
   const std::size_t first = place_first(blocks, node);
   if (places_of(blocks, first, node) == 0) return false;
-  const ContactBlock& b = blocks.pool[blocks.order[first].block];
-  if (b.offset[lane] == -kFar) return false;
+  const model::ContactBlock& b = blocks.pool[blocks.order[first].block];
+  if (b.offset[lane] == -model::kFar) return false;
   side = {b.side[0][lane], b.side[1][lane], b.side[2][lane]};
   return true;
 }
 
 }  // namespace
 
-double contact_reach(const BodySurface& surface, double layer) {
+double contact_reach(const body::BodySurface& surface, double layer) {
   return std::max(kSeen * layer, layer + kSeenEdges * surface.edge_mean);
 }
 
 namespace {
 
 // How far a node may go until it must be looked at for ridges again; notes whether one is near.
-double ridge_way(const RidgeNear& of, RidgeContact& c, std::size_t n, const Vec3& x, double clearance,
+double ridge_way(const RidgeNear& of, model::RidgeContact& c, std::size_t n, const Vec3& x, double clearance,
                  double step) {
   if (of.ridges.ridge.empty()) return INFINITY;
   const double within = of.within + 2 * kAhead * step;
   double distance = clearance;
-  if (distance <= within + of.margin) distance = ridges_distance(of.ridges, x, within + 2 * of.margin);
+  if (distance <= within + of.margin) distance = body::ridges_distance(of.ridges, x, within + 2 * of.margin);
   const bool near = distance <= within + of.margin;
   if (near && !c.near[n]) c.fresh.push_back(std::uint32_t(n));
   c.near[n] = near;
@@ -140,22 +140,24 @@ double ridge_way(const RidgeNear& of, RidgeContact& c, std::size_t n, const Vec3
 
 }  // namespace
 
-void contact_renew(const BodySurface& surface, Voxels& voxels, BodyContact& c, std::size_t node, int lattice,
-                   double layer, const RidgeNear& ridges, const Vec3* x, const Vec3* step) {
-  static thread_local Nearest found;
-  const auto name = std::uint32_t(node / kRowUnit);
-  for (std::size_t i = 0; i < std::size_t(kRowUnit); ++i) {
+void contact_renew(const body::BodySurface& surface, body::Voxels& voxels, model::BodyContact& c,
+                   std::size_t node, int lattice, double layer, const RidgeNear& ridges, const Vec3* x,
+                   const Vec3* step) {
+  static thread_local body::Nearest found;
+  const auto name = std::uint32_t(node / math::kRowUnit);
+  for (std::size_t i = 0; i < std::size_t(math::kRowUnit); ++i) {
     const std::size_t n = node + i;
     const Vec3 moved = x[i] + step[i] - Vec3{c.x[n], c.y[n], c.z[n]};
     if (!(dot(moved, moved) >= kUsed * kUsed * c.budget2[n])) continue;
-    const Neighbourhood near = voxels_at(voxels, x[i]);
+    const body::Neighbourhood near = body::voxels_at(voxels, x[i]);
     found.touch.clear();
     found.budget = near.clearance - layer;
     Vec3 side{};
     if (near.triangle)
-      nearest_find(surface, *near.triangle, x[i], layer,
-                   std::min(std::max(kKept * layer, layer + kAhead * norm(step[i])), voxels.reach),
-                   voxels.reach, near.listed, side_known(c.blocks, name, i, side) ? &side : nullptr, found);
+      body::nearest_find(surface, *near.triangle, x[i], layer,
+                         std::min(std::max(kKept * layer, layer + kAhead * norm(step[i])), voxels.reach),
+                         voxels.reach, near.listed, side_known(c.blocks, name, i, side) ? &side : nullptr,
+                         found);
     const double way = ridge_way(ridges, c.ridge, n, x[i], near.clearance, norm(step[i]));
     const double budget = std::max(std::min(found.budget, way), kLeast * layer);
     c.x[n] = x[i][0], c.y[n] = x[i][1], c.z[n] = x[i][2];
@@ -165,4 +167,4 @@ void contact_renew(const BodySurface& surface, Voxels& voxels, BodyContact& c, s
   blocks_prune(c.blocks, name);
 }
 
-}  // namespace drape
+}  // namespace drape::contact

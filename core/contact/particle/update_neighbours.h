@@ -1,26 +1,27 @@
 // Looks at the surroundings of particles anew, and keeps what is near of them in blocks.
 #pragma once
-#include "model/contact.h"
 #include "body/distance_grid.h"
+#include "model/contact.h"
 
-namespace drape {
+namespace drape::contact {
 
 // Surfaces within so many layers of a particle are kept in its block; up to kSeen layers away, triangles are
 // listed.
 inline constexpr double kKept = 3, kSeen = 4;
 
 // How far around triangles are listed (m), for the thickest layer.
-double contact_reach(const BodySurface& surface, double layer);
+double contact_reach(const body::BodySurface& surface, double layer);
 
 // How near nodes must be to a ridge to be noted, and for how far that is good at least.
 struct RidgeNear {
-  const Ridges& ridges;
+  const body::Ridges& ridges;
   double within, margin;  // m
 };
 
 // Of kRowUnit nodes from `node` on, those at x (in the body's frame) that have used up most of their budgets,
 // or will by the next step, which moves them by `step` (m).
-void contact_renew(const BodySurface& surface, Voxels& voxels, BodyContact& contact, std::size_t node,
-                   int lattice, double layer, const RidgeNear& ridges, const Vec3* x, const Vec3* step);
+void contact_renew(const body::BodySurface& surface, body::Voxels& voxels, model::BodyContact& contact,
+                   std::size_t node, int lattice, double layer, const RidgeNear& ridges, const Vec3* x,
+                   const Vec3* step);
 
-}  // namespace drape
+}  // namespace drape::contact

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <map>
 
-#include "math/vector3.h"
-#include "math/closest_points.h"
 #include "contact/self/search.h"
+#include "math/closest_points.h"
+#include "math/vector3.h"
 #include "model/elements.h"
 
-namespace drape {
+namespace drape::contact {
 namespace {
 
 constexpr int kApart = 1;            // cells along the cloth, at least
@@ -17,11 +17,11 @@ constexpr double kApartThick = 2;    // thicknesses along the cloth, at least
 constexpr double kSamePlace = 1e-3;  // cells: sewn points nearer than that are one
 constexpr double kTooNear = 1e-3;    // of the thickness: what starts nearer never touches
 
-void cells_lay(const System& system, SelfMesh& mesh) {
-  for (const Lattice& l : system.lattices)
-    each_cell(system, l, [&](const std::size_t* corner, double) {
-      SelfCell cell{};
-      for (int k = 0; k < 4; ++k) cell.node[k] = NodeIndex(corner[k]);
+void cells_lay(const System& system, model::SelfMesh& mesh) {
+  for (const model::Lattice& l : system.lattices)
+    model::each_cell(system, l, [&](const std::size_t* corner, double) {
+      model::SelfCell cell{};
+      for (int k = 0; k < 4; ++k) cell.node[k] = model::NodeIndex(corner[k]);
       const auto [i, j] = l.place_of(corner[0]);
       cell.lattice = l.piece, cell.i = i, cell.j = j;
       mesh.cell.push_back(cell);
@@ -29,33 +29,33 @@ void cells_lay(const System& system, SelfMesh& mesh) {
 }
 
 // Each particle and each edge belongs to the first cell that has it.
-void parts_own(const System& system, SelfMesh& mesh) {
+void parts_own(const System& system, model::SelfMesh& mesh) {
   constexpr int kEdges[5][2] = {{0, 1}, {0, 2}, {1, 3}, {2, 3}, {0, 3}};
   constexpr int kAcross[5][2] = {{3, -1}, {3, -1}, {0, -1}, {0, -1}, {1, 2}};
   std::vector<char> owned(system.nodes, 0);
-  std::map<std::array<NodeIndex, 2>, std::size_t> seen;
-  for (SelfCell& cell : mesh.cell) {
+  std::map<std::array<model::NodeIndex, 2>, std::size_t> seen;
+  for (model::SelfCell& cell : mesh.cell) {
     cell.node_first = int(mesh.own_node.size());
-    for (NodeIndex n : cell.node)
+    for (model::NodeIndex n : cell.node)
       if (!owned[n]) owned[n] = 1, mesh.own_node.push_back(n);
     cell.node_end = int(mesh.own_node.size());
     cell.edge_first = int(mesh.edge.size());
     for (int k = 0; k < 5; ++k) {
-      const NodeIndex a = cell.node[kEdges[k][0]], b = cell.node[kEdges[k][1]];
+      const model::NodeIndex a = cell.node[kEdges[k][0]], b = cell.node[kEdges[k][1]];
       const auto [at, fresh] = seen.try_emplace({std::min(a, b), std::max(a, b)}, mesh.edge.size());
-      const NodeIndex across = cell.node[kAcross[k][0]];
+      const model::NodeIndex across = cell.node[kAcross[k][0]];
       if (!fresh) {
         mesh.edge[at->second].across[1] = across;
         continue;
       }
       mesh.edge.push_back({{std::min(a, b), std::max(a, b)},
-                           {across, kAcross[k][1] < 0 ? kNoNode : cell.node[kAcross[k][1]]}});
+                           {across, kAcross[k][1] < 0 ? model::kNoNode : cell.node[kAcross[k][1]]}});
     }
     cell.edge_end = int(mesh.edge.size());
   }
 }
 
-void spans_lay(const System& system, SelfMesh& mesh) {
+void spans_lay(const System& system, model::SelfMesh& mesh) {
   for (std::size_t n : system.particle) {
     if (mesh.span.empty() || mesh.span.back().end != n) mesh.span.push_back({n, n});
     mesh.span.back().end = n + 1;
@@ -72,8 +72,8 @@ struct SewnPoint {
 std::vector<SewnPoint> sewn_points(const System& system) {
   std::vector<SewnPoint> points;
   for (std::size_t p = 0; p < system.seams.pair.size(); ++p)
-    for (const SeamPoint& side : system.seams.pair[p].side) {
-      const Lattice& l = system_lattice_of(system, side.node[0]);
+    for (const model::SeamPoint& side : system.seams.pair[p].side) {
+      const model::Lattice& l = model::system_lattice_of(system, side.node[0]);
       SewnPoint at{l.piece, int(p), 0, 0};
       for (int k = 0; k < 4; ++k) {
         const auto [i, j] = l.place_of(side.node[k]);
@@ -96,11 +96,11 @@ std::vector<SewnPoint> sewn_points(const System& system) {
   return points;
 }
 
-void seams_near(const System& system, SelfMesh& mesh) {
+void seams_near(const System& system, model::SelfMesh& mesh) {
   const std::vector<SewnPoint> points = sewn_points(system);
-  for (const Lattice& l : system.lattices)
+  for (const model::Lattice& l : system.lattices)
     mesh.seam_apart = std::max(mesh.seam_apart, (mesh.apart[std::size_t(l.piece)] + 2) * l.cell);
-  for (SelfCell& cell : mesh.cell) {
+  for (model::SelfCell& cell : mesh.cell) {
     cell.seam_first = int(mesh.near_seam.size());
     const double b = system.lattices[std::size_t(cell.lattice)].cell;
     for (const SewnPoint& p : points) {
@@ -113,42 +113,42 @@ void seams_near(const System& system, SelfMesh& mesh) {
 }
 
 // Where layers start too near to each other their distance then is their layer.
-void layers_ease(const System& system, const State& start, SelfMesh& mesh) {
+void layers_ease(const System& system, const State& start, model::SelfMesh& mesh) {
   mesh.layer_most.assign(system.nodes, INFINITY);
-  const SelfPairs pairs = self_search(system, mesh, start, 0);
+  const model::SelfPairs pairs = self_search(system, mesh, start, 0);
   Array most = mesh.layer_most;
-  const auto ease = [&](NodeIndex n, double distance, double layer) {
+  const auto ease = [&](model::NodeIndex n, double distance, double layer) {
     most[n] = std::min(most[n], distance > kTooNear * layer ? distance : 0);
   };
-  const auto at = [&](NodeIndex n) { return Vec3{start.x[n], start.y[n], start.z[n]}; };
-  for (const SelfPoint& p : pairs.point) {
+  const auto at = [&](model::NodeIndex n) { return Vec3{start.x[n], start.y[n], start.z[n]}; };
+  for (const model::SelfPoint& p : pairs.point) {
     const double d =
-        std::sqrt(triangle_foot(at(p.node[0]), at(p.node[1]), at(p.node[2]), at(p.node[3])).distance2);
+        std::sqrt(math::triangle_foot(at(p.node[0]), at(p.node[1]), at(p.node[2]), at(p.node[3])).distance2);
     const double layer = self_layer(system, mesh.lattice_of[p.node[0]], mesh.lattice_of[p.node[1]]);
     if (d < layer) ease(p.node[0], d, layer);
   }
-  for (const SelfCross& c : pairs.cross) {
-    const EdgesFoot foot = edges_foot(at(c.node[0]), at(c.node[1]), at(c.node[2]), at(c.node[3]));
+  for (const model::SelfCross& c : pairs.cross) {
+    const math::EdgesFoot foot = math::edges_foot(at(c.node[0]), at(c.node[1]), at(c.node[2]), at(c.node[3]));
     const double layer = self_layer(system, mesh.lattice_of[c.node[0]], mesh.lattice_of[c.node[2]]);
     if (foot.distance2 < layer * layer)
-      for (NodeIndex n : c.node) ease(n, std::sqrt(foot.distance2), layer);
+      for (model::NodeIndex n : c.node) ease(n, std::sqrt(foot.distance2), layer);
   }
   mesh.layer_most = most;
 }
 
 }  // namespace
 
-SelfMesh self_mesh_make(const System& system, const State& start) {
-  SelfMesh mesh;
+model::SelfMesh self_mesh_make(const System& system, const State& start) {
+  model::SelfMesh mesh;
   cells_lay(system, mesh);
   parts_own(system, mesh);
   spans_lay(system, mesh);
   mesh.lattice_of.assign(system.nodes, 0);
-  for (std::size_t n : system.particle) mesh.lattice_of[n] = system_lattice_of(system, n).piece;
+  for (std::size_t n : system.particle) mesh.lattice_of[n] = model::system_lattice_of(system, n).piece;
   mesh.fixed.assign(system.nodes, 0);
-  for (const FixedNode& f : system.constraints.fixed) mesh.fixed[f.node] = 1;
+  for (const constraint::FixedNode& f : system.constraints.fixed) mesh.fixed[f.node] = 1;
   mesh.cell_least = INFINITY;
-  for (const Lattice& l : system.lattices) {
+  for (const model::Lattice& l : system.lattices) {
     mesh.layer = std::max(mesh.layer, 2 * l.touch.layer);
     mesh.cell_least = std::min(mesh.cell_least, l.cell);
     mesh.stands_out.push_back(l.touch.layer / (4 * l.cell));
@@ -159,15 +159,15 @@ SelfMesh self_mesh_make(const System& system, const State& start) {
   return mesh;
 }
 
-bool self_cells_adjoin(const SelfMesh& mesh, const SelfCell& a, const SelfCell& b) {
+bool self_cells_adjoin(const model::SelfMesh& mesh, const model::SelfCell& a, const model::SelfCell& b) {
   const int apart = mesh.apart[std::size_t(a.lattice)];
   if (a.lattice == b.lattice && std::abs(a.i - b.i) <= apart && std::abs(a.j - b.j) <= apart) return true;
   for (int s = a.seam_first; s < a.seam_end; ++s)
     for (int t = b.seam_first; t < b.seam_end; ++t) {
-      const NearSeam &from = mesh.near_seam[std::size_t(s)], &to = mesh.near_seam[std::size_t(t)];
+      const model::NearSeam &from = mesh.near_seam[std::size_t(s)], &to = mesh.near_seam[std::size_t(t)];
       if (from.place == to.place && from.distance + to.distance <= mesh.seam_apart) return true;
     }
   return false;
 }
 
-}  // namespace drape
+}  // namespace drape::contact

@@ -8,18 +8,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/vector3.h"
 #include "contact/self/mesh.h"
-#include "math/closest_points.h"
-#include "contact/self/search.h"
 #include "contact/self/narrow_phase.h"
+#include "contact/self/search.h"
+#include "math/closest_points.h"
+#include "math/vector3.h"
 
-namespace drape {
+namespace drape::contact {
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
-SelfTouch touch_of(const NodeIndex* node, bool cross, const Vec3& arm, double distance, double layer) {
+SelfTouch touch_of(const model::NodeIndex* node, bool cross, const Vec3& arm, double distance, double layer) {
   SelfTouch t{};
   std::copy(node, node + 4, t.node.begin());
   t.cross = cross;
@@ -61,25 +61,25 @@ struct Looking {
 };
 
 // The directions from an edge into its triangles, of length 1; their number.
-int into_set(const Looking& l, const SelfEdge& e, Vec3* into) {
+int into_set(const Looking& l, const model::SelfEdge& e, Vec3* into) {
   const Vec3 base = l.place[e.node[0]], edge = l.place[e.node[1]] - base;
   int count = 0;
-  for (NodeIndex n : e.across) {
-    if (n == kNoNode) continue;
+  for (model::NodeIndex n : e.across) {
+    if (n == model::kNoNode) continue;
     const Vec3 reach = l.place[n] - base, m = reach - (dot(reach, edge) / dot(edge, edge)) * edge;
     into[count++] = (1 / norm(m)) * m;
   }
   return count;
 }
 
-double sine_of(const Looking& l, NodeIndex edge) {
-  const SelfMesh& mesh = l.system.self;
+double sine_of(const Looking& l, model::NodeIndex edge) {
+  const model::SelfMesh& mesh = l.system.self;
   return mesh.stands_out[std::size_t(mesh.lattice_of[mesh.edge[edge].node[0]])];
 }
 
 // Whether an edge may stand out at all: along the middle of both directions their sine is the largest, and
 // sine^2 = (1 + m_1.m_2)/2.
-bool may_stand(const Looking& l, NodeIndex edge) {
+bool may_stand(const Looking& l, model::NodeIndex edge) {
   enum : char { kUnknown, kYes, kNo };
   char& known = l.all.stands[edge];
   if (known == kUnknown) {
@@ -93,7 +93,7 @@ bool may_stand(const Looking& l, NodeIndex edge) {
 
 // How far an edge stands out of its cloth along `out`, of length 1: the least sine, over that from which it
 // does.
-double stands_out(const Looking& l, NodeIndex edge, const Vec3& out) {
+double stands_out(const Looking& l, model::NodeIndex edge, const Vec3& out) {
   Vec3 into[2];
   const int count = into_set(l, l.system.self.edge[edge], into);
   double least = 1;
@@ -103,9 +103,9 @@ double stands_out(const Looking& l, NodeIndex edge, const Vec3& out) {
 
 // The way left until the pair can touch; 0 where it is within reach, and then it may be one more of the
 // touches.
-double point_look(const Looking& l, const SelfPoint& p) {
-  const TriangleFoot foot =
-      triangle_foot(l.place[p.node[0]], l.place[p.node[1]], l.place[p.node[2]], l.place[p.node[3]]);
+double point_look(const Looking& l, const model::SelfPoint& p) {
+  const math::TriangleFoot foot =
+      math::triangle_foot(l.place[p.node[0]], l.place[p.node[1]], l.place[p.node[2]], l.place[p.node[3]]);
   const double distance = std::sqrt(foot.distance2);
   if (distance - p.layer > l.reach) return distance - p.layer;
   if (!(p.layer > 0) || !(distance > 0)) return 0;
@@ -116,10 +116,10 @@ double point_look(const Looking& l, const SelfPoint& p) {
   return 0;
 }
 
-double cross_look(const Looking& l, const SelfCross& p) {
+double cross_look(const Looking& l, const model::SelfCross& p) {
   if (!may_stand(l, p.edge[0]) || !may_stand(l, p.edge[1])) return 0;
-  const EdgesFoot foot =
-      edges_foot(l.place[p.node[0]], l.place[p.node[1]], l.place[p.node[2]], l.place[p.node[3]]);
+  const math::EdgesFoot foot =
+      math::edges_foot(l.place[p.node[0]], l.place[p.node[1]], l.place[p.node[2]], l.place[p.node[3]]);
   const double distance = std::sqrt(foot.distance2);
   if (distance - p.layer > l.reach) return distance - p.layer;
   if (!foot.crosses || !(p.layer > 0) || !(distance > 0)) return 0;
@@ -134,35 +134,35 @@ double cross_look(const Looking& l, const SelfCross& p) {
   return 0;
 }
 
-void places_take(const SelfMesh& mesh, const State& s, std::vector<Vec3>& place) {
+void places_take(const model::SelfMesh& mesh, const State& s, std::vector<Vec3>& place) {
   place.resize(s.x.size());
-  for (const NodeSpan& span : mesh.span)
+  for (const model::NodeSpan& span : mesh.span)
     for (std::size_t n = span.begin; n < span.end; ++n) place[n] = {s.x[n], s.y[n], s.z[n]};
 }
 
 }  // namespace
 
-void self_look(const System& system, const State& s, double reach, SelfTouches& all, SelfState* wake) {
+void self_look(const System& system, const State& s, double reach, SelfTouches& all, model::SelfState* wake) {
   all.touch.clear();
   const std::vector<double>& blocks = s.self.wake_block;
   const double now = s.self.way;
   if (std::none_of(blocks.begin(), blocks.end(), [&](double b) { return b <= now + reach; })) return;
-  const SelfPairs& pairs = *s.self.pairs;
+  const model::SelfPairs& pairs = *s.self.pairs;
   const std::size_t points = pairs.point.size(), size = pairs.size();
   places_take(system.self, s, all.place);
   all.stands.assign(system.self.edge.size(), 0);
   const Looking looking{system, all.place.data(), reach, all};
   std::size_t first = 0;  // of the touches of the present particle
-  NodeIndex particle = kNoNode;
-  for (std::size_t begin = 0, block = 0; begin < size; begin += kWakeBlock, ++block) {
+  model::NodeIndex particle = model::kNoNode;
+  for (std::size_t begin = 0, block = 0; begin < size; begin += model::kWakeBlock, ++block) {
     if (blocks[block] > now + reach) continue;
-    const std::size_t end = std::min(begin + kWakeBlock, size);
+    const std::size_t end = std::min(begin + model::kWakeBlock, size);
     double soonest = INFINITY;
     for (std::size_t k = begin; k < end; ++k) {
       double until = s.self.wake[k];
       if (until <= now + reach) {
         const bool point = k < points;
-        if (const NodeIndex n = point ? pairs.point[k].node[0] : kNoNode; n != particle) {
+        if (const model::NodeIndex n = point ? pairs.point[k].node[0] : model::kNoNode; n != particle) {
           minima_keep(all.touch, first);
           first = all.touch.size();
           particle = n;
@@ -176,7 +176,7 @@ void self_look(const System& system, const State& s, double reach, SelfTouches& 
     }
     if (wake) wake->wake_block[block] = soonest;
   }
-  if (particle != kNoNode) minima_keep(all.touch, first);
+  if (particle != model::kNoNode) minima_keep(all.touch, first);
 }
 
-}  // namespace drape
+}  // namespace drape::contact

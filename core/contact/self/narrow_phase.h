@@ -14,11 +14,11 @@
 #include "model/self_contact.h"
 #include "model/system.h"
 
-namespace drape {
+namespace drape::contact {
 
 // A node of pairs that touch. All are v_{n-1/2} or free velocities over what centred damping leaves.
 struct SelfNode {
-  NodeIndex node;
+  model::NodeIndex node;
   bool fixed;             // a pin holds it
   double inverse, mass;   // 1/kg, kg of its inertia; a fixed node's inverse is 0
   Vec3 old, v;            // m/s
@@ -26,7 +26,7 @@ struct SelfNode {
 };
 
 struct SelfTouch {
-  std::array<NodeIndex, 4> node;
+  std::array<model::NodeIndex, 4> node;
   bool cross, drop = false;
   double weight[4], turn[4];  // W, u
   double distance, layer;     // m
@@ -56,7 +56,8 @@ struct SelfTouches {
 // Finds the pairs of a state that are nearer than their layer and `reach` (m), each local minimum of the
 // distance once; points first, in the order of their nodes. With `wake`, tells pairs when they are to be
 // looked at again.
-void self_look(const System& system, const State& state, double reach, SelfTouches& touches, SelfState* wake);
+void self_look(const System& system, const State& state, double reach, SelfTouches& touches,
+               model::SelfState* wake);
 
 // Room for the nodes of `touch`, and all that does not depend on velocities.
 void self_prepare(const System& system, const State& state, bool inertia_of_fit, SelfTouches& touches);
@@ -70,4 +71,4 @@ double self_dissipated(const ContactCoefficients& c, SelfTouches& touches);
 
 inline constexpr double kSelfBlend = kContactBlend / 2;  // of the layer, which is that of two cloths
 
-}  // namespace drape
+}  // namespace drape::contact

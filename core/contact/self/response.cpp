@@ -1,5 +1,5 @@
-// What touching does: the law of contact with bodies (contact/particle/response.h) on pairs, whose impulses are
-// equal and opposite. With K = sum W_k^2/m_k and the depth e = layer - d,
+// What touching does: the law of contact with bodies (contact/particle/response.h) on pairs, whose impulses
+// are equal and opposite. With K = sum W_k^2/m_k and the depth e = layer - d,
 //
 //   normal     P = [k phi(e) dt - 2 zeta sqrt(k/K) phi'(e) w_n dt]+,   the damping centred
 //   stop       d_{n+1} >= least: what is left of the approach is taken away
@@ -11,15 +11,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/vector3.h"
-#include "math/smooth_ramp.h"
 #include "contact/self/mesh.h"
 #include "contact/self/narrow_phase.h"
+#include "math/smooth_ramp.h"
+#include "math/vector3.h"
 
-namespace drape {
+namespace drape::contact {
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
 constexpr double kSoft = 0.25;   // of omega^2 of contact with bodies: a particle is in several pairs
 constexpr double kDamping = 1;   // zeta
@@ -68,8 +68,8 @@ void levers_set(const SelfTouches& all, SelfTouch& t) {
 
 void law_set(const System& system, const std::vector<SelfNode>& node, SelfTouch& t) {
   const auto& of = system.self.lattice_of;
-  const ContactLaw &a = system.lattices[std::size_t(of[t.node[0]])].touch,
-                   &b = system.lattices[std::size_t(of[t.node[t.cross ? 2 : 1]])].touch;
+  const model::ContactLaw &a = system.lattices[std::size_t(of[t.node[0]])].touch,
+                          &b = system.lattices[std::size_t(of[t.node[t.cross ? 2 : 1]])].touch;
   double least = INFINITY;
   t.lightness = 0;
   for (int k = 0; k < 4; ++k) {
@@ -84,14 +84,14 @@ void law_set(const System& system, const std::vector<SelfNode>& node, SelfTouch&
 }
 
 // sum W_k of a field of the nodes
-Vec3 gap_rate(const SelfTouches& all, const SelfTouch& t, Vec3 SelfNode::*field) {
+Vec3 gap_rate(const SelfTouches& all, const SelfTouch& t, Vec3 SelfNode::* field) {
   Vec3 sum{0, 0, 0};
   for (int k = 0; k < 4; ++k) sum += t.weight[k] * (all.node[std::size_t(t.at[k])].*field);
   return sum;
 }
 
 // The tangential w.
-Vec3 slip(const SelfTouches& all, SelfTouch& t, Vec3 SelfNode::*field) {
+Vec3 slip(const SelfTouches& all, SelfTouch& t, Vec3 SelfNode::* field) {
   levers_set(all, t);
   Vec3 turning{0, 0, 0};
   for (int k = 0; k < 4; ++k) turning += t.turn[k] * cross(t.lever[k], all.node[std::size_t(t.at[k])].*field);
@@ -122,7 +122,7 @@ double normal_begin(const ContactCoefficients& c, SelfTouches& all, SelfTouch& t
   const double u = std::min(depth / blend, 1.0);
   t.resist = t.lightness * t.drag * u * u * (3 - 2 * u);
   t.before = dot(t.n, gap_rate(all, t, &SelfNode::old));
-  t.stored = t.normal = c.kick * t.stiffness * contact_penalty(blend, depth);
+  t.stored = t.normal = c.kick * t.stiffness * math::contact_penalty(blend, depth);
   normal_push(all, t, t.normal);
   return t.lightness * t.normal;
 }
@@ -173,7 +173,7 @@ void self_prepare(const System& system, const State& s, bool inertia_of_fit, Sel
   all.index.resize(system.nodes, -1);
   for (SelfTouch& t : all.touch)
     for (int k = 0; k < 4; ++k) {
-      const NodeIndex n = t.node[std::size_t(k)];
+      const model::NodeIndex n = t.node[std::size_t(k)];
       int& at = all.index[n];
       if (at < 0) {
         at = int(all.node.size());
@@ -193,7 +193,9 @@ void self_prepare(const System& system, const State& s, bool inertia_of_fit, Sel
   std::erase_if(all.touch, [](const SelfTouch& t) { return !(t.lightness > 0); });  // held on both sides
   auto held = s.self.hold.begin();                                                  // in the same order
   for (SelfTouch& t : all.touch) {
-    const auto before = [&](const SelfHold& h) { return h.cross != t.cross ? t.cross : h.node < t.node; };
+    const auto before = [&](const model::SelfHold& h) {
+      return h.cross != t.cross ? t.cross : h.node < t.node;
+    };
     while (held != s.self.hold.end() && before(*held)) ++held;
     if (held == s.self.hold.end() || held->cross != t.cross || held->node != t.node) continue;
     t.hold = held->force - dot(held->force, t.n) * t.n;
@@ -231,4 +233,4 @@ double self_dissipated(const ContactCoefficients& c, SelfTouches& all) {
   return sum;
 }
 
-}  // namespace drape
+}  // namespace drape::contact

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/vector3.h"
 #include "contact/self/mesh.h"
 #include "math/closest_points.h"
+#include "math/vector3.h"
 
-namespace drape {
+namespace drape::contact {
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
 constexpr double kFarthest = 1e15;  // buckets
 
@@ -21,15 +21,15 @@ struct Ball {
   std::array<std::int64_t, 3> bucket;
 };
 
-Vec3 place(const State& s, NodeIndex n) { return {s.x[n], s.y[n], s.z[n]}; }
+Vec3 place(const State& s, model::NodeIndex n) { return {s.x[n], s.y[n], s.z[n]}; }
 
-std::vector<Ball> balls_of(const SelfMesh& mesh, const State& s) {
+std::vector<Ball> balls_of(const model::SelfMesh& mesh, const State& s) {
   std::vector<Ball> balls;
   balls.reserve(mesh.cell.size());
-  for (const SelfCell& cell : mesh.cell) {
+  for (const model::SelfCell& cell : mesh.cell) {
     Ball ball{{0, 0, 0}, 0, {}};
-    for (NodeIndex n : cell.node) ball.centre += 0.25 * place(s, n);
-    for (NodeIndex n : cell.node) ball.radius = std::max(ball.radius, norm(place(s, n) - ball.centre));
+    for (model::NodeIndex n : cell.node) ball.centre += 0.25 * place(s, n);
+    for (model::NodeIndex n : cell.node) ball.radius = std::max(ball.radius, norm(place(s, n) - ball.centre));
     balls.push_back(ball);
   }
   return balls;
@@ -92,60 +92,64 @@ void each_near(const Buckets& b, const std::vector<Ball>& balls, Visit visit) {
 
 struct Search {
   const System& system;
-  const SelfMesh& mesh;
+  const model::SelfMesh& mesh;
   const State& state;
   double margin;
 };
 
-double layer_of(const Search& s, NodeIndex a, NodeIndex b) {
+double layer_of(const Search& s, model::NodeIndex a, model::NodeIndex b) {
   return self_layer(s.system, s.mesh.lattice_of[a], s.mesh.lattice_of[b]);
 }
 
 // Particles of one cell and triangles of another.
-void points_find(const Search& s, const SelfCell& of, const SelfCell& on, SelfPairs& found) {
+void points_find(const Search& s, const model::SelfCell& of, const model::SelfCell& on,
+                 model::SelfPairs& found) {
   for (int k = of.node_first; k < of.node_end; ++k) {
-    const NodeIndex n = s.mesh.own_node[std::size_t(k)];
+    const model::NodeIndex n = s.mesh.own_node[std::size_t(k)];
     const Vec3 at = place(s.state, n);
     for (const auto& t :
          {std::array{on.node[0], on.node[1], on.node[3]}, std::array{on.node[0], on.node[3], on.node[2]}}) {
-      const SelfPoint pair{{n, t[0], t[1], t[2]}, std::min(layer_of(s, n, t[0]), s.mesh.layer_most[n])};
+      const model::SelfPoint pair{{n, t[0], t[1], t[2]},
+                                  std::min(layer_of(s, n, t[0]), s.mesh.layer_most[n])};
       const double reach = pair.layer + s.margin;
-      const TriangleFoot foot =
-          triangle_foot(at, place(s.state, t[0]), place(s.state, t[1]), place(s.state, t[2]));
+      const math::TriangleFoot foot =
+          math::triangle_foot(at, place(s.state, t[0]), place(s.state, t[1]), place(s.state, t[2]));
       if (foot.distance2 <= reach * reach) found.point.push_back(pair);
     }
   }
 }
 
-void crosses_find(const Search& s, const SelfCell& a, const SelfCell& b, SelfPairs& found) {
+void crosses_find(const Search& s, const model::SelfCell& a, const model::SelfCell& b,
+                  model::SelfPairs& found) {
   for (int i = a.edge_first; i < a.edge_end; ++i)
     for (int j = b.edge_first; j < b.edge_end; ++j) {
-      NodeIndex e = NodeIndex(i), f = NodeIndex(j);
+      model::NodeIndex e = model::NodeIndex(i), f = model::NodeIndex(j);
       if (s.mesh.edge[f].node[0] < s.mesh.edge[e].node[0]) std::swap(e, f);
-      const NodeIndex *from = s.mesh.edge[e].node, *to = s.mesh.edge[f].node;
-      SelfCross pair{{from[0], from[1], to[0], to[1]}, {e, f}, layer_of(s, from[0], to[0])};
-      for (NodeIndex n : pair.node) pair.layer = std::min(pair.layer, s.mesh.layer_most[n]);
+      const model::NodeIndex *from = s.mesh.edge[e].node, *to = s.mesh.edge[f].node;
+      model::SelfCross pair{{from[0], from[1], to[0], to[1]}, {e, f}, layer_of(s, from[0], to[0])};
+      for (model::NodeIndex n : pair.node) pair.layer = std::min(pair.layer, s.mesh.layer_most[n]);
       const double reach = pair.layer + s.margin;
       const Vec3 a0 = place(s.state, pair.node[0]), a1 = place(s.state, pair.node[1]),
                  b0 = place(s.state, pair.node[2]), b1 = place(s.state, pair.node[3]);
       const double far = reach + 0.5 * (norm(a1 - a0) + norm(b1 - b0));
       const Vec3 between = 0.5 * ((a0 + a1) - (b0 + b1));
       if (dot(between, between) > far * far) continue;
-      if (edges_foot(a0, a1, b0, b1).distance2 <= reach * reach) found.cross.push_back(pair);
+      if (math::edges_foot(a0, a1, b0, b1).distance2 <= reach * reach) found.cross.push_back(pair);
     }
 }
 
 // Whether a slab across the line of centres, wider than `reach`, has one cell on either side.
-bool are_apart(const State& s, const SelfCell& a, const SelfCell& b, const Vec3& between, double reach) {
+bool are_apart(const State& s, const model::SelfCell& a, const model::SelfCell& b, const Vec3& between,
+               double reach) {
   double end = -INFINITY, begin = INFINITY;
-  for (NodeIndex n : a.node) end = std::max(end, dot(place(s, n), between));
-  for (NodeIndex n : b.node) begin = std::min(begin, dot(place(s, n), between));
+  for (model::NodeIndex n : a.node) end = std::max(end, dot(place(s, n), between));
+  for (model::NodeIndex n : b.node) begin = std::min(begin, dot(place(s, n), between));
   return begin - end > reach * norm(between);
 }
 
 // Visits all cells that do not adjoin and may be nearer than `reach`.
 template <class Visit>
-void each_pair(const SelfMesh& mesh, const State& state, double reach, Visit visit) {
+void each_pair(const model::SelfMesh& mesh, const State& state, double reach, Visit visit) {
   std::vector<Ball> balls = balls_of(mesh, state);
   double most = 0, farthest = 0;
   for (const Ball& ball : balls) {
@@ -167,10 +171,11 @@ void each_pair(const SelfMesh& mesh, const State& state, double reach, Visit vis
 
 }  // namespace
 
-SelfPairs self_search(const System& system, const SelfMesh& mesh, const State& state, double margin) {
+model::SelfPairs self_search(const System& system, const model::SelfMesh& mesh, const State& state,
+                             double margin) {
   const Search search{system, mesh, state, margin};
-  SelfPairs found;
-  each_pair(mesh, state, mesh.layer + margin, [&](const SelfCell& a, const SelfCell& b) {
+  model::SelfPairs found;
+  each_pair(mesh, state, mesh.layer + margin, [&](const model::SelfCell& a, const model::SelfCell& b) {
     points_find(search, a, b, found);
     points_find(search, b, a, found);
     crosses_find(search, a, b, found);
@@ -199,22 +204,22 @@ bool goes_through(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, co
 
 }  // namespace
 
-std::vector<SelfCut> self_cuts(const SelfMesh& mesh, const State& s) {
+std::vector<SelfCut> self_cuts(const model::SelfMesh& mesh, const State& s) {
   std::vector<SelfCut> cuts;
-  const auto edges_through = [&](const SelfCell& of, const SelfCell& on) {
+  const auto edges_through = [&](const model::SelfCell& of, const model::SelfCell& on) {
     for (int k = of.edge_first; k < of.edge_end; ++k) {
-      const SelfEdge& e = mesh.edge[std::size_t(k)];
+      const model::SelfEdge& e = mesh.edge[std::size_t(k)];
       const Vec3 p = place(s, e.node[0]), q = place(s, e.node[1]), a = place(s, on.node[0]),
                  d = place(s, on.node[3]);
       if (goes_through(p, q, a, place(s, on.node[1]), d) || goes_through(p, q, a, d, place(s, on.node[2])))
         cuts.push_back({of.lattice, on.lattice, 0.5 * (p + q)});
     }
   };
-  each_pair(mesh, s, 0, [&](const SelfCell& a, const SelfCell& b) {
+  each_pair(mesh, s, 0, [&](const model::SelfCell& a, const model::SelfCell& b) {
     edges_through(a, b);
     edges_through(b, a);
   });
   return cuts;
 }
 
-}  // namespace drape
+}  // namespace drape::contact

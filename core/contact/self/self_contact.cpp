@@ -4,15 +4,15 @@
 #include <cmath>
 #include <map>
 
-#include "math/vector3.h"
-#include "math/smooth_ramp.h"
-#include "scene/diagnostics.h"
 #include "contact/self/search.h"
+#include "math/smooth_ramp.h"
+#include "math/vector3.h"
+#include "scene/diagnostics.h"
 
-namespace drape {
+namespace drape::contact {
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
 constexpr double kReachSteps = 2;    // at the present speed, for which pairs are looked at before they touch
 constexpr double kReachLayer = 0.1;  // of the layer, likewise
@@ -29,20 +29,20 @@ double speed_of(const System& system, const State& s) {
   Vec3 range;
   const Array* v[3] = {&s.vx, &s.vy, &s.vz};
   for (std::size_t k = 0; k < 3; ++k) {
-    double low[kRowUnit], high[kRowUnit];  // so that the compiler makes vectors of them
-    std::fill_n(low, kRowUnit, INFINITY);
-    std::fill_n(high, kRowUnit, -INFINITY);
+    double low[math::kRowUnit], high[math::kRowUnit];  // so that the compiler makes vectors of them
+    std::fill_n(low, math::kRowUnit, INFINITY);
+    std::fill_n(high, math::kRowUnit, -INFINITY);
     const auto take = [&](double at, int i) {
       low[i] = at < low[i] ? at : low[i];
       high[i] = at > high[i] ? at : high[i];
     };
-    for (const NodeSpan& span : system.self.span) {
+    for (const model::NodeSpan& span : system.self.span) {
       const double *at = v[k]->data() + span.begin, *end = v[k]->data() + span.end;
-      for (; at + kRowUnit <= end; at += kRowUnit)
-        for (int i = 0; i < kRowUnit; ++i) take(at[i], i);
+      for (; at + math::kRowUnit <= end; at += math::kRowUnit)
+        for (int i = 0; i < math::kRowUnit; ++i) take(at[i], i);
       for (; at < end; ++at) take(*at, 0);
     }
-    range[k] = *std::max_element(high, high + kRowUnit) - *std::min_element(low, low + kRowUnit);
+    range[k] = *std::max_element(high, high + math::kRowUnit) - *std::min_element(low, low + math::kRowUnit);
   }
   return norm(range);
 }
@@ -53,16 +53,16 @@ double reach_of(const System& system, const State& s, double h) {
 
 void search(const System& system, State& s, double h) {
   const double cell = system.self.cell_least;
-  SelfState& self = s.self;
+  model::SelfState& self = s.self;
   self.margin = std::max(kMarginReach * reach_of(system, s, h),
                          std::clamp(kSearchSteps * self.speed * h, kMarginLeast * cell, kMarginMost * cell));
   self.searched = self.way;
-  self.pairs = std::make_shared<const SelfPairs>(self_search(system, system.self, s, self.margin));
+  self.pairs = std::make_shared<const model::SelfPairs>(self_search(system, system.self, s, self.margin));
   self.wake.assign(self.pairs->size(), self.way);
-  self.wake_block.assign((self.pairs->size() + kWakeBlock - 1) / kWakeBlock, self.way);
+  self.wake_block.assign((self.pairs->size() + model::kWakeBlock - 1) / model::kWakeBlock, self.way);
 }
 
-void holds_set(const ContactCoefficients& c, const SelfTouches& all, SelfState& self) {
+void holds_set(const ContactCoefficients& c, const SelfTouches& all, model::SelfState& self) {
   self.hold.clear();
   for (const SelfTouch& t : all.touch)
     if (t.normal + t.stop > 0) self.hold.push_back({t.node, t.cross, !t.slides, (1 / c.kick) * t.friction});
@@ -72,9 +72,9 @@ void holds_set(const ContactCoefficients& c, const SelfTouches& all, SelfState& 
 
 void self_begin(const System& system, State& s) {
   if (!self_touches(system)) return;
-  s.self = SelfState{};
+  s.self = model::SelfState{};
   s.self.speed = speed_of(system, s);
-  search(system, s, step_next(system, s));
+  search(system, s, model::step_next(system, s));
 }
 
 void self_start_check(const System& system, const Scene& scene, const State& s,
@@ -86,12 +86,12 @@ void self_start_check(const System& system, const Scene& scene, const State& s,
   for (const auto& [pieces, cuts] : found) {
     const auto name = [&](std::size_t k) { return scene.pieces[std::size_t(pieces[k])].name; };
     const Vec3& at = cuts[0];
-    problems.push_back({"piece." + name(1) + ".place",
-                        "puts it through " +
-                            (pieces[0] == pieces[1] ? "itself" : "the piece " + in_quotes(name(0))) +
-                            " with self_contact = true: " + std::to_string(cuts.size()) +
-                            " edges of cells go through cells, the first near (" + number_text(at[0]) + ", " +
-                            number_text(at[1]) + ", " + number_text(at[2]) + "); wanted: none"});
+    problems.push_back(
+        {"piece." + name(1) + ".place",
+         "puts it through " + (pieces[0] == pieces[1] ? "itself" : "the piece " + scene::in_quotes(name(0))) +
+             " with self_contact = true: " + std::to_string(cuts.size()) +
+             " edges of cells go through cells, the first near (" + scene::number_text(at[0]) + ", " +
+             scene::number_text(at[1]) + ", " + scene::number_text(at[2]) + "); wanted: none"});
   }
 }
 
@@ -163,15 +163,16 @@ std::vector<SelfTouch> touching(const System& system, const State& s) {
 
 }  // namespace
 
-ContactSummary self_summary(const System& system, const State& s) {
-  ContactSummary sum;
+model::ContactSummary self_summary(const System& system, const State& s) {
+  model::ContactSummary sum;
   for (const SelfTouch& t : touching(system, s)) {
     const double depth = t.layer - t.distance;
     double area = INFINITY;
-    for (NodeIndex n : t.node) area = std::min(area, system.area[n]);
+    for (model::NodeIndex n : t.node) area = std::min(area, system.area[n]);
     ++sum.count;
     sum.penetration = std::max(sum.penetration, depth);
-    sum.pressure = std::max(sum.pressure, t.stiffness * contact_penalty(kSelfBlend * t.layer, depth) / area);
+    sum.pressure =
+        std::max(sum.pressure, t.stiffness * math::contact_penalty(kSelfBlend * t.layer, depth) / area);
   }
   return sum;
 }
@@ -179,8 +180,8 @@ ContactSummary self_summary(const System& system, const State& s) {
 double self_energy(const System& system, const State& s) {
   double sum = 0;
   for (const SelfTouch& t : touching(system, s))
-    sum += t.stiffness * contact_penalty_energy(kSelfBlend * t.layer, t.layer - t.distance);
+    sum += t.stiffness * math::contact_penalty_energy(kSelfBlend * t.layer, t.layer - t.distance);
   return sum;
 }
 
-}  // namespace drape
+}  // namespace drape::contact

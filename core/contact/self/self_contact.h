@@ -3,7 +3,7 @@
 #include "contact/particle/contact.h"
 #include "contact/self/narrow_phase.h"
 
-namespace drape {
+namespace drape::contact {
 
 // Room of one step; made once per System.
 struct SelfRoom {
@@ -39,7 +39,7 @@ void self_synchronous(const System& system, SelfRoom& room, const State& state, 
                       double* vx, double* vy, double* vz);
 
 // What touches now: pairs; and the energy of the penalties, J.
-ContactSummary self_summary(const System& system, const State& state);
+model::ContactSummary self_summary(const System& system, const State& state);
 double self_energy(const System& system, const State& state);
 
-}  // namespace drape
+}  // namespace drape::contact

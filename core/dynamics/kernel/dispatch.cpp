@@ -2,10 +2,10 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "forces/irregular_elements.h"
 #include "dynamics/kernel/row_blocks.h"
+#include "forces/irregular_elements.h"
 
-namespace drape {
+namespace drape::dynamics {
 namespace {
 
 bool runs_here(const Kernel& k) {
@@ -20,9 +20,10 @@ constexpr const Kernel* kByChoice[] = {&kKernelAvx512, &kKernelAvx2, &kKernelPor
 
 void pass_run_all(const Kernel& kernel, const System& system, const StepCoefficients& c, Workspace& w,
                   const State& s, const PassTarget& to) {
-  const bool rates = system_has_rates(system);
+  const bool rates = model::system_has_rates(system);
   if (!system.side.node.empty())
-    side_forces(system, s, rates, c.lead, kernel.hinges, {w.side_x.data(), w.side_y.data(), w.side_z.data()});
+    forces::side_forces(system, s, rates, c.lead, kernel.hinges,
+                        {w.side_x.data(), w.side_y.data(), w.side_z.data()});
   blocks_copy(system, s, w);
   struct Task {
     const System& system;
@@ -44,7 +45,7 @@ void pass_run_all(const Kernel& kernel, const System& system, const StepCoeffici
 }  // namespace
 
 double velocity_lead(const System& system, const State& s) {
-  if (system.integrator == Integrator::kPaper || s.h_old == 0) return 0;
+  if (system.integrator == scene::Integrator::kPaper || s.h_old == 0) return 0;
   return s.h_old / (s.h_old + s.h_older);
 }
 
@@ -74,4 +75,4 @@ const Kernel& kernel_pick() {
   return kKernelPortable;
 }
 
-}  // namespace drape
+}  // namespace drape::dynamics

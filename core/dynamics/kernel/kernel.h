@@ -1,11 +1,11 @@
 // The lattice pass: all forces of a lattice and, fused with it, either the step or their output.
 #pragma once
 #include "contact/particle/contact_pass.h"
-#include "forces/hinge_batch.h"
 #include "dynamics/kernel/workers.h"
+#include "forces/hinge_batch.h"
 #include "model/system.h"
 
-namespace drape {
+namespace drape::dynamics {
 
 // v <- keep v + kick (F/m + g),  r <- r + drift v;  F at the velocity v + lead (v - w)
 struct StepCoefficients {
@@ -59,9 +59,9 @@ struct Kernel {
   Pass plain, rates;
   // The largest omega^2 (1/s^2) of the step limit over the row of cells above row j of a lattice, at r +
   // ahead v (s).
-  double (*omega2)(const System&, const Lattice&, const State&, int j, double ahead);
-  ContactKernel contact;
-  HingeKernel hinges;
+  double (*omega2)(const System&, const model::Lattice&, const State&, int j, double ahead);
+  contact::ContactKernel contact;
+  forces::HingeKernel hinges;
 };
 
 // One step of all lattices.
@@ -82,4 +82,4 @@ const Kernel* kernel_named(const char* name);  // null: unknown, or not on this 
 
 extern const Kernel kKernelPortable, kKernelScalar, kKernelAvx2, kKernelAvx512;
 
-}  // namespace drape
+}  // namespace drape::dynamics

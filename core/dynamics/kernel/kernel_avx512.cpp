@@ -1,17 +1,17 @@
 // AVX-512, eight doubles.
 #include "contact/particle/response.h"
+#include "dynamics/kernel/lattice_pass.h"
+#include "dynamics/step_size/cell_bound.h"
 #include "forces/hinge_lanes.h"
 #include "simd/lane_avx512.h"
-#include "dynamics/step_size/cell_bound.h"
-#include "dynamics/kernel/lattice_pass.h"
 
-namespace drape {
+namespace drape::dynamics {
 
 const Kernel kKernelAvx512{"avx512",
-                           block_pass<Avx512Lane, false>,
-                           block_pass<Avx512Lane, true>,
-                           cells_omega2<Avx512Lane>,
-                           contact_kernel<Avx512Lane>(),
-                           hinges_bend<Avx512Lane>};
+                           block_pass<simd::Avx512Lane, false>,
+                           block_pass<simd::Avx512Lane, true>,
+                           cells_omega2<simd::Avx512Lane>,
+                           contact::contact_kernel<simd::Avx512Lane>(),
+                           forces::hinges_bend<simd::Avx512Lane>};
 
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -1,17 +1,17 @@
 // The baseline instruction set.
 #include "contact/particle/response.h"
+#include "dynamics/kernel/lattice_pass.h"
+#include "dynamics/step_size/cell_bound.h"
 #include "forces/hinge_lanes.h"
 #include "simd/lane_scalar.h"
-#include "dynamics/step_size/cell_bound.h"
-#include "dynamics/kernel/lattice_pass.h"
 
-namespace drape {
+namespace drape::dynamics {
 
 const Kernel kKernelPortable{"portable",
-                             block_pass<ScalarLane<false>, false>,
-                             block_pass<ScalarLane<false>, true>,
-                             cells_omega2<ScalarLane<false>>,
-                             contact_kernel<ScalarLane<false>>(),
-                             hinges_bend<ScalarLane<false>>};
+                             block_pass<simd::ScalarLane<false>, false>,
+                             block_pass<simd::ScalarLane<false>, true>,
+                             cells_omega2<simd::ScalarLane<false>>,
+                             contact::contact_kernel<simd::ScalarLane<false>>(),
+                             forces::hinges_bend<simd::ScalarLane<false>>};
 
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -19,19 +19,19 @@
 #pragma once
 #include <algorithm>
 
-#include "forces/air.h"
-#include "forces/bending.h"
 #include "dynamics/kernel/row_move.h"
 #include "dynamics/kernel/slab_links.h"
+#include "forces/air.h"
+#include "forces/bending.h"
 
-namespace drape {
+namespace drape::dynamics {
 namespace {
 
 // The scratch rows of a thread by their use.
 struct PassRows {
   double *weft, *warp[2];  // 1/l of links, for hinges
-  PackedRow force[3];
-  Row speed[2];  // velocities led on to t_n
+  simd::PackedRow force[3];
+  simd::Row speed[2];  // velocities led on to t_n
 };
 
 struct ScratchRows {
@@ -42,7 +42,7 @@ struct ScratchRows {
     next += stride;
     return row;
   }
-  DRAPE_INLINE Row vector() {
+  DRAPE_INLINE simd::Row vector() {
     double *x = one(), *y = one();
     return {x, y, one()};
   }
@@ -52,42 +52,42 @@ DRAPE_INLINE PassRows pass_rows(double* scratch, int stride) {
   PassRows p;
   p.weft = take.one();
   for (double*& row : p.warp) row = take.one();
-  for (PackedRow& row : p.force) row = {take.vector().x};
-  for (Row& row : p.speed) row = take.vector();
+  for (simd::PackedRow& row : p.force) row = {take.vector().x};
+  for (simd::Row& row : p.speed) row = take.vector();
   return p;
 }
 
 template <class L>
-DRAPE_INLINE void row_clear(int n, PackedRow r) {
-  for (int i = 0; i < n; i += L::kWidth) packed_store(r, i, Vec<L>{L(0.0), L(0.0), L(0.0)});
+DRAPE_INLINE void row_clear(int n, simd::PackedRow r) {
+  for (int i = 0; i < n; i += L::kWidth) simd::packed_store(r, i, simd::Vec<L>{L(0.0), L(0.0), L(0.0)});
 }
 // u = v + lead (v - w)
 template <class L>
-DRAPE_INLINE void row_lead(int n, double lead, ConstRow v, ConstRow w, Row out) {
+DRAPE_INLINE void row_lead(int n, double lead, simd::ConstRow v, simd::ConstRow w, simd::Row out) {
   for (int i = 0; i < n; i += L::kWidth) {
-    const Vec<L> now = vec_load<L>(v, i);
-    vec_store(out, i, now + (now - vec_load<L>(w, i)) * L(lead));
+    const simd::Vec<L> now = simd::vec_load<L>(v, i);
+    simd::vec_store(out, i, now + (now - simd::vec_load<L>(w, i)) * L(lead));
   }
 }
 
 // What the lists beside the rows add to row j, taken off minus its sums so far.
-DRAPE_INLINE void row_add_side(const System& system, const Lattice& l, const Workspace& w, int j,
-                               PackedRow force) {
+DRAPE_INLINE void row_add_side(const System& system, const model::Lattice& l, const Workspace& w, int j,
+                               simd::PackedRow force) {
   if (l.row_slot.empty()) return;
   const std::size_t row = l.node(0, j);
   for (int k = l.row_slot[std::size_t(j)]; k < l.row_slot[std::size_t(j) + 1]; ++k) {
     const int i = int(system.side.node[std::size_t(k)] - row);
-    double* at = force.p + i / kRowUnit * 3 * kRowUnit + i % kRowUnit;
+    double* at = force.p + i / math::kRowUnit * 3 * math::kRowUnit + i % math::kRowUnit;
     at[0] -= w.side_x[std::size_t(k)];
-    at[kRowUnit] -= w.side_y[std::size_t(k)];
-    at[2 * kRowUnit] -= w.side_z[std::size_t(k)];
+    at[math::kRowUnit] -= w.side_y[std::size_t(k)];
+    at[2 * math::kRowUnit] -= w.side_z[std::size_t(k)];
   }
 }
 
 // A pass as all its parts see it.
 struct PassRun {
   const System& system;
-  const Lattice& l;
+  const model::Lattice& l;
   const RowBlock& block;
   const StepCoefficients& c;
   const Workspace& workspace;
@@ -100,13 +100,13 @@ struct PassRun {
     return std::size_t(std::ptrdiff_t(l.first) + std::ptrdiff_t(j) * l.stride);
   }
   // Row j of three arrays; of a neighbour from the copies, whose coordinates k to k + 2 they are.
-  DRAPE_INLINE ConstRow row(const Array& x, const Array& y, const Array& z, int k, int j) const {
+  DRAPE_INLINE simd::ConstRow row(const Array& x, const Array& y, const Array& z, int k, int j) const {
     if (mine(j) || j < 0 || j >= l.rows) return const_row(x, y, z, first(j));
     const int slot = j < block.begin ? j - block.begin + 2 : j - block.end + 2;
     const double* at = block.copies.data() + long(slot * block_coordinates(s) + k) * l.stride;
     return {at, at + l.stride, at + 2 * l.stride};
   }
-  DRAPE_INLINE ConstRow positions(int j) const { return row(s.x, s.y, s.z, 0, j); }
+  DRAPE_INLINE simd::ConstRow positions(int j) const { return row(s.x, s.y, s.z, 0, j); }
   DRAPE_INLINE bool moves_plainly(int j) const { return mine(j) && to.moved && to.moved->lightness.empty(); }
   DRAPE_INLINE RowMove move(int j) const { return mine(j) ? row_move_of(system, to, first(j)) : RowMove{}; }
 };
@@ -120,49 +120,51 @@ DRAPE_INLINE void speed_load(const PassRun& run, int j) {
 template <class L, bool kRates>
 DRAPE_INLINE void row_finish(const PassRun& run, int j) {
   AnySink<L, kRates> sink{MoveLanes<L>(run.c), run.move(j)};
-  const Columns reach = run.l.reach[std::size_t(j)];
+  const model::Columns reach = run.l.reach[std::size_t(j)];
   for (int i = reach.begin; i < reach.end; i += L::kWidth)
-    sink_take(sink, i, packed_load<L>(run.p.force[j % 3], i));
+    sink_take(sink, i, simd::packed_load<L>(run.p.force[j % 3], i));
 }
 
 // The hinges centred on row j; row j - 1 moves.
 template <class L, bool kRates>
 DRAPE_INLINE void slab_hinges(const PassRun& run, const SlabRows& in, int j) {
   const PassRows& p = run.p;
-  const Law& law = run.l.law;
-  const ConstRow row_below = run.positions(j - 1);
+  const fabric::Law& law = run.l.law;
+  const simd::ConstRow row_below = run.positions(j - 1);
   const double *inverse_below = p.warp[(j + 1) % 2], *inverse_above = p.warp[j % 2];
-  const PackedRow below = p.force[(j + 2) % 3], here = p.force[j % 3], above = p.force[(j + 1) % 3];
+  const simd::PackedRow below = p.force[(j + 2) % 3], here = p.force[j % 3], above = p.force[(j + 1) % 3];
   AnySink<L, kRates> sink{MoveLanes<L>(run.c), run.move(j - 1)};
   const int begin = in.reach.begin, end = in.reach.end;
   const auto weft_link = [&](int i) DRAPE_INLINE_LAMBDA {
-    const int beyond = lane_after<L>(i, end);
-    const Vec<L> at = vec_load<L>(in.here, i);
-    return hinge_link(at, ahead(at, vec_load<L>(in.here, beyond)), L::load(p.weft + i));
+    const int beyond = simd::lane_after<L>(i, end);
+    const simd::Vec<L> at = simd::vec_load<L>(in.here, i);
+    return forces::hinge_link(at, simd::ahead(at, simd::vec_load<L>(in.here, beyond)), L::load(p.weft + i));
   };
-  const Vec<L> none{L(0.0), L(0.0), L(0.0)};
-  WeftHinges<L> weft{weft_link(begin), none, none};
+  const simd::Vec<L> none{L(0.0), L(0.0), L(0.0)};
+  forces::WeftHinges<L> weft{weft_link(begin), none, none};
   for (int i = begin; i < end; i += L::kWidth) {
-    const int next = lane_after<L>(i, end);
-    const Vec<L> along =
-        bending_weft(weft_link(next), L(law.bending_weft) * L::loadu(in.hinge_weft + i + 1), weft);
-    const Vec<L> at = vec_load<L>(in.here, i);
-    const HingeLink<L> a = hinge_link(vec_load<L>(row_below, i), at, L::load(inverse_below + i)),
-                       c = hinge_link(at, vec_load<L>(in.above, i), L::load(inverse_above + i));
-    const HingeForces<L> across =
-        bending_hinge(a.unit, a.inverse, c.unit, c.inverse, L(law.bending_warp) * L::load(in.hinge_warp + i));
-    packed_store(here, i, packed_load<L>(here, i) + (along - (across.first + across.last)));
-    packed_store(above, i, packed_load<L>(above, i) - across.last);
-    sink_take(sink, i, packed_load<L>(below, i) + across.first);
+    const int next = simd::lane_after<L>(i, end);
+    const simd::Vec<L> along =
+        forces::bending_weft(weft_link(next), L(law.bending_weft) * L::loadu(in.hinge_weft + i + 1), weft);
+    const simd::Vec<L> at = simd::vec_load<L>(in.here, i);
+    const forces::HingeLink<L> a = forces::hinge_link(simd::vec_load<L>(row_below, i), at,
+                                                      L::load(inverse_below + i)),
+                               c = forces::hinge_link(at, simd::vec_load<L>(in.above, i),
+                                                      L::load(inverse_above + i));
+    const forces::HingeForces<L> across = forces::bending_hinge(
+        a.unit, a.inverse, c.unit, c.inverse, L(law.bending_warp) * L::load(in.hinge_warp + i));
+    simd::packed_store(here, i, simd::packed_load<L>(here, i) + (along - (across.first + across.last)));
+    simd::packed_store(above, i, simd::packed_load<L>(above, i) - across.last);
+    sink_take(sink, i, simd::packed_load<L>(below, i) + across.first);
   }
 }
 
 template <class L, bool kRates, class Tension, int kFamilies, bool kDamped, bool kHinges>
 void pass_run(const PassRun& run) {
-  const Lattice& l = run.l;
+  const model::Lattice& l = run.l;
   const PassRows& p = run.p;
   const int n = l.stride, begin = run.block.begin, end = run.block.end;
-  const bool air = kRates && system_has_air(run.system);
+  const bool air = kRates && model::system_has_air(run.system);
   const int from = std::max(0, begin - (kHinges ? 2 : 1)), to = std::min(l.rows, end + (kHinges ? 1 : 0));
   row_clear<L>(n, p.force[from % 3]);
   if constexpr (kHinges) {
@@ -183,7 +185,7 @@ void pass_run(const PassRun& run) {
                       share - n,
                       run.system.hinge_warp.data() + o,
                       run.system.hinge_weft.data() + o};
-    const PackedRow force = p.force[j % 3], force_above = p.force[(j + 1) % 3];
+    const simd::PackedRow force = p.force[j % 3], force_above = p.force[(j + 1) % 3];
     if (run.mine(j)) row_add_side(run.system, l, run.workspace, j, force);
     const bool at_once = !kHinges && !kRates && run.moves_plainly(j);
     if (at_once) {
@@ -195,8 +197,8 @@ void pass_run(const PassRun& run) {
     double *weft = kHinges ? p.weft : nullptr, *warp = kHinges ? p.warp[j % 2] : nullptr;
     slab_links<L, Tension, kFamilies, kDamped>(l, in, force, force_above, weft, warp, StoreSink<L>{force});
     if (air)
-      air_cells<L>(in.reach, run.system.air, run.s.wind, in.here, in.above, in.speed, in.speed_above, share,
-                   force, force_above);
+      forces::air_cells<L>(in.reach, run.system.air, run.s.wind, in.here, in.above, in.speed, in.speed_above,
+                           share, force, force_above);
     if constexpr (!kHinges) row_finish<L, kRates>(run, j);
     else if (j + 1 >= begin) slab_hinges<L, kRates>(run, in, j);
   }
@@ -206,7 +208,7 @@ void pass_run(const PassRun& run) {
 // The loop for the laws of a lattice.
 template <class L, bool kRates, class Tension, int kFamilies, bool kDamped>
 void pass_bent(const PassRun& run) {
-  if (law_bends(run.l.law)) pass_run<L, kRates, Tension, kFamilies, kDamped, true>(run);
+  if (fabric::law_bends(run.l.law)) pass_run<L, kRates, Tension, kFamilies, kDamped, true>(run);
   else pass_run<L, kRates, Tension, kFamilies, kDamped, false>(run);
 }
 template <class L, bool kRates, class Tension, int kFamilies>
@@ -225,19 +227,19 @@ void pass_sheared(const PassRun& run) {
 template <class L, bool kRates>
 void block_pass(const System& system, const RowBlock& block, const StepCoefficients& c, const Workspace& w,
                 double* scratch, const State& s, const PassTarget& to) {
-  const Lattice& l = system.lattices[std::size_t(block.lattice)];
+  const model::Lattice& l = system.lattices[std::size_t(block.lattice)];
   const PassRun run{system, l, block, c, w, s, to, pass_rows(scratch, l.stride)};
-  const Law& law = l.law;
+  const fabric::Law& law = l.law;
   if (std::max({law.warp.segments, law.weft.segments, law.bias.segments}) <= 1)
-    pass_sheared<L, kRates, LineTension>(run);
-  else pass_sheared<L, kRates, CurveTension>(run);
+    pass_sheared<L, kRates, forces::LineTension>(run);
+  else pass_sheared<L, kRates, forces::CurveTension>(run);
   if (l.twins > 0 && block.end == l.rows) {
     const std::size_t k = std::size_t(l.twin_slot);
     AnySink<L, kRates> sink{MoveLanes<L>(c), row_move_of(system, to, l.twin_first)};
     for (int i = 0; i < l.twin_stride; i += L::kWidth)
-      sink_take(sink, i, vec_load<L>(const_row(w.side_x, w.side_y, w.side_z, k), i));
+      sink_take(sink, i, simd::vec_load<L>(const_row(w.side_x, w.side_y, w.side_z, k), i));
   }
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::dynamics {
 namespace {
 
-std::int64_t nodes_of(const Lattice& l) { return std::int64_t(l.rows) * l.stride; }
+std::int64_t nodes_of(const model::Lattice& l) { return std::int64_t(l.rows) * l.stride; }
 std::int64_t nodes_of(const System& system) {
   std::int64_t nodes = 0;
-  for (const Lattice& l : system.lattices) nodes += nodes_of(l);
+  for (const model::Lattice& l : system.lattices) nodes += nodes_of(l);
   return nodes;
 }
 
@@ -19,7 +19,7 @@ void blocks_share_out(const System& system, std::vector<ThreadRoom>& threads) {
   std::int64_t before = 0;
   const std::int64_t count = std::int64_t(threads.size());
   for (std::size_t k = 0; k < system.lattices.size(); ++k) {
-    const Lattice& l = system.lattices[k];
+    const model::Lattice& l = system.lattices[k];
     const auto row_of = [&](std::int64_t thread) {  // the first of its rows in this lattice
       const std::int64_t row = (all * thread / count - before + l.stride / 2) / l.stride;
       return int(std::clamp<std::int64_t>(row, 0, l.rows));
@@ -33,7 +33,7 @@ void blocks_share_out(const System& system, std::vector<ThreadRoom>& threads) {
 }
 
 // Row j of the block's lattice into the copies' row `slot`.
-void row_copy(const Lattice& l, const State& s, int j, int slot, Array& copies) {
+void row_copy(const model::Lattice& l, const State& s, int j, int slot, Array& copies) {
   const Array* from[] = {&s.x, &s.y, &s.z, &s.vx, &s.vy, &s.vz, &s.wx, &s.wy, &s.wz};
   const int coordinates = block_coordinates(s);
   const std::size_t first = l.node(0, j), n = std::size_t(l.stride);
@@ -53,7 +53,7 @@ int threads_wanted(const System& system) {
 Workspace workspace_make(const System& system, int threads) {
   Workspace w;
   int longest = 0;
-  for (const Lattice& l : system.lattices) longest = std::max(longest, l.stride);
+  for (const model::Lattice& l : system.lattices) longest = std::max(longest, l.stride);
   w.threads.resize(std::size_t(threads));
   for (ThreadRoom& room : w.threads) room.rows.assign(std::size_t(kScratchRows) * std::size_t(longest), 0.0);
   blocks_share_out(system, w.threads);
@@ -69,10 +69,10 @@ void workspace_clear(Workspace& w) {
 void blocks_copy(const System& system, const State& s, Workspace& w) {
   for (ThreadRoom& room : w.threads)
     for (RowBlock& block : room.blocks) {
-      const Lattice& l = system.lattices[std::size_t(block.lattice)];
+      const model::Lattice& l = system.lattices[std::size_t(block.lattice)];
       if (block.begin == 0 && block.end == l.rows) continue;
       block.copies.resize(4 * std::size_t(block_coordinates(s)) * std::size_t(l.stride));
-      const int deep = law_bends(l.law) ? 2 : 1;  // rows that the hinges of a row's neighbours reach
+      const int deep = fabric::law_bends(l.law) ? 2 : 1;  // rows that the hinges of a row's neighbours reach
       for (int slot = 2 - deep; slot < 2 + deep; ++slot) {
         const int j = slot < 2 ? block.begin - 2 + slot : block.end + slot - 2;
         if (j >= 0 && j < l.rows) row_copy(l, s, j, slot, block.copies);
@@ -80,4 +80,4 @@ void blocks_copy(const System& system, const State& s, Workspace& w) {
     }
 }
 
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -2,9 +2,9 @@
 #pragma once
 #include "dynamics/kernel/kernel.h"
 
-namespace drape {
+namespace drape::dynamics {
 
 // Copies the rows that blocks read of their neighbours.
 void blocks_copy(const System& system, const State& state, Workspace& workspace);
 
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -1,22 +1,22 @@
 // How a row moves once its forces are complete; or, for outputs, where they go.
 #pragma once
-#include "simd/vector_lanes.h"
 #include "dynamics/kernel/kernel.h"
+#include "simd/vector_lanes.h"
 
-namespace drape {
+namespace drape::dynamics {
 namespace {
 
-DRAPE_INLINE ConstRow const_row(const Array& x, const Array& y, const Array& z, std::size_t at) {
+DRAPE_INLINE simd::ConstRow const_row(const Array& x, const Array& y, const Array& z, std::size_t at) {
   return {x.data() + at, y.data() + at, z.data() + at};
 }
-DRAPE_INLINE Row row_of(Array& x, Array& y, Array& z, std::size_t at) {
+DRAPE_INLINE simd::Row row_of(Array& x, Array& y, Array& z, std::size_t at) {
   return {x.data() + at, y.data() + at, z.data() + at};
 }
 
 struct RowMove {
-  Row r, v, w;                             // null: the row stays; w: room for the old v, or null
+  simd::Row r, v, w;                       // null: the row stays; w: room for the old v, or null
   const double *inverse_mass, *lightness;  // lightness: or null
-  Row force;                               // where the force goes, or null
+  simd::Row force;                         // where the force goes, or null
 };
 
 DRAPE_INLINE RowMove row_move_of(const System& system, const PassTarget& to, std::size_t o) {
@@ -57,18 +57,18 @@ struct MoveLanes {
 template <class L>
 struct MoveSink {
   MoveLanes<L> lanes;
-  Row r, v;
+  simd::Row r, v;
   const double* inverse_mass;
   DRAPE_INLINE void begin(int i) { lanes.begin(inverse_mass, i); }
   DRAPE_INLINE void take(int i, int k, L force) const {
-    lanes.move(i, lanes.acceleration(k, force), coordinate(r, k), coordinate(v, k));
+    lanes.move(i, lanes.acceleration(k, force), simd::coordinate(r, k), simd::coordinate(v, k));
   }
 };
 
 // or they are stored;
 template <class L>
 struct StoreSink {
-  PackedRow force;
+  simd::PackedRow force;
   DRAPE_INLINE void begin(int) {}
   DRAPE_INLINE void take(int i, int k, L f) const { L::store(force.at<L>(i, k), f); }
 };
@@ -83,21 +83,21 @@ struct AnySink {
   }
   DRAPE_INLINE void take(int i, int k, L force) const {
     if (!m.r.x) {
-      if (double* out = coordinate(m.force, k)) L::store(out + i, force);
+      if (double* out = simd::coordinate(m.force, k)) L::store(out + i, force);
       return;
     }
     L a = lanes.acceleration(k, force);
     if (m.lightness) a = a * L::load(m.lightness + i);
-    if constexpr (kRates) L::store(coordinate(m.w, k) + i, L::load(coordinate(m.v, k) + i));
-    lanes.move(i, a, coordinate(m.r, k), coordinate(m.v, k));
+    if constexpr (kRates) L::store(simd::coordinate(m.w, k) + i, L::load(simd::coordinate(m.v, k) + i));
+    lanes.move(i, a, simd::coordinate(m.r, k), simd::coordinate(m.v, k));
   }
 };
 
 template <class Sink, class L>
-DRAPE_INLINE void sink_take(Sink& sink, int i, Vec<L> force) {
+DRAPE_INLINE void sink_take(Sink& sink, int i, simd::Vec<L> force) {
   sink.begin(i);
-  for (int k = 0; k < 3; ++k) sink.take(i, k, coordinate(force, k));
+  for (int k = 0; k < 3; ++k) sink.take(i, k, simd::coordinate(force, k));
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::dynamics

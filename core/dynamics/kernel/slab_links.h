@@ -10,7 +10,7 @@
 #include "forces/stretch.h"
 #include "model/system.h"
 
-namespace drape {
+namespace drape::dynamics {
 namespace {
 
 enum Family { kWeft, kWarp, kRising, kFalling };
@@ -18,8 +18,8 @@ enum Family { kWeft, kWarp, kRising, kFalling };
 // What a slab reads: within its reach, rows j and j + 1 of positions and, with rates, of velocities; and what
 // belongs to the nodes of row j.
 struct SlabRows {
-  Columns reach;
-  ConstRow here, above, speed, speed_above;
+  model::Columns reach;
+  simd::ConstRow here, above, speed, speed_above;
   const double *share, *share_below, *hinge_warp, *hinge_weft;
 };
 
@@ -27,14 +27,16 @@ struct SlabRows {
 // above. The last node of the reach begins no link: what lies beyond it is not looked at.
 template <class L, int kFamilies>
 DRAPE_INLINE void slab_edges(const double* here, const double* above, int end, int i, L* edge) {
-  const int beyond = lane_after<L>(i, end);
-  const L a = kept(L::load(here + i)), b = ahead(a, L::load(here + beyond)), c = kept(L::load(above + i));
-  stretch_edges(a, b, c, edge);
-  if constexpr (kFamilies == 4) shear_edges(a, b, c, ahead(c, L::load(above + beyond)), edge + kRising);
+  const int beyond = simd::lane_after<L>(i, end);
+  const L a = kept(L::load(here + i)), b = simd::ahead(a, L::load(here + beyond)),
+          c = kept(L::load(above + i));
+  forces::stretch_edges(a, b, c, edge);
+  if constexpr (kFamilies == 4)
+    forces::shear_edges(a, b, c, simd::ahead(c, L::load(above + beyond)), edge + kRising);
 }
 
 template <class Tension>
-DRAPE_INLINE Tension tension_of(const Curve& curve) {
+DRAPE_INLINE Tension tension_of(const math::Curve& curve) {
   if constexpr (Tension::kTable) return {&curve};
   else return {curve.segment[0].c1};
 }
@@ -48,7 +50,7 @@ struct SlabStages {
     L square[kFamilies], along[kRated];  // along: (u1 - u0).(r1 - r0)
   };
   struct Lengths {
-    LinkLane<L> link[kFamilies];
+    forces::LinkLane<L> link[kFamilies];
     L along[kRated];
   };
   struct Pulls {
@@ -61,28 +63,29 @@ struct SlabStages {
   const L inverse_rest, inverse_diagonal, width, width_diagonal;  // widths of links of share 1
   L share_before = 0.0;
 
-  DRAPE_INLINE SlabStages(const Lattice& l, const SlabRows& rows)
+  DRAPE_INLINE SlabStages(const model::Lattice& l, const SlabRows& rows)
       : in(rows),
         damping(l.law.damping),
         weft(tension_of<Tension>(l.law.weft)),
         warp(tension_of<Tension>(l.law.warp)),
         bias(tension_of<Tension>(l.law.bias)),
         inverse_rest(1 / l.cell),
-        inverse_diagonal(1 / shear_rest(l.cell)),
-        width(stretch_width(l.cell)),
-        width_diagonal(shear_width(l.cell)) {}
+        inverse_diagonal(1 / forces::shear_rest(l.cell)),
+        width(forces::stretch_width(l.cell)),
+        width_diagonal(forces::shear_width(l.cell)) {}
 
   DRAPE_INLINE Tension tension(int q) const { return q == kWeft ? weft : q == kWarp ? warp : bias; }
   DRAPE_INLINE Ends ends(int i) {
     Ends to;
     for (int k = 2; k >= 0; --k) {
       L edge[kFamilies], speed[kFamilies];
-      slab_edges<L, kFamilies>(coordinate(in.here, k), coordinate(in.above, k), in.reach.end, i, edge);
+      slab_edges<L, kFamilies>(simd::coordinate(in.here, k), simd::coordinate(in.above, k), in.reach.end, i,
+                               edge);
       for (int q = 0; q < kFamilies; ++q)
-        to.square[q] = fma(edge[q], edge[q], k == 2 ? L(kTiny) : to.square[q]);
+        to.square[q] = fma(edge[q], edge[q], k == 2 ? L(forces::kTiny) : to.square[q]);
       if constexpr (kDamped) {
-        slab_edges<L, kFamilies>(coordinate(in.speed, k), coordinate(in.speed_above, k), in.reach.end, i,
-                                 speed);
+        slab_edges<L, kFamilies>(simd::coordinate(in.speed, k), simd::coordinate(in.speed_above, k),
+                                 in.reach.end, i, speed);
         for (int q = 0; q < kFamilies; ++q)
           to.along[q] = k == 2 ? speed[q] * edge[q] : fma(speed[q], edge[q], to.along[q]);
       }
@@ -91,27 +94,27 @@ struct SlabStages {
   }
   DRAPE_INLINE Lengths lengths(const Ends& from) const {
     Lengths to;
-    links_measure(from.square, inverse_rest, to.link);
-    if constexpr (kShear) links_measure(from.square + kRising, inverse_diagonal, to.link + kRising);
+    forces::links_measure(from.square, inverse_rest, to.link);
+    if constexpr (kShear) forces::links_measure(from.square + kRising, inverse_diagonal, to.link + kRising);
     for (int q = 0; q < kRated; ++q) to.along[q] = from.along[q];
     return to;
   }
   DRAPE_INLINE Pulls pulls(int i, const Lengths& from) {
     const L share = L::load(in.share + i);
-    const L below = L::load(in.share_below + i), left = shifted(share_before, share);
+    const L below = L::load(in.share_below + i), left = simd::shifted(share_before, share);
     const L w[4] = {width * (below + share), width * (left + share), width_diagonal * share,
                     width_diagonal * share};
     share_before = share;
     Pulls to;
     for (int q = 0; q < kFamilies; ++q) {
-      const LinkLane<L>& link = from.link[q];
+      const forces::LinkLane<L>& link = from.link[q];
       // Nodes that the outline leaves out stay behind a cloth that moves: their links would look far beyond
       // the tables' start.
       const L strain = Tension::kTable ? select(gt(w[q], L(0.0)), link.strain, L(0.0)) : link.strain;
       L tense;
       if constexpr (kDamped) {
         const L rate = from.along[q] * (link.inverse * (q < kRising ? inverse_rest : inverse_diagonal));
-        tense = damped_tension(tension(q), strain, rate, damping);
+        tense = forces::damped_tension(tension(q), strain, rate, damping);
       } else {
         tense = tension(q)(strain);
       }
@@ -125,8 +128,9 @@ struct SlabStages {
 // `force` holds minus the sums of row j so far; the sink takes the whole ones, and minus those of row j + 1
 // go to `force_above`. 1/l of the links along the threads is kept for hinges, where there is room.
 template <class L, class Tension, int kFamilies, bool kDamped, class Sink>
-DRAPE_INLINE void slab_links(const Lattice& l, const SlabRows& in, PackedRow force, PackedRow force_above,
-                             double* inverse_weft, double* inverse_warp, Sink sink) {
+DRAPE_INLINE void slab_links(const model::Lattice& l, const SlabRows& in, simd::PackedRow force,
+                             simd::PackedRow force_above, double* inverse_weft, double* inverse_warp,
+                             Sink sink) {
   using Stages = SlabStages<L, Tension, kFamilies, kDamped>;
   Stages stages(l, in);
   L right_before[3] = {0.0, 0.0, 0.0}, rising_before[3] = {0.0, 0.0, 0.0};
@@ -137,16 +141,17 @@ DRAPE_INLINE void slab_links(const Lattice& l, const SlabRows& in, PackedRow for
     sink.begin(i);
     for (int k = 0; k < 3; ++k) {
       L edge[kFamilies], f[4];
-      slab_edges<L, kFamilies>(coordinate(in.here, k), coordinate(in.above, k), in.reach.end, i, edge);
+      slab_edges<L, kFamilies>(simd::coordinate(in.here, k), simd::coordinate(in.above, k), in.reach.end, i,
+                               edge);
       for (int q = 0; q < kFamilies; ++q) f[q] = edge[q] * pulls.scale[q];
       L here = f[kWeft] + f[kWarp], right = L(0.0) - f[kWeft], up = f[kWarp];
       if constexpr (kFamilies == 4) {
         here = here + f[kRising];
         right = f[kFalling] - f[kWeft];
-        up = (up + f[kFalling]) + shifted(rising_before[k], f[kRising]);
+        up = (up + f[kFalling]) + simd::shifted(rising_before[k], f[kRising]);
         rising_before[k] = f[kRising];
       }
-      sink.take(i, k, (here + shifted(right_before[k], right)) - L::load(force.at<L>(i, k)));
+      sink.take(i, k, (here + simd::shifted(right_before[k], right)) - L::load(force.at<L>(i, k)));
       L::store(force_above.at<L>(i, k), up);
       right_before[k] = right;
     }
@@ -176,4 +181,4 @@ DRAPE_INLINE void slab_links(const Lattice& l, const SlabRows& in, PackedRow for
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -12,7 +12,7 @@
 #include <immintrin.h>
 #endif
 
-namespace drape {
+namespace drape::dynamics {
 namespace {
 
 #if defined(__SSE2__)
@@ -101,4 +101,4 @@ void workers_run(Workers& w, void (*task)(void*, int), void* context) {
   await([&] { return w.busy.load(std::memory_order_acquire) == 0; }, -1);
 }
 
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -6,7 +6,7 @@
 #pragma once
 #include <memory>
 
-namespace drape {
+namespace drape::dynamics {
 
 struct Workers;
 struct WorkersEnd {
@@ -21,4 +21,4 @@ WorkersHandle workers_start(int threads);
 // the caller does.
 void workers_run(Workers& workers, void (*task)(void* context, int thread), void* context);
 
-}  // namespace drape
+}  // namespace drape::dynamics

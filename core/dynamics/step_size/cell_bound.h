@@ -8,11 +8,11 @@
 //        their
 //      a o-bottom-o b        stiffness along one line where they are not normal to each other.
 #pragma once
-#include "simd/vector_lanes.h"
-#include "forces/tension.h"
 #include "dynamics/kernel/kernel.h"
+#include "forces/tension.h"
+#include "simd/vector_lanes.h"
 
-namespace drape {
+namespace drape::dynamics {
 namespace {
 
 // What the links of one direction add to a cell's bound.
@@ -37,16 +37,18 @@ DRAPE_INLINE LinkBound<L> link_bound_max(LinkBound<L> a, LinkBound<L> b) {
 
 // The four edges of a cell: everything but its diagonals.
 template <class L>
-DRAPE_INLINE L edges_bound(Vec<L> a, Vec<L> b, Vec<L> c, Vec<L> d, const Lattice& l) {
-  const Vec<L> bottom = b - a, top = d - c, left = c - a, right = d - b;
-  const L lb = sqrt(dot(bottom, bottom)), lt = sqrt(dot(top, top)), ll = sqrt(dot(left, left)),
-          lr = sqrt(dot(right, right));
+DRAPE_INLINE L edges_bound(simd::Vec<L> a, simd::Vec<L> b, simd::Vec<L> c, simd::Vec<L> d,
+                           const model::Lattice& l) {
+  const simd::Vec<L> bottom = b - a, top = d - c, left = c - a, right = d - b;
+  const L lb = sqrt(simd::dot(bottom, bottom)), lt = sqrt(simd::dot(top, top)),
+          ll = sqrt(simd::dot(left, left)), lr = sqrt(simd::dot(right, right));
   const L inverse_rest = 1 / l.cell;
-  const CurveTension warp{&l.law.warp}, weft{&l.law.weft};
+  const forces::CurveTension warp{&l.law.warp}, weft{&l.law.weft};
   const auto f = link_bound_max(link_bound(lb, inverse_rest, weft), link_bound(lt, inverse_rest, weft));
   const auto w = link_bound_max(link_bound(ll, inverse_rest, warp), link_bound(lr, inverse_rest, warp));
-  const L cosine = max(max(abs(dot(bottom, left) / (lb * ll)), abs(dot(bottom, right) / (lb * lr))),
-                       max(abs(dot(top, left) / (lt * ll)), abs(dot(top, right) / (lt * lr))));
+  const L cosine =
+      max(max(abs(simd::dot(bottom, left) / (lb * ll)), abs(simd::dot(bottom, right) / (lb * lr))),
+          max(abs(simd::dot(top, left) / (lt * ll)), abs(simd::dot(top, right) / (lt * lr))));
   const L beta = L(16 * l.law.bending_warp) / (w.shortest * w.shortest) +
                  L(16 * l.law.bending_weft) / (f.shortest * f.shortest);
   return L(4.0) * (L(1.0) + cosine) * max(w.along, f.along) + L(8.0) * max(w.across, f.across) + beta;
@@ -54,27 +56,27 @@ DRAPE_INLINE L edges_bound(Vec<L> a, Vec<L> b, Vec<L> c, Vec<L> d, const Lattice
 
 // 8 max(k_d, t_d) with k_d = g'/2 and t_d = b g/(sqrt(2) l) = g/(2 l/l0)
 template <class L>
-DRAPE_INLINE L diagonal_bound(Vec<L> from, Vec<L> to, L inverse_rest, const Curve& curve) {
-  const Vec<L> edge = to - from;
-  const L ratio = sqrt(dot(edge, edge)) * inverse_rest;
-  const CurveTension bias{&curve};
+DRAPE_INLINE L diagonal_bound(simd::Vec<L> from, simd::Vec<L> to, L inverse_rest, const math::Curve& curve) {
+  const simd::Vec<L> edge = to - from;
+  const L ratio = sqrt(simd::dot(edge, edge)) * inverse_rest;
+  const forces::CurveTension bias{&curve};
   const L e = ratio - L(1.0);
   return L(4.0) * max(bias.slope(e), max(bias(e) / ratio, L(0.0)));
 }
 
 // r + ahead v
 template <class L>
-DRAPE_INLINE Vec<L> corner_ahead(ConstRow r, ConstRow v, long i, L ahead) {
-  const Vec<L> at = vec_load<L>(r, i), speed = vec_load<L>(v, i);
+DRAPE_INLINE simd::Vec<L> corner_ahead(simd::ConstRow r, simd::ConstRow v, long i, L ahead) {
+  const simd::Vec<L> at = simd::vec_load<L>(r, i), speed = simd::vec_load<L>(v, i);
   return {fma(ahead, speed.x, at.x), fma(ahead, speed.y, at.y), fma(ahead, speed.z, at.z)};
 }
 
 template <class L>
-double cells_omega2(const System& system, const Lattice& l, const State& s, int j, double ahead) {
+double cells_omega2(const System& system, const model::Lattice& l, const State& s, int j, double ahead) {
   const std::size_t first = l.node(0, j);
   const double* share = system.share.data() + first;
-  const ConstRow r{s.x.data() + first, s.y.data() + first, s.z.data() + first};
-  const ConstRow v{s.vx.data() + first, s.vy.data() + first, s.vz.data() + first};
+  const simd::ConstRow r{s.x.data() + first, s.y.data() + first, s.z.data() + first};
+  const simd::ConstRow v{s.vx.data() + first, s.vy.data() + first, s.vz.data() + first};
   const L inverse_diagonal = 1 / (__builtin_sqrt(2.0) * l.cell);
   alignas(kLine) double worst[L::kWidth] = {};
   for (int i = 0; i < l.stride; i += L::kWidth) {
@@ -94,4 +96,4 @@ double cells_omega2(const System& system, const Lattice& l, const State& s, int 
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::dynamics

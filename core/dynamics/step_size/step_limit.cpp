@@ -11,57 +11,58 @@
 #include <cmath>
 #include <cstdio>
 
-#include "simd/lane_scalar.h"
-#include "forces/seam_closing.h"
-#include "dynamics/step_size/cell_bound.h"
 #include "contact/particle/contact.h"
+#include "dynamics/step_size/cell_bound.h"
+#include "forces/seam_closing.h"
 #include "model/composition.h"
 #include "model/elements.h"
+#include "simd/lane_scalar.h"
 
-namespace drape {
+namespace drape::dynamics {
 namespace {
 
 // The larger; what is no number stays.
 double most_of(double a, double b) { return a > b || std::isnan(a) ? a : b; }
 
-using Lane = ScalarLane<false>;
+using forces::Lane = simd::ScalarLane<false>;
 
-Vec<Lane> node_ahead(const State& s, std::size_t n, double ahead) {
+simd::Vec<forces::Lane> node_ahead(const State& s, std::size_t n, double ahead) {
   return {s.x[n] + ahead * s.vx[n], s.y[n] + ahead * s.vy[n], s.z[n] + ahead * s.vz[n]};
 }
 
 double distance(const State& s, std::size_t a, std::size_t b, double ahead) {
-  const Vec<Lane> d = node_ahead(s, b, ahead) - node_ahead(s, a, ahead);
-  return std::sqrt(dot(d, d).v);
+  const simd::Vec<forces::Lane> d = node_ahead(s, b, ahead) - node_ahead(s, a, ahead);
+  return std::sqrt(simd::dot(d, d).v);
 }
 
 // rho b^2 omega^2 of a cell.
-double cell_bound(const Lattice& l, const State& s, const std::size_t* corner, double ahead) {
+double cell_bound(const model::Lattice& l, const State& s, const std::size_t* corner, double ahead) {
   const double inverse_diagonal = 1 / (std::sqrt(2.0) * l.cell);
-  Vec<Lane> r[4];
+  simd::Vec<forces::Lane> r[4];
   for (int k = 0; k < 4; ++k) r[k] = node_ahead(s, corner[k], ahead);
-  Lane bound = edges_bound(r[0], r[1], r[2], r[3], l);
+  forces::Lane bound = edges_bound(r[0], r[1], r[2], r[3], l);
   if (l.law.bias.segments)
-    bound = bound + max(diagonal_bound(r[0], r[3], Lane(inverse_diagonal), l.law.bias),
-                        diagonal_bound(r[1], r[2], Lane(inverse_diagonal), l.law.bias));
+    bound = bound + simd::max(diagonal_bound(r[0], r[3], forces::Lane(inverse_diagonal), l.law.bias),
+                              diagonal_bound(r[1], r[2], forces::Lane(inverse_diagonal), l.law.bias));
   return bound.v;
 }
 
 // The same of the cells beside the rows.
-double side_bound(const System& system, const Lattice& l, const State& s, double ahead) {
+double side_bound(const System& system, const model::Lattice& l, const State& s, double ahead) {
   double most = 0;
-  for (const SideCell& cell : system.side.cells)
+  for (const model::SideCell& cell : system.side.cells)
     if (cell.lattice == l.piece) most = most_of(cell_bound(l, s, cell.node, ahead), most);
   return most;
 }
 
 // What a clamp adds to rho b^2 omega^2.
-double clamp_term(const SideClamp& c, const Law& law, const State& s, double ahead) {
-  return 16 * law_bending(law, c.warp) * c.excess / std::pow(distance(s, c.node[0], c.node[1], ahead), 2);
+double clamp_term(const model::SideClamp& c, const fabric::Law& law, const State& s, double ahead) {
+  return 16 * model::law_bending(law, c.warp) * c.excess /
+         std::pow(distance(s, c.node[0], c.node[1], ahead), 2);
 }
-double clamps_bound(const System& system, const Lattice& l, const State& s, double ahead) {
+double clamps_bound(const System& system, const model::Lattice& l, const State& s, double ahead) {
   double most[2] = {0, 0};
-  for (const SideClamp& c : system.side.clamps)
+  for (const model::SideClamp& c : system.side.clamps)
     if (c.lattice == l.piece && c.excess > 0)
       most[c.warp] = most_of(clamp_term(c, l.law, s, ahead), most[c.warp]);
   return most[0] + most[1];
@@ -80,7 +81,7 @@ double speed_against_wind(const System& system, const State& s) {
 // The omega^2 that without forces that depend on velocity leads to the limit of omega^2 and d.
 double omega2_with(const System& system, double omega2, double d) {
   if (d == 0) return omega2;
-  if (system.integrator != Integrator::kPaper) return std::pow(std::sqrt(omega2 + d * d) + d, 2);
+  if (system.integrator != scene::Integrator::kPaper) return std::pow(std::sqrt(omega2 + d * d) + d, 2);
   const double c = system.damping, twice = c + d + std::sqrt((c + d) * (c + d) + 4 * omega2);  // 4/h
   return twice * (twice - 2 * c) / 4;
 }
@@ -90,7 +91,7 @@ struct WorstPart {
   std::string words = "nothing: no law acts";
 };
 
-void part_offer(WorstPart& worst, const Scene& scene, const Lattice& l, double bound, const char* name,
+void part_offer(WorstPart& worst, const Scene& scene, const model::Lattice& l, double bound, const char* name,
                 const char* kind, std::size_t node, double strain) {
   bound /= l.law.areal_density * l.cell * l.cell;
   if (bound <= worst.bound) return;
@@ -104,28 +105,31 @@ void part_offer(WorstPart& worst, const Scene& scene, const Lattice& l, double b
 }
 
 // What a link and the hinges across it add to rho b^2 omega^2 of its cell.
-void link_offer(WorstPart& worst, const Scene& scene, const Lattice& l, const State& s, const Link& link,
-                double ahead) {
-  const char* name = link.along == Thread::kWarp ? "warp" : link.along == Thread::kWeft ? "weft" : "bias";
-  const Curve& curve = law_curve(l.law, link.along);
+void link_offer(WorstPart& worst, const Scene& scene, const model::Lattice& l, const State& s,
+                const model::Link& link, double ahead) {
+  const char* name = link.along == model::Thread::kWarp   ? "warp"
+                     : link.along == model::Thread::kWeft ? "weft"
+                                                          : "bias";
+  const math::Curve& curve = model::law_curve(l.law, link.along);
   const double ratio = distance(s, link.from, link.to, ahead) / link.rest, strain = ratio - 1;
-  const double slope = curve_slope(curve, strain), across = std::max(curve_value(curve, strain) / ratio, 0.0);
-  const bool diagonal = link.along == Thread::kBias;
+  const double slope = math::curve_slope(curve, strain),
+               across = std::max(math::curve_value(curve, strain) / ratio, 0.0);
+  const bool diagonal = link.along == model::Thread::kBias;
   const double stretch =
       diagonal ? 4 * std::max(slope, across) : 4 * std::max(slope - across, 0.0) + 8 * across;
-  const double rigidity = diagonal ? 0 : law_bending(l.law, link.along == Thread::kWarp);
+  const double rigidity = diagonal ? 0 : model::law_bending(l.law, link.along == model::Thread::kWarp);
   const double bend = 16 * rigidity / std::pow(ratio * link.rest, 2);
   part_offer(worst, scene, l, stretch + bend, name, bend > stretch ? "hinge" : "link", link.from, strain);
 }
 
 // The seam in the state `sewn` with the largest `stiffness` of its pairs.
 template <class Stiffness>
-std::string seam_words(const System& system, const Scene& scene, const State& s, Sewn sewn,
+std::string seam_words(const System& system, const Scene& scene, const State& s, model::Sewn sewn,
                        Stiffness stiffness) {
   double most = -1;
   std::string name;
   for (std::size_t k = 0; k < system.seams.seam.size(); ++k) {
-    const Seam& seam = system.seams.seam[k];
+    const model::Seam& seam = system.seams.seam[k];
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p)
       if (s.sewn[p] == sewn && stiffness(seam, p) > most)
         most = stiffness(seam, p), name = scene.seams[k].name;
@@ -136,35 +140,38 @@ std::string seam_words(const System& system, const Scene& scene, const State& s,
 void seams_offer(WorstPart& worst, const System& system, const Scene& scene, const State& s) {
   const SeamsBound bound = step_limit_seams(system, s);
   const bool pulls = bound.d > 0;
-  const double welded = bound.omega2 - (pulls ? system.seams.omega2_pull * (1 + seams_held(system, s)) : 0);
+  const double welded =
+      bound.omega2 - (pulls ? system.seams.omega2_pull * (1 + forces::seams_held(system, s)) : 0);
   const double pulled = omega2_with(system, bound.omega2 - welded, bound.d);
   if (pulls && pulled > worst.bound) {
     worst.bound = pulled;
     worst.words =
-        "pull of " + seam_words(system, scene, s, Sewn::kPulled, [&](const Seam& seam, std::size_t p) {
+        "pull of " +
+        seam_words(system, scene, s, model::Sewn::kPulled, [&](const model::Seam& seam, std::size_t p) {
           return seam.pull * seam.pull * (1 + s.gap_hold[p] / seam.gap_tolerance);
         });
   }
   if (welded > worst.bound) {
     worst.bound = welded;
-    worst.words = "hinges and links of " +
-                  seam_words(system, scene, s, Sewn::kWelded,
-                             [](const Seam& seam, std::size_t) { return seam.link_count + seam.tape; });
+    worst.words = "hinges and links of " + seam_words(system, scene, s, model::Sewn::kWelded,
+                                                      [](const model::Seam& seam, std::size_t) {
+                                                        return seam.link_count + seam.tape;
+                                                      });
   }
 }
 
 }  // namespace
 
-double step_limit_cell(const Lattice& l, const State& s, const std::size_t* corner, double ahead) {
+double step_limit_cell(const model::Lattice& l, const State& s, const std::size_t* corner, double ahead) {
   return cell_bound(l, s, corner, ahead) / (l.mass_kept * l.law.areal_density * l.cell * l.cell);
 }
 
-double step_limit_clamps(const System& system, const Lattice& l, const State& s, double ahead) {
+double step_limit_clamps(const System& system, const model::Lattice& l, const State& s, double ahead) {
   return clamps_bound(system, l, s, ahead) / (l.mass_kept * l.law.areal_density * l.cell * l.cell);
 }
 
-double step_limit_lattice(const System& system, const Kernel& kernel, const Lattice& l, const State& state,
-                          double ahead) {
+double step_limit_lattice(const System& system, const Kernel& kernel, const model::Lattice& l,
+                          const State& state, double ahead) {
   double most = 0;
   for (int j = 0; j + 1 < l.rows; ++j) most = most_of(kernel.omega2(system, l, state, j, ahead), most);
   most = most_of(side_bound(system, l, state, ahead) / (l.law.areal_density * l.cell * l.cell), most);
@@ -172,22 +179,24 @@ double step_limit_lattice(const System& system, const Kernel& kernel, const Latt
 }
 
 double step_limit_drag(const System& system, const State& state) {
-  if (!system_has_air(system)) return 0;
-  const Air& air = system.air;
+  if (!model::system_has_air(system)) return 0;
+  const model::Air& air = system.air;
   return air.density * std::max(air.normal, air.tangential) * speed_against_wind(system, state);
 }
 
 SeamsBound step_limit_seams(const System& system, const State& s) {
-  const auto any = [&](Sewn state) { return std::find(s.sewn.begin(), s.sewn.end(), state) != s.sewn.end(); };
+  const auto any = [&](model::Sewn state) {
+    return std::find(s.sewn.begin(), s.sewn.end(), state) != s.sewn.end();
+  };
   SeamsBound bound;
-  if (any(Sewn::kWelded)) bound.omega2 = system.seams.omega2_welded;
-  if (!any(Sewn::kPulled)) return bound;
-  bound.omega2 += system.seams.omega2_pull * (1 + seams_held(system, s));
+  if (any(model::Sewn::kWelded)) bound.omega2 = system.seams.omega2_welded;
+  if (!any(model::Sewn::kPulled)) return bound;
+  bound.omega2 += system.seams.omega2_pull * (1 + forces::seams_held(system, s));
   bound.d = system.seams.damping;
   return bound;
 }
 
-double step_limit_rated(const System& system, const Lattice& l, double omega2, double drag,
+double step_limit_rated(const System& system, const model::Lattice& l, double omega2, double drag,
                         const SeamsBound& seams, double contact) {
   omega2 += contact;
   const double d = l.law.damping * omega2 + drag / l.law.areal_density;
@@ -198,10 +207,11 @@ double step_limit_omega2(const System& system, const Kernel& kernel, const State
   const double drag = step_limit_drag(system, state);
   const SeamsBound seams = step_limit_seams(system, state);
   double most = 0;
-  for (const Lattice& l : system.lattices) {
+  for (const model::Lattice& l : system.lattices) {
     const double omega2 = step_limit_lattice(system, kernel, l, state, ahead);
-    most =
-        most_of(step_limit_rated(system, l, omega2, drag, seams, touch_omega2(system, state, l.piece)), most);
+    most = most_of(
+        step_limit_rated(system, l, omega2, drag, seams, contact::touch_omega2(system, state, l.piece)),
+        most);
   }
   return most;
 }
@@ -212,8 +222,8 @@ double step_limit_angle(const System& system) { return system.composition ? syst
 // The paper's scheme: (h omega)^2 < 4 - 2 h c. Infinite where nothing acts.
 double step_limit_of(const System& system, double omega2) {
   if (system.composition)
-    return std::min(system.composition->limit / std::sqrt(omega2), kDampedStep / system.damping);
-  const double c = system.integrator == Integrator::kPaper ? system.damping : 0;
+    return std::min(system.composition->limit / std::sqrt(omega2), model::kDampedStep / system.damping);
+  const double c = system.integrator == scene::Integrator::kPaper ? system.damping : 0;
   return 4 / (c + std::sqrt(c * c + 4 * omega2));
 }
 
@@ -225,10 +235,11 @@ double step_safety(const System& system, double damping, double omega2) {
 
 std::string step_limit_link(const System& system, const Scene& scene, const State& state, double ahead) {
   WorstPart worst;
-  for (const Lattice& l : system.lattices)
-    each_link(system, l, [&](const Link& link) { link_offer(worst, scene, l, state, link, ahead); });
-  for (const SideClamp& c : system.side.clamps) {
-    const Lattice& l = system.lattices[std::size_t(c.lattice)];
+  for (const model::Lattice& l : system.lattices)
+    model::each_link(system, l,
+                     [&](const model::Link& link) { link_offer(worst, scene, l, state, link, ahead); });
+  for (const model::SideClamp& c : system.side.clamps) {
+    const model::Lattice& l = system.lattices[std::size_t(c.lattice)];
     const double strain = distance(state, c.node[0], c.node[1], ahead) / l.cell - 1;
     part_offer(worst, scene, l, clamp_term(c, l.law, state, ahead), c.warp ? "warp" : "weft", "clamp",
                c.node[1], strain);
@@ -237,4 +248,4 @@ std::string step_limit_link(const System& system, const Scene& scene, const Stat
   return worst.words;
 }
 
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -4,16 +4,18 @@
 
 #include "dynamics/kernel/kernel.h"
 
-namespace drape {
+namespace drape::dynamics {
 
 // The largest omega^2 (1/s^2) of a lattice, at the present positions or where the present velocities lead in
 // `ahead` s; without the forces that depend on velocity.
-double step_limit_lattice(const System& system, const Kernel& kernel, const Lattice& lattice,
+double step_limit_lattice(const System& system, const Kernel& kernel, const model::Lattice& lattice,
                           const State& state, double ahead = 0);
 
 // omega^2 (1/s^2) of one cell with the given corners a, b, c, d, and what the clamps of a lattice add to it.
-double step_limit_cell(const Lattice& lattice, const State& state, const std::size_t* corner, double ahead);
-double step_limit_clamps(const System& system, const Lattice& lattice, const State& state, double ahead);
+double step_limit_cell(const model::Lattice& lattice, const State& state, const std::size_t* corner,
+                       double ahead);
+double step_limit_clamps(const System& system, const model::Lattice& lattice, const State& state,
+                         double ahead);
 
 // What omega^2 of a lattice counts as where forces depend on velocity: without them, it would lead to the
 // same limit. `drag`: that of the air, N s/m per m^2.
@@ -25,7 +27,7 @@ struct SeamsBound {
 SeamsBound step_limit_seams(const System& system, const State& state);
 
 // `contact`: what bodies add to omega^2.
-double step_limit_rated(const System& system, const Lattice& lattice, double omega2, double drag,
+double step_limit_rated(const System& system, const model::Lattice& lattice, double omega2, double drag,
                         const SeamsBound& seams, double contact);
 
 // The largest of all lattices, raised to what leads to the same limit where forces depend on velocity.
@@ -45,4 +47,4 @@ double step_safety(const System& system, double damping, double omega2);
 // What sets it, in words: "warp link of piece 'sheet', column 3, row 12, strain 0.0131".
 std::string step_limit_link(const System& system, const Scene& scene, const State& state, double ahead = 0);
 
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::piece {
 namespace {
 
 struct Chain {
@@ -226,4 +226,4 @@ Cut cut_make(const std::vector<std::vector<Vec2>>& loops) {
   return t.cut;
 }
 
-}  // namespace drape
+}  // namespace drape::piece

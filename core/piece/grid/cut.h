@@ -4,7 +4,7 @@
 #pragma once
 #include "piece/outline/outline.h"
 
-namespace drape {
+namespace drape::piece {
 
 inline constexpr double kSnap = 1e-9;  // cells: closer to a grid line is on it
 
@@ -40,4 +40,4 @@ void cut_segment(Vec2 p, Vec2 q, std::vector<Vec2>& points);
 // `v`, exactly whole where it lies on a grid line.
 double cut_snapped(double v);
 
-}  // namespace drape
+}  // namespace drape::piece

@@ -7,26 +7,26 @@
 
 #include "piece/grid/merge.h"
 
-namespace drape {
+namespace drape::piece {
 namespace {
 
 Vec2 turned(const Grid& grid, Vec2 p) {
   return {p[0] * grid.cosine + p[1] * grid.sine, p[1] * grid.cosine - p[0] * grid.sine};
 }
 
-bool is_curved(const PieceSpec& piece, int edge) {
+bool is_curved(const scene::PieceSpec& piece, int edge) {
   return std::any_of(piece.curves.begin(), piece.curves.end(),
-                     [&](const CurveSpec& c) { return c.edge == edge; });
+                     [&](const scene::CurveSpec& c) { return c.edge == edge; });
 }
 
 // A point of the turned plane through which grid lines pass.
 Vec2 grid_origin(const Scene& scene, int index, const Grid& grid) {
-  const PieceSpec& piece = scene.pieces[std::size_t(index)];
+  const scene::PieceSpec& piece = scene.pieces[std::size_t(index)];
   const std::size_t n = piece.outline.size();
   if (piece.grid_origin) return turned(grid, *piece.grid_origin);
   Vec2 origin = turned(grid, piece.outline[0]);
   bool held[2] = {false, false};
-  for (const PinSpec& pin : scene.pins)
+  for (const scene::PinSpec& pin : scene.pins)
     for (int edge : pin.edges) {
       if (pin.piece != index || is_curved(piece, edge)) continue;
       const Vec2 p = turned(grid, piece.outline[std::size_t(edge)]);
@@ -196,10 +196,10 @@ void strip_share(Build& b) {
 }  // namespace
 
 Grid grid_make(const Scene& scene, int piece) {
-  const PieceSpec& spec = scene.pieces[std::size_t(piece)];
+  const scene::PieceSpec& spec = scene.pieces[std::size_t(piece)];
   Grid grid;
   grid.cell = spec.cell;
-  grid.paper = scene.outline == OutlineModel::kPaper;
+  grid.paper = scene.outline == scene::OutlineModel::kPaper;
   if (spec.grain != 0) grid.cosine = std::cos(spec.grain), grid.sine = std::sin(spec.grain);
   Vec2 origin = grid_origin(scene, piece, grid);
   const Vec2 first =
@@ -230,4 +230,4 @@ Grid grid_make(const Scene& scene, int piece) {
   return grid;
 }
 
-}  // namespace drape
+}  // namespace drape::piece

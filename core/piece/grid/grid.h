@@ -6,7 +6,7 @@
 
 #include "scene/scene.h"
 
-namespace drape {
+namespace drape::piece {
 
 // A cell with its corners a (i,j), b (i+1,j), c (i,j+1), d (i+1,j+1).
 struct GridCell {
@@ -29,11 +29,11 @@ struct Grid {
   double x0 = 0, y0 = 0;                 // node (0,0) in the turned plane, m
   int columns = 0, rows = 0;             // regular nodes along weft and warp
   std::vector<std::array<int, 2>> twin;  // [twins] (i, j)
-  std::vector<GridCell> cells;  // regular ones first, row by row: one at most in a place, without twins
-  int regular = 0;              // their number
-  std::vector<double> area;     // [columns rows + twins] m^2 that a node carries; 0: no particle
-  std::vector<GridPart> parts;  // of cells that the outline cuts, row by row
-  bool paper = false;           // outline = "paper": parts are no cells
+  std::vector<GridCell> cells;   // regular ones first, row by row: one at most in a place, without twins
+  int regular = 0;               // their number
+  std::vector<double> area;      // [columns rows + twins] m^2 that a node carries; 0: no particle
+  std::vector<GridPart> parts;   // of cells that the outline cuts, row by row
+  bool paper = false;            // outline = "paper": parts are no cells
   std::vector<Vec2> on_outline;  // the last twins: particles of seams (paper), where they lie, m
 
   int nodes() const { return columns * rows + int(twin.size()); }
@@ -82,4 +82,4 @@ int grid_cell_at(const Grid& grid, int i, int j);
 // The cell whose map a point uses: that of its part; for a point off the piece, of the nearest part.
 int grid_cell_of(const Grid& grid, Vec2 point);
 
-}  // namespace drape
+}  // namespace drape::piece

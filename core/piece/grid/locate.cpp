@@ -6,7 +6,7 @@
 #include "piece/grid/cut.h"
 #include "piece/grid/grid.h"
 
-namespace drape {
+namespace drape::piece {
 namespace {
 
 constexpr double kOn = 1e-9;  // cells: a point closer than that to a part lies on it
@@ -98,4 +98,4 @@ GridPoint grid_point(const Grid& grid, int cell, Vec2 at) {
   return {{c.node[0], c.node[1], c.node[2], c.node[3]}, {(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t}};
 }
 
-}  // namespace drape
+}  // namespace drape::piece

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <queue>
 
-namespace drape {
+namespace drape::piece {
 namespace {
 
 constexpr double kSmall = 0.2;    // a part below that is merged
@@ -195,4 +195,4 @@ Merged merge_make(const Cut& cut) {
   return merged;
 }
 
-}  // namespace drape
+}  // namespace drape::piece

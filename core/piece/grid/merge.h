@@ -5,7 +5,7 @@
 
 #include "piece/grid/cut.h"
 
-namespace drape {
+namespace drape::piece {
 
 // A part or a whole place: the number of the part, or of the place beyond them.
 using PartRef = int;
@@ -23,4 +23,4 @@ double part_share(const Cut& cut, const Merged& merged, PartRef part);
 // The remaining parts round the low corner of a place, as sets of parts that hang together there.
 std::vector<std::vector<PartRef>> corner_sets(const Cut& cut, const Merged& merged, int place);
 
-}  // namespace drape
+}  // namespace drape::piece

@@ -6,7 +6,7 @@
 
 #include "piece/grid/cut.h"
 
-namespace drape {
+namespace drape::piece {
 namespace {
 
 using Polygon = std::vector<Vec2>;
@@ -92,4 +92,4 @@ Surface surface_make(const Grid& grid) {
   return b.surface;
 }
 
-}  // namespace drape
+}  // namespace drape::piece

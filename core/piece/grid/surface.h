@@ -4,7 +4,7 @@
 #pragma once
 #include "piece/grid/grid.h"
 
-namespace drape {
+namespace drape::piece {
 
 struct Surface {
   std::vector<GridPoint> points;  // corners that are no nodes, each once
@@ -13,4 +13,4 @@ struct Surface {
 };
 Surface surface_make(const Grid& grid);
 
-}  // namespace drape
+}  // namespace drape::piece

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-namespace drape {
+namespace drape::piece {
 namespace {
 
 struct Segment {
@@ -137,4 +137,4 @@ std::vector<OutlineCrossing> outline_crossings(const std::vector<OutlineLoop>& l
   return list;
 }
 
-}  // namespace drape
+}  // namespace drape::piece

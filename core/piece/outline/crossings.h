@@ -2,7 +2,7 @@
 #pragma once
 #include "piece/outline/outline.h"
 
-namespace drape {
+namespace drape::piece {
 
 struct OutlineCrossing {
   int loop[2], edge[2];  // in the order of the loops, then of the edges
@@ -14,4 +14,4 @@ struct OutlineCrossing {
 std::vector<OutlineCrossing> outline_crossings(const std::vector<OutlineLoop>& loops, double touch,
                                                std::size_t most);
 
-}  // namespace drape
+}  // namespace drape::piece

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace drape {
+namespace drape::piece {
 namespace {
 
 constexpr double kSag = 1e-3;  // of a cell, between a curve and its chords
@@ -18,7 +18,7 @@ Vec2 minus(Vec2 p, Vec2 q) { return {p[0] - q[0], p[1] - q[1]}; }
 double cross(Vec2 p, Vec2 q) { return p[0] * q[1] - p[1] * q[0]; }
 
 // The inner points of an arc from p to q.
-void arc_append(std::vector<Vec2>& points, const CurveSpec& curve, Vec2 p, Vec2 q, double sag) {
+void arc_append(std::vector<Vec2>& points, const scene::CurveSpec& curve, Vec2 p, Vec2 q, double sag) {
   const Vec2 chord = minus(q, p);
   const double length = std::hypot(chord[0], chord[1]);
   const double half = std::asin(std::min(1.0, length / (2 * curve.radius)));
@@ -34,7 +34,7 @@ void arc_append(std::vector<Vec2>& points, const CurveSpec& curve, Vec2 p, Vec2 
 }
 
 // The inner points of a Bezier curve from p to q.
-void bezier_append(std::vector<Vec2>& points, const CurveSpec& curve, Vec2 p, Vec2 q, double sag) {
+void bezier_append(std::vector<Vec2>& points, const scene::CurveSpec& curve, Vec2 p, Vec2 q, double sag) {
   const std::vector<Vec2>& c = curve.bezier;
   const auto bend = [](Vec2 u, Vec2 v, Vec2 w) {
     return std::hypot(u[0] - 2 * v[0] + w[0], u[1] - 2 * v[1] + w[1]);
@@ -97,18 +97,18 @@ double distance(const Loops& loops, Vec2 point) {
 
 }  // namespace
 
-double outline_touch(const PieceSpec& piece) {
+double outline_touch(const scene::PieceSpec& piece) {
   Vec2 low = piece.outline[0], high = low;
   for (const Vec2& p : piece.outline)
     for (std::size_t a = 0; a < 2; ++a) low[a] = std::min(low[a], p[a]), high[a] = std::max(high[a], p[a]);
   return 1e-9 + 1e-9 * std::max(high[0] - low[0], high[1] - low[1]);
 }
 
-std::vector<Vec2> outline_edge(const PieceSpec& piece, int edge) {
+std::vector<Vec2> outline_edge(const scene::PieceSpec& piece, int edge) {
   const Vec2 p = piece.outline[std::size_t(edge)];
   const Vec2 q = piece.outline[(std::size_t(edge) + 1) % piece.outline.size()];
   std::vector<Vec2> points{p};
-  for (const CurveSpec& curve : piece.curves) {
+  for (const scene::CurveSpec& curve : piece.curves) {
     if (curve.edge != edge) continue;
     if (curve.bezier.empty()) arc_append(points, curve, p, q, kSag * piece.cell);
     else bezier_append(points, curve, p, q, kSag * piece.cell);
@@ -117,7 +117,7 @@ std::vector<Vec2> outline_edge(const PieceSpec& piece, int edge) {
   return points;
 }
 
-std::vector<OutlineLoop> outline_flatten(const PieceSpec& piece) {
+std::vector<OutlineLoop> outline_flatten(const scene::PieceSpec& piece) {
   std::vector<OutlineLoop> loops(1);
   for (int e = 0; e < int(piece.outline.size()); ++e) {
     const std::vector<Vec2> points = outline_edge(piece, e);
@@ -168,4 +168,4 @@ double polygon_distance(const std::vector<Vec2>& polygon, Vec2 point) {
   return distance(std::array{&polygon}, point);
 }
 
-}  // namespace drape
+}  // namespace drape::piece

@@ -2,11 +2,11 @@
 #include <cmath>
 #include <cstdio>
 
-#include "piece/outline/outline.h"
 #include "piece/outline/crossings.h"
+#include "piece/outline/outline.h"
 #include "scene/diagnostics.h"
 
-namespace drape {
+namespace drape::piece {
 namespace {
 
 using Problems = std::vector<Problem>;
@@ -14,7 +14,7 @@ using Problems = std::vector<Problem>;
 constexpr double kMostNodes = 4e6;          // of a piece
 constexpr std::size_t kMostCrossings = 10;  // told of one piece
 
-std::string loop_name(std::size_t loop) { return loop == 0 ? "outline" : entry("holes", loop - 1); }
+std::string loop_name(std::size_t loop) { return loop == 0 ? "outline" : scene::entry("holes", loop - 1); }
 
 struct Extent {
   Vec2 low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
@@ -53,8 +53,9 @@ bool points_check(const std::vector<Vec2>& points, const std::string& path, doub
     if (k + 1 == n)
       problems.push_back({path, "repeats its first point at the end; an outline closes by itself"});
     else
-      problems.push_back({entry(path, k + 1), "= " + point_text(q) + " repeats point " + std::to_string(k) +
-                                                  "; allowed: more than " + rounded(touch) + " m away"});
+      problems.push_back({scene::entry(path, k + 1), "= " + scene::point_text(q) + " repeats point " +
+                                                         std::to_string(k) + "; allowed: more than " +
+                                                         scene::rounded(touch) + " m away"});
   }
   return problems.size() == before;
 }
@@ -66,12 +67,12 @@ bool area_check(const std::vector<Vec2>& points, const std::string& path, double
   return false;
 }
 
-bool curves_check(const PieceSpec& piece, const std::string& path, Problems& problems) {
+bool curves_check(const scene::PieceSpec& piece, const std::string& path, Problems& problems) {
   const std::size_t before = problems.size(), count = piece.outline.size();
   std::vector<int> curve_of(count, -1);
   for (std::size_t c = 0; c < piece.curves.size(); ++c) {
-    const CurveSpec& curve = piece.curves[c];
-    const std::string at = entry(path + ".curves", c);
+    const scene::CurveSpec& curve = piece.curves[c];
+    const std::string at = scene::entry(path + ".curves", c);
     if (curve.edge < 0 || std::size_t(curve.edge) >= count) {
       problems.push_back({at + ".edge", "= " + std::to_string(curve.edge) + "; allowed: 0 to " +
                                             std::to_string(count - 1) +
@@ -90,8 +91,8 @@ bool curves_check(const PieceSpec& piece, const std::string& path, Problems& pro
     const Vec2 p = piece.outline[edge], q = piece.outline[(edge + 1) % count];
     const double half = std::hypot(q[0] - p[0], q[1] - p[1]) / 2;
     if (!(curve.radius >= half * (1 - 1e-9)))
-      problems.push_back({at + ".arc", "= " + number_text(curve.radius) + " m; allowed: at least " +
-                                           rounded(half) + " m, half the chord of edge " +
+      problems.push_back({at + ".arc", "= " + scene::number_text(curve.radius) + " m; allowed: at least " +
+                                           scene::rounded(half) + " m, half the chord of edge " +
                                            std::to_string(edge)});
   }
   return problems.size() == before;
@@ -106,7 +107,8 @@ void crossings_tell(const std::vector<OutlineCrossing>& found, const std::vector
     what += c.crosses ? " crosses " : " touches ";
     if (first != last) what += "edge " + std::to_string(c.edge[0]) + " of " + name[first];
     else what += c.edge[0] == c.edge[1] ? "itself" : "edge " + std::to_string(c.edge[1]);
-    problems.push_back({path + name[last], "is no simple outline: " + what + " at " + point_text(c.at)});
+    problems.push_back(
+        {path + name[last], "is no simple outline: " + what + " at " + scene::point_text(c.at)});
   }
 }
 
@@ -115,15 +117,15 @@ void nesting_check(const std::vector<OutlineLoop>& loops, const std::string& pat
   for (std::size_t h = 1; h < loops.size(); ++h) {
     const Vec2 p = loops[h].points[0];
     if (!outline_contains({loops[0]}, p))
-      problems.push_back({path + "." + loop_name(h), "lies outside the outline, at " + point_text(p)});
+      problems.push_back({path + "." + loop_name(h), "lies outside the outline, at " + scene::point_text(p)});
     for (std::size_t k = 1; k < loops.size(); ++k)
       if (k != h && outline_contains({loops[k]}, p))
-        problems.push_back({path + "." + loop_name(h),
-                            "lies inside " + loop_name(k) + ", at " + point_text(p) + "; holes do not nest"});
+        problems.push_back({path + "." + loop_name(h), "lies inside " + loop_name(k) + ", at " +
+                                                           scene::point_text(p) + "; holes do not nest"});
   }
 }
 
-void cell_check(const PieceSpec& piece, const std::vector<OutlineLoop>& loops, const std::string& path,
+void cell_check(const scene::PieceSpec& piece, const std::vector<OutlineLoop>& loops, const std::string& path,
                 Problems& problems) {
   if (!(piece.cell > 0)) return;
   Extent plane, turned;
@@ -134,20 +136,21 @@ void cell_check(const PieceSpec& piece, const std::vector<OutlineLoop>& loops, c
   }
   const double shorter = std::min(plane.along(0), plane.along(1));
   const double nodes = (turned.along(0) / piece.cell + 1) * (turned.along(1) / piece.cell + 1);
-  const std::string value = "= " + number_text(piece.cell) + " m";
+  const std::string value = "= " + scene::number_text(piece.cell) + " m";
   if (piece.cell > shorter * (1 + 1e-9))
-    problems.push_back(
-        {path + ".cell", value + "; allowed: at most the piece's shorter side, " + rounded(shorter) + " m"});
+    problems.push_back({path + ".cell", value + "; allowed: at most the piece's shorter side, " +
+                                            scene::rounded(shorter) + " m"});
   if (nodes > kMostNodes)
-    problems.push_back({path + ".cell", value + " makes about " + rounded(nodes) +
-                                            " nodes; allowed: at most " + rounded(kMostNodes) + " a piece"});
+    problems.push_back({path + ".cell", value + " makes about " + scene::rounded(nodes) +
+                                            " nodes; allowed: at most " + scene::rounded(kMostNodes) +
+                                            " a piece"});
 }
 
 // A cell for drawing curves before the piece's own is known to be a sound one: at least 1e-4 of the piece.
-double drawing_cell(const PieceSpec& piece) {
+double drawing_cell(const scene::PieceSpec& piece) {
   Extent e;
   for (const Vec2& p : piece.outline) extent_grow(e, p);
-  for (const CurveSpec& curve : piece.curves) {
+  for (const scene::CurveSpec& curve : piece.curves) {
     for (const Vec2& p : curve.bezier) extent_grow(e, p);
     if (curve.large && curve.bezier.empty())
       extent_grow(e, {e.low[0] + 2 * curve.radius, e.low[1] + 2 * curve.radius});
@@ -159,26 +162,27 @@ double drawing_cell(const PieceSpec& piece) {
 
 void polygon_problems(const std::vector<Vec2>& polygon, const std::string& path, Problems& problems) {
   if (polygon.empty()) return;  // could not be read
-  PieceSpec piece;
+  scene::PieceSpec piece;
   piece.outline = polygon;
   const double touch = outline_touch(piece);
   if (!points_check(polygon, path, touch, problems) || !area_check(polygon, path, touch, problems)) return;
   crossings_tell(outline_crossings(outline_flatten(piece), touch, kMostCrossings), {""}, path, problems);
 }
 
-void outline_problems(const PieceSpec& piece, const std::string& path, Problems& problems) {
+void outline_problems(const scene::PieceSpec& piece, const std::string& path, Problems& problems) {
   if (piece.outline.empty()) return;  // could not be read
   const std::size_t before = problems.size();
   const double touch = outline_touch(piece);
   if (points_check(piece.outline, path + ".outline", touch, problems) && piece.curves.empty())
     area_check(piece.outline, path + ".outline", touch, problems);
   for (std::size_t h = 0; h < piece.holes.size(); ++h)
-    if (const std::string at = entry(path + ".holes", h); points_check(piece.holes[h], at, touch, problems))
+    if (const std::string at = scene::entry(path + ".holes", h);
+        points_check(piece.holes[h], at, touch, problems))
       area_check(piece.holes[h], at, touch, problems);
   curves_check(piece, path, problems);
   if (problems.size() > before) return;
 
-  PieceSpec drawn = piece;
+  scene::PieceSpec drawn = piece;
   drawn.cell = drawing_cell(piece);
   cell_check(piece, outline_flatten(drawn), path, problems);
   if (problems.size() == before && piece.cell > 0) drawn.cell = piece.cell;
@@ -193,4 +197,4 @@ void outline_problems(const PieceSpec& piece, const std::string& path, Problems&
   nesting_check(loops, path, problems);
 }
 
-}  // namespace drape
+}  // namespace drape::piece

@@ -13,7 +13,7 @@
 
 #include "piece/grid/cut.h"
 
-namespace drape {
+namespace drape::piece {
 namespace {
 
 constexpr double kLeast = 0.2;  // s
@@ -47,7 +47,7 @@ void crossing_slope(const Grid& grid, const std::vector<OutlineLoop>& loops, con
 
 }  // namespace
 
-std::array<Vec2, 2> edge_ends(const Grid& grid, const PieceSpec& piece, int edge) {
+std::array<Vec2, 2> edge_ends(const Grid& grid, const scene::PieceSpec& piece, int edge) {
   const std::vector<Vec2>& points = piece.outline;
   return {grid_coordinates(grid, points[std::size_t(edge)]),
           grid_coordinates(grid, points[(std::size_t(edge) + 1) % points.size()])};
@@ -79,4 +79,4 @@ void edge_slopes(const Grid& grid, const std::vector<OutlineLoop>& loops, int ed
     for (std::size_t axis : {1u, 0u}) crossing_slope(grid, loops, crossing, axis, slopes);
 }
 
-}  // namespace drape
+}  // namespace drape::piece

@@ -1,9 +1,9 @@
 // Where an outline edge meets the threads, and the links by which they leave it.
 #pragma once
-#include "piece/support/support.h"
 #include "piece/outline/outline.h"
+#include "piece/support/support.h"
 
-namespace drape {
+namespace drape::piece {
 
 // A point of an edge on a grid line, in cells, and the direction of the edge there, with the cloth to its
 // left.
@@ -14,9 +14,9 @@ struct EdgeCrossing {
 std::vector<EdgeCrossing> edge_crossings(const Grid& grid, const std::vector<OutlineLoop>& loops, int edge);
 
 // Both ends of an edge, in cells.
-std::array<Vec2, 2> edge_ends(const Grid& grid, const PieceSpec& piece, int edge);
+std::array<Vec2, 2> edge_ends(const Grid& grid, const scene::PieceSpec& piece, int edge);
 
 void edge_slopes(const Grid& grid, const std::vector<OutlineLoop>& loops, int edge,
                  std::vector<HeldSlope>& slopes);
 
-}  // namespace drape
+}  // namespace drape::piece

@@ -10,7 +10,7 @@
 #include "piece/grid/cut.h"
 #include "piece/outline/outline.h"
 
-namespace drape {
+namespace drape::piece {
 namespace {
 
 constexpr double kLeast = 0.2;  // s
@@ -208,4 +208,4 @@ RegionHold region_hold(const Grid& grid, const std::vector<Vec2>& polygon, bool 
   return hold;
 }
 
-}  // namespace drape
+}  // namespace drape::piece

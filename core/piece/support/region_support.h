@@ -2,7 +2,7 @@
 #pragma once
 #include "piece/support/support.h"
 
-namespace drape {
+namespace drape::piece {
 
 struct RegionHold {
   std::vector<int> nodes;  // rising
@@ -10,4 +10,4 @@ struct RegionHold {
 };
 RegionHold region_hold(const Grid& grid, const std::vector<Vec2>& region, bool clamp);
 
-}  // namespace drape
+}  // namespace drape::piece

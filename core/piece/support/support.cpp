@@ -7,7 +7,7 @@
 #include "piece/support/edge_support.h"
 #include "piece/support/region_support.h"
 
-namespace drape {
+namespace drape::piece {
 namespace {
 
 // The middle of edges by length.
@@ -90,7 +90,7 @@ bool thread_held(const EdgeCrossing& crossing) {
   return crossing.at[line] == std::floor(crossing.at[line]);
 }
 
-void edges_hold(Hold& hold, const Grid& grid, const PieceSpec& piece, const PinSpec& pin) {
+void edges_hold(Hold& hold, const Grid& grid, const scene::PieceSpec& piece, const scene::PinSpec& pin) {
   const std::vector<OutlineLoop> loops = outline_flatten(piece);
   std::vector<Vec2> at;
   for (int edge : pin.edges) {
@@ -105,7 +105,7 @@ void edges_hold(Hold& hold, const Grid& grid, const PieceSpec& piece, const PinS
 
 }  // namespace
 
-Hold hold_make(const Grid& grid, const Scene& scene, const PinSpec& pin) {
+Hold hold_make(const Grid& grid, const Scene& scene, const scene::PinSpec& pin) {
   Hold hold;
   if (!pin.region.empty()) {
     RegionHold region = region_hold(grid, pin.region, pin.clamp);
@@ -127,4 +127,4 @@ Hold hold_make(const Grid& grid, const Scene& scene, const PinSpec& pin) {
   return hold;
 }
 
-}  // namespace drape
+}  // namespace drape::piece

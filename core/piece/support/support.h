@@ -3,7 +3,7 @@
 #pragma once
 #include "piece/grid/grid.h"
 
-namespace drape {
+namespace drape::piece {
 
 // A thread that leaves a clamp by the link from node `from` (held or behind the edge) to node `to`.
 struct HeldSlope {
@@ -20,6 +20,6 @@ struct Hold {
   std::vector<HeldSlope> slopes;  // only of clamps
   Vec2 centre{0, 0};              // where the pin's frame starts, in the plane of the outline
 };
-Hold hold_make(const Grid& grid, const Scene& scene, const PinSpec& pin);
+Hold hold_make(const Grid& grid, const Scene& scene, const scene::PinSpec& pin);
 
-}  // namespace drape
+}  // namespace drape::piece

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::scene {
 
 namespace {
 
@@ -60,4 +60,4 @@ std::string way_of(const Settling& s, const std::string& property, const std::ve
   return given.empty() ? "" : given[0];
 }
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -5,7 +5,7 @@
 
 #include "scene/reader/document.h"
 
-namespace drape {
+namespace drape::scene {
 
 // A fabric while its sheets are settled.
 struct Settling {
@@ -32,4 +32,4 @@ bool same_text(const Settling& s, const std::string& a, const std::string& b);
 // two in the same text are a fault, reported once and answered by the first.
 std::string way_of(const Settling& s, const std::string& property, const std::vector<std::string>& keys);
 
-}  // namespace drape
+}  // namespace drape::scene

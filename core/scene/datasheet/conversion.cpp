@@ -9,7 +9,7 @@
 #include "standards/fast.h"
 #include "standards/kes.h"
 
-namespace drape {
+namespace drape::scene {
 
 namespace {
 
@@ -19,7 +19,7 @@ void weight_settle(const Settling& s, FabricText& t) {
   const std::string way = way_of(s, "areal density", {"areal_density", "kes.W", "fast.W"});
   if (way.empty()) missing(s, t, "areal_density");
   if (!sound(s, way)) return;
-  if (way == "kes.W") t.sheet.plain.insert("areal_density", t.sheet.kes.W * kKesWeight);
+  if (way == "kes.W") t.sheet.plain.insert("areal_density", t.sheet.kes.W * standards::kKesWeight);
   if (way == "fast.W") t.sheet.plain.insert("areal_density", t.sheet.fast.W / 1e3);
 }
 
@@ -45,12 +45,15 @@ double weight_of(const FabricText& t) {
 // B of warp or weft, N m, by a sheet.
 double bending_of(const std::string& way, const FabricText& t, std::size_t k) {
   const SheetText& sheet = t.sheet;
-  if (way == "kes.B") return sheet.kes.B[k] * kKesBending;
+  if (way == "kes.B") return sheet.kes.B[k] * standards::kKesBending;
   if (way == "fast.C")
-    return fast_bending(std::isnan(sheet.fast.W) ? 1e3 * weight_of(t) : sheet.fast.W, sheet.fast.C[k]);
-  if (way == "bending.length_mm") return bending_length_rigidity(weight_of(t), sheet.bending_length[k]);
-  if (way == "bending.overhang_mm") return bending_length_rigidity(weight_of(t), sheet.overhang[k] / 2);
-  return gost_10550_rigidity(sheet.gost_mass[k], sheet.gost_deflection[k]) / kGostWidth;
+    return standards::fast_bending(std::isnan(sheet.fast.W) ? 1e3 * weight_of(t) : sheet.fast.W,
+                                   sheet.fast.C[k]);
+  if (way == "bending.length_mm")
+    return standards::bending_length_rigidity(weight_of(t), sheet.bending_length[k]);
+  if (way == "bending.overhang_mm")
+    return standards::bending_length_rigidity(weight_of(t), sheet.overhang[k] / 2);
+  return standards::gost_10550_rigidity(sheet.gost_mass[k], sheet.gost_deflection[k]) / standards::kGostWidth;
 }
 
 void bending_settle(const Settling& s, FabricText& t) {
@@ -64,8 +67,10 @@ void bending_settle(const Settling& s, FabricText& t) {
   if (stated(s, "bending.width") && same_text(s, "bending.width", way))
     return fault_at(s, "bending.width", "belongs to bending.rigidity_uN_cm2, not to " + way);
   toml::array rigidity;
-  for (std::size_t k = 0; k < 2; ++k) rigidity.push_back(bending_of(way, t, k) * kGostWidth * kMicroNcm2);
-  t.sheet.plain.insert("bending", toml::table{{"rigidity_uN_cm2", rigidity}, {"width", kGostWidth}});
+  for (std::size_t k = 0; k < 2; ++k)
+    rigidity.push_back(bending_of(way, t, k) * standards::kGostWidth * kMicroNcm2);
+  t.sheet.plain.insert("bending",
+                       toml::table{{"rigidity_uN_cm2", rigidity}, {"width", standards::kGostWidth}});
 }
 
 }  // namespace
@@ -119,4 +124,4 @@ void fabric_flatten(toml::table& table, const FabricText& text) {
   }
 }
 
-}  // namespace drape
+}  // namespace drape::scene

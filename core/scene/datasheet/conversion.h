@@ -1,10 +1,10 @@
 // Parts of sheet_settle.
 #pragma once
-#include "scene/reader/table_reader.h"
-#include "scene/reader/schema.h"
 #include "scene/datasheet/alternatives.h"
+#include "scene/reader/schema.h"
+#include "scene/reader/table_reader.h"
 
-namespace drape {
+namespace drape::scene {
 
 // Adds the fault of a key that is not there.
 void missing(const Settling& s, FabricText& text, const std::string& key);
@@ -15,4 +15,4 @@ void tension_settle(const Settling& s, FabricText& text);
 // Bias.
 void shear_settle(const Settling& s, FabricText& text);
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -9,7 +9,7 @@
 #include "scene/reader/value_reader.h"
 #include "standards/units.h"
 
-namespace drape {
+namespace drape::scene {
 
 struct FabricText;
 
@@ -31,12 +31,12 @@ struct OtherUnit {
   double high;  // in the unit
 };
 inline constexpr OtherUnit kExtensions[] = {{{"extension_mm", "mm", 1e3}, 1e6},
-                                            {{"extension_in", "in", 1 / kInch}, 1e4}};
+                                            {{"extension_in", "in", 1 / standards::kInch}, 1e4}};
 inline constexpr OtherUnit kForces[] = {{{"force_cN", "cN", 1e2}, 1e8},
                                         {{"force_daN", "daN", 0.1}, 1e5},
-                                        {{"force_gf", "gf", 1 / kGramForce}, 1e8},
-                                        {{"force_kgf", "kgf", 1 / kKilogramForce}, 1e5},
-                                        {{"force_lbf", "lbf", 1 / kPoundForce}, 2e5}};
+                                        {{"force_gf", "gf", 1 / standards::kGramForce}, 1e8},
+                                        {{"force_kgf", "kgf", 1 / standards::kKilogramForce}, 1e5},
+                                        {{"force_lbf", "lbf", 1 / standards::kPoundForce}, 2e5}};
 inline constexpr const char* kDiagrams[] = {"warp", "weft", "bias"};
 
 struct DiagramText {
@@ -67,4 +67,4 @@ FabricText fabric_read(Faults& faults, const toml::table& table, const std::stri
 // Puts plain keys in the place of the sheets.
 void fabric_flatten(toml::table& table, const FabricText& text);
 
-}  // namespace drape
+}  // namespace drape::scene

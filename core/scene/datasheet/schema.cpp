@@ -6,19 +6,20 @@
 #include "standards/kes.h"
 #include "standards/strip.h"
 
-namespace drape {
+namespace drape::scene {
 
 namespace {
 
 constexpr const char* kPair = "[warp, weft]";
-constexpr Range kPercents{0.01, 1e3}, kMillimetres{1e-3, 100};
+constexpr description::Range kPercents{0.01, 1e3}, kMillimetres{1e-3, 100};
 
 Key strip_key(FabricText& t) {
   Choice choice;
-  for (const StripStandard& standard : kStripStandards) choice.words.push_back(standard.name);
+  for (const standards::StripStandard& standard : standards::kStripStandards)
+    choice.words.push_back(standard.name);
   choice.take = [&t](int k) {
-    t.spec.strip_width = kStripStandards[k].width;
-    t.spec.strip_gauge = kStripStandards[k].gauge;
+    t.spec.strip_width = standards::kStripStandards[k].width;
+    t.spec.strip_gauge = standards::kStripStandards[k].gauge;
     t.sheet.strip_by_name = true;
   };
   return {"strip", choice};
@@ -48,13 +49,13 @@ std::vector<Key> sheet_keys(FabricText& t) {
       {"kes.W",
        &kes.W,
        kOptional,
-       {kArealDensity.low / kKesWeight, kArealDensity.high / kKesWeight},
+       {kArealDensity.low / standards::kKesWeight, kArealDensity.high / standards::kKesWeight},
        "mg/cm^2"},
       {"kes.T0", &kes.T0, kOptional, kMillimetres, "mm"},
       {"kes.Fm", &kes.Fm, kOptional, {1, 1e5}, "gf/cm"},
       {"kes.EMT", pair(kes.EMT), kOptional, kPercents, "percent"},
       {"kes.WT", pair(kes.WT), kOptional, {0, 1e6, kAbove}, "gf cm/cm^2"},
-      {"kes.LT", pair(kes.LT), kOptional, {kKesLinearityLow, kKesLinearityHigh}},
+      {"kes.LT", pair(kes.LT), kOptional, {standards::kKesLinearityLow, standards::kKesLinearityHigh}},
       {"kes.G", pair(kes.G), kOptional, {0, 1e3}, "gf/(cm deg)"},
       {"kes.B", pair(kes.B), kOptional, {0, 1e3}, "gf cm^2/cm"},
       {"fast.W", &fast.W, kOptional, {1e3 * kArealDensity.low, 1e3 * kArealDensity.high}, "g/m^2"},
@@ -73,4 +74,4 @@ std::vector<Key> sheet_keys(FabricText& t) {
   return keys;
 }
 
-}  // namespace drape
+}  // namespace drape::scene

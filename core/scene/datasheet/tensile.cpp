@@ -7,7 +7,7 @@
 #include "standards/kes.h"
 #include "standards/trellis.h"
 
-namespace drape {
+namespace drape::scene {
 
 namespace {
 
@@ -22,7 +22,7 @@ toml::array array_of(const std::vector<double>& values) {
 }
 
 // A diagram that no text shows takes the place of the one that a file may have.
-void diagram_insert(FabricText& t, std::size_t k, const SheetDiagram& d, bool jaws) {
+void diagram_insert(FabricText& t, std::size_t k, const standards::SheetDiagram& d, bool jaws) {
   std::vector<double> force;
   for (const double f : d.force_per_width) force.push_back(f * t.spec.strip_width);
   toml::table diagram{{"elongation_percent", array_of(d.percent)}, {"force", array_of(force)}};
@@ -94,14 +94,15 @@ void lists_settle(const Settling& s, FabricText& t, std::size_t k) {
 double kes_energy_of(const Settling& s, const KesText& kes, std::size_t k) {
   constexpr double kMeans = 0.05;  // a mean of LT is not the LT of means, and both are rounded
   const double emt = kes.EMT[k], fm = kes.Fm;
-  if (!stated(s, "kes.WT")) return kes_energy(emt, kes.LT[k], fm);
-  const double wt = kes.WT[k], lt = kes_linearity(emt, wt, fm);
-  if (!(lt >= kKesLinearityLow && lt <= kKesLinearityHigh)) {
-    const auto at = [&](double limit) { return rounded(kes_energy(emt, limit, fm)); };
+  if (!stated(s, "kes.WT")) return standards::kes_energy(emt, kes.LT[k], fm);
+  const double wt = kes.WT[k], lt = standards::kes_linearity(emt, wt, fm);
+  if (!(lt >= standards::kKesLinearityLow && lt <= standards::kKesLinearityHigh)) {
+    const auto at = [&](double limit) { return rounded(standards::kes_energy(emt, limit, fm)); };
     fault_at(s, "kes.WT", k,
              "= " + number_text(wt) + " gf cm/cm^2 does not go with EMT = " + number_text(emt) +
-                 " percent at " + number_text(fm) + " gf/cm; allowed: from " + at(kKesLinearityLow) + " to " +
-                 at(kKesLinearityHigh) + " gf cm/cm^2, for LT = 2 WT/(Fm EMT) from 0.2 to 1.8");
+                 " percent at " + number_text(fm) + " gf/cm; allowed: from " +
+                 at(standards::kKesLinearityLow) + " to " + at(standards::kKesLinearityHigh) +
+                 " gf cm/cm^2, for LT = 2 WT/(Fm EMT) from 0.2 to 1.8");
     return kNotStated;
   }
   if (stated(s, "kes.LT") && !(std::abs(kes.LT[k] / lt - 1) <= kMeans))
@@ -118,7 +119,7 @@ void kes_settle(const Settling& s, FabricText& t, std::size_t k) {
   if (!stated(s, "kes.WT") && !stated(s, "kes.LT")) return;
   const KesText& kes = t.sheet.kes;
   const double wt = kes_energy_of(s, kes, k);
-  if (!std::isnan(wt)) diagram_insert(t, k, kes_tension(kes.EMT[k], wt, kes.Fm), true);
+  if (!std::isnan(wt)) diagram_insert(t, k, standards::kes_tension(kes.EMT[k], wt, kes.Fm), true);
 }
 
 void fast_settle(const Settling& s, FabricText& t, std::size_t k) {
@@ -135,7 +136,9 @@ void fast_settle(const Settling& s, FabricText& t, std::size_t k) {
   };
   const bool first = rises("fast.E20", e20, "E5", e5), second = rises("fast.E100", e100, "E20", e20);
   if (first && second)
-    diagram_insert(t, k, {{0, e5, e20, e100}, {std::begin(kFastForce), std::end(kFastForce)}}, true);
+    diagram_insert(t, k,
+                   {{0, e5, e20, e100}, {std::begin(standards::kFastForce), std::end(standards::kFastForce)}},
+                   true);
 }
 
 // Keys of a diagram that stand over a sheet without one; told, and left to the sheet.
@@ -187,8 +190,9 @@ void shear_settle(const Settling& s, FabricText& t) {
   if (way == "bias") return lists_settle(s, t, 2);
   if (!sound(s, way)) return;
   const Vec2& g = t.sheet.kes.G;
-  const double shear = way == "kes.G" ? (g[0] + g[1]) / 2 * kKesShear : fast_shear(t.sheet.fast.EB5);
-  diagram_insert(t, 2, trellis_bias(shear), false);
+  const double shear =
+      way == "kes.G" ? (g[0] + g[1]) / 2 * standards::kKesShear : standards::fast_shear(t.sheet.fast.EB5);
+  diagram_insert(t, 2, standards::trellis_bias(shear), false);
 }
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -16,7 +16,7 @@
 
 #include "scene/diagnostics.h"
 
-namespace drape {
+namespace drape::scene {
 
 struct Document {
   bool loaded = false;  // false: the scene file itself could not be read
@@ -33,4 +33,4 @@ void calibration_drop(toml::table& fabric);
 // One file alone, whatever it names.
 Document document_load_file(const std::filesystem::path& file, Faults& faults);
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -3,7 +3,7 @@
 
 #include "scene/reader/value_reader.h"
 
-namespace drape {
+namespace drape::scene {
 
 namespace {
 
@@ -46,7 +46,7 @@ std::string key_number(const Key& key, double value) {
 }
 
 std::string key_range(const Key& key) {
-  const Range& r = key.range;
+  const description::Range& r = key.range;
   return r.above ? "above " + number_text(r.low) + ", at most " + key_number(key, r.high)
                  : "from " + number_text(r.low) + " to " + key_number(key, r.high);
 }
@@ -92,4 +92,4 @@ void place_note(Faults& faults, const std::string& path, const toml::node& node)
   if (node.source().path) faults.places[path] = {*node.source().path, node.source().begin.line};
 }
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -4,7 +4,7 @@
 #include "scene/reader/read.h"
 #include "scene/reader/schema.h"
 
-namespace drape {
+namespace drape::scene {
 
 std::string body_file(const std::string& name, const std::string& mesh) {
   return "body_" + name + std::filesystem::path(mesh).extension().string();
@@ -32,4 +32,4 @@ std::string scene_resolve(const std::filesystem::path& file, std::vector<Problem
   return text.str();
 }
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::scene {
 
 namespace {
 
@@ -131,4 +131,4 @@ void pin_settle(Faults& faults, const toml::table& table, const std::string& pat
                    : "holds nothing; wanted: at, edges or region");
 }
 
-}  // namespace drape
+}  // namespace drape::scene

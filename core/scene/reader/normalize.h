@@ -2,12 +2,12 @@
 #pragma once
 #include <string>
 
-#include "scene/reader/document.h"
 #include "scene/diagnostics.h"
+#include "scene/reader/document.h"
 #include "scene/reader/schema.h"
 #include "scene/scene.h"
 
-namespace drape {
+namespace drape::scene {
 
 // Axes become exactly orthonormal. A piece whose outline, curves or holes have a fault loses its outline:
 // what rests on them is passed over.
@@ -22,4 +22,4 @@ void body_settle(Faults& faults, const std::string& path, const std::filesystem:
 
 void pin_settle(Faults& faults, const toml::table& table, const std::string& path);
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "scene/reader/table_reader.h"
-#include "scene/reader/schema.h"
 #include "scene/reader/normalize.h"
+#include "scene/reader/schema.h"
+#include "scene/reader/table_reader.h"
 
-namespace drape {
+namespace drape::scene {
 
 namespace {
 
@@ -120,8 +120,7 @@ FabricFile fabric_read(const std::filesystem::path& file, Corrections correction
   text.fabric = fabric_read(text.faults, document.root, path).spec;
   text.fabric.name = name;
   if (document.root.contains("file"))
-    fault_add(text.faults, path + ".file",
-              "stands in a fabric file; a fabric file cannot name another one");
+    fault_add(text.faults, path + ".file", "stands in a fabric file; a fabric file cannot name another one");
   return text;
 }
 
@@ -134,4 +133,4 @@ std::vector<std::filesystem::path> scene_files(const std::filesystem::path& file
   return document_load(file, faults).files;
 }
 
-}  // namespace drape
+}  // namespace drape::scene

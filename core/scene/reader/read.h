@@ -5,7 +5,7 @@
 #include "scene/diagnostics.h"
 #include "scene/scene.h"
 
-namespace drape {
+namespace drape::scene {
 
 // A scene as its text has it, and the faults of its text. Not `loaded`: the file could not be read at all.
 struct SceneText {
@@ -44,4 +44,4 @@ std::string body_file(const std::string& name, const std::string& mesh);
 // the folding (files, syntax): the rest is scene_read's.
 std::string scene_resolve(const std::filesystem::path& file, std::vector<Problem>& problems);
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -4,17 +4,17 @@
 
 #include "scene/limits.h"
 
-namespace drape {
+namespace drape::scene {
 
 namespace {
 
 constexpr double kPercent = 100;     // per 1
 constexpr double kMicroNcm2 = 1e10;  // uN cm^2 per N m^2
-constexpr Range kPosition{-1e4, 1e4};
-constexpr Range kWhole{-2147483647, 2147483647};  // judged against the outline later
+constexpr description::Range kPosition{-1e4, 1e4};
+constexpr description::Range kWhole{-2147483647, 2147483647};  // judged against the outline later
 
 // In the unit of the key.
-constexpr Range range_of(const Quantity& q, double per_si = 1) {
+constexpr description::Range range_of(const Quantity& q, double per_si = 1) {
   return {q.low * per_si, q.high * per_si, q.above};
 }
 
@@ -178,4 +178,4 @@ std::vector<Key> probe_keys(ProbeSpec& p, const std::vector<std::string>& pieces
   };
 }
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "scene/datasheet/datasheet.h"
 #include "scene/reader/value_reader.h"
 #include "scene/scene.h"
-#include "scene/datasheet/datasheet.h"
 
-namespace drape {
+namespace drape::scene {
 
 // A fabric with what its text says in other terms.
 struct FabricText {
@@ -37,4 +37,4 @@ struct BodyText {
 std::vector<Key> body_keys(BodySpec& body, BodyText& text);
 std::vector<Key> probe_keys(ProbeSpec& probe, const std::vector<std::string>& pieces);
 
-}  // namespace drape
+}  // namespace drape::scene

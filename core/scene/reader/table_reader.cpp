@@ -4,7 +4,7 @@
 
 #include "scene/spelling.h"
 
-namespace drape {
+namespace drape::scene {
 
 namespace {
 
@@ -72,4 +72,4 @@ void keys_read(Faults& faults, const toml::table& table, const std::string& path
   level_read(faults, table, path, "", keys);
 }
 
-}  // namespace drape
+}  // namespace drape::scene

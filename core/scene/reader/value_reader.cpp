@@ -5,10 +5,9 @@
 
 #include "scene/reader/table_reader.h"
 
-namespace drape {
+namespace drape::scene {
 
 namespace {
-
 
 // Puts one value where it belongs, or adds a fault. Nothing lands from a list with a fault.
 struct Land {
@@ -27,7 +26,7 @@ struct Land {
     if (const auto* floating = n.as_floating_point()) value = floating->get();
     else if (const auto* whole = n.as_integer()) value = static_cast<double>(whole->get());
     else return misfit(at, n, key_number_wanted(key)), std::nullopt;
-    const Range& r = key.range;
+    const description::Range& r = key.range;
     if (value >= r.low && value <= r.high && !(r.above && value == r.low)) return value / key.per_si;
     place_note(faults, at, n);
     fault_add(faults, at, "= " + key_number(key, value) + "; allowed: " + key_range(key));
@@ -68,8 +67,8 @@ struct Land {
 
   // A list of one or more; `nested` where its entries are lists themselves.
   template <class Take>
-  auto list(const toml::node& n, const std::string& at, const std::string& want, bool nested,
-            Take take) const -> std::optional<std::vector<typename decltype(take(n, at))::value_type>> {
+  auto list(const toml::node& n, const std::string& at, const std::string& want, bool nested, Take take) const
+      -> std::optional<std::vector<typename decltype(take(n, at))::value_type>> {
     const toml::array* entries = n.as_array();
     const auto flat = [](const toml::node& e) { return !e.is_array(); };
     if (!entries) return misfit(at, n, want), std::nullopt;
@@ -198,4 +197,4 @@ void value_land(Faults& faults, const std::string& path, const Key& key, const t
   std::visit(Land{faults, path, key, node}, key.lands);
 }
 
-}  // namespace drape
+}  // namespace drape::scene

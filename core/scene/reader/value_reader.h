@@ -8,18 +8,18 @@
 #include <variant>
 #include <vector>
 
-#include "scene/reader/document.h"
 #include "scene/diagnostics.h"
+#include "scene/reader/document.h"
 #include "scene/scene.h"
 
-namespace drape {
+namespace drape::scene {
 
 struct Key;
 
 constexpr bool kRequired = true, kOptional = false;
 constexpr bool kAbove = true;  // the low end itself is not allowed
 
-struct Range {
+struct description::Range {
   double low = 0, high = 0;  // in the key's unit
   bool above = false;
 };
@@ -66,7 +66,7 @@ struct Key {
   std::string name;  // within its table; "strip.width" is `width` in the table `strip`
   Landing lands;
   bool required = kOptional;  // in a table within the table: where that table is there
-  Range range{};
+  description::Range range{};
   const char* unit = "";
   double per_si = 1;  // key units in one SI unit: value lands as number / per_si
 };
@@ -91,4 +91,4 @@ constexpr const char* kNameRule =
 // Remembers on which line a path stands.
 void place_note(Faults& faults, const std::string& path, const toml::node& node);
 
-}  // namespace drape
+}  // namespace drape::scene

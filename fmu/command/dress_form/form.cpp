@@ -7,7 +7,7 @@
 #include "command/dress_form/sections.h"
 #include "scene/diagnostics.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 constexpr double kReference = 1.66;  // m, the height for which roundings are given
@@ -43,8 +43,8 @@ void rings_close(Mesh& mesh, double low, double high) {
 void measures_check(const Measures& measures, std::vector<Problem>& problems) {
   const auto within = [&](const char* option, double value, double low, double high) {
     if (!(value >= low && value <= high))
-      problems.push_back({option, "= " + number_text(value) + " m; allowed: " + number_text(low) + " to " +
-                                      number_text(high) + " m"});
+      problems.push_back({option, "= " + scene::number_text(value) + " m; allowed: " +
+                                      scene::number_text(low) + " to " + scene::number_text(high) + " m"});
   };
   within("--bust", measures.bust, 0.7, 1.5);
   within("--waist", measures.waist, 0.5, 1.4);
@@ -106,4 +106,4 @@ double tape_length(std::vector<Vec2> points) {
   return length;
 }
 
-}  // namespace drape
+}  // namespace drape::command

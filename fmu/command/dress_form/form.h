@@ -6,7 +6,7 @@
 
 #include "scene/scene.h"
 
-namespace drape {
+namespace drape::command {
 
 // Of the body, as a tape measures them.
 struct Measures {
@@ -33,4 +33,4 @@ std::string mesh_obj(const Mesh& mesh, const std::string& title);
 // A tape round points of the plane: the length of their convex hull.
 double tape_length(std::vector<Vec2> points);
 
-}  // namespace drape
+}  // namespace drape::command

@@ -20,7 +20,7 @@
 
 #include "command/dress_form/spline.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 constexpr double kReference = 1.66;                       // m, height of the body of the table
@@ -138,4 +138,4 @@ Torso torso_fit(const Measures& m) {
   return torso;
 }
 
-}  // namespace drape
+}  // namespace drape::command

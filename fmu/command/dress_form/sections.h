@@ -5,7 +5,7 @@
 
 #include "command/dress_form/form.h"
 
-namespace drape {
+namespace drape::command {
 
 constexpr int kAround = 72;  // points of a ring
 constexpr int kColumns = 6;  // y, w, f, b, p, l
@@ -26,4 +26,4 @@ Torso torso_fit(const Measures& measures);
 // Points of a section, (x, z), counter-clockwise seen from below.
 std::vector<Vec2> section_ring(const Section& section, const Breasts& breasts);
 
-}  // namespace drape
+}  // namespace drape::command

@@ -10,7 +10,7 @@
 #pragma once
 #include <vector>
 
-namespace drape {
+namespace drape::command {
 
 // M, by elimination (the matrix is tridiagonal and dominated by its diagonal).
 inline std::vector<double> spline_fit(const std::vector<double>& t, const std::vector<double>& y) {
@@ -35,4 +35,4 @@ inline double spline_at(const std::vector<double>& t, const std::vector<double>&
          h * h / 6 * ((p * p * p - p) * second[k] + (q * q * q - q) * second[k + 1]);
 }
 
-}  // namespace drape
+}  // namespace drape::command

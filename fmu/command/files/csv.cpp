@@ -6,7 +6,7 @@
 
 #include "decimal.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 // Keeps the reason of the first failure: later calls would overwrite errno.
@@ -46,7 +46,7 @@ void csv_row(Csv& csv, const std::vector<double>& values) {
   const char* separator = "";
   errno = 0;
   for (const double value : values) {
-    csv.file << separator << decimal_text(value);
+    csv.file << separator << description::decimal_text(value);
     separator = ",";
   }
   csv.file << "\n";
@@ -61,4 +61,4 @@ bool csv_close(Csv& csv, std::string& problem) {
   return csv.trouble.empty();
 }
 
-}  // namespace drape
+}  // namespace drape::command

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::command {
 
 struct Csv {
   std::filesystem::path path;
@@ -26,4 +26,4 @@ bool csv_close(Csv& csv, std::string& problem);
 // "cannot write FILE: No space left on device", from errno.
 std::string cannot_write(const std::filesystem::path& file);
 
-}  // namespace drape
+}  // namespace drape::command

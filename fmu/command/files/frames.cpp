@@ -7,10 +7,10 @@
 #include <system_error>
 
 #include "command/files/csv.h"
-#include "decimal.h"
 #include "command/files/polydata.h"
+#include "decimal.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 // Values of particles at the points that move with four of them.
@@ -120,7 +120,7 @@ bool write_collection(const std::filesystem::path& path, const Collection& c) {
   std::ofstream file(path);
   file << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>\n";
   for (std::size_t i = 0; i < c.times.size(); ++i)
-    file << "<DataSet timestep=\"" << decimal_text(c.times[i]) << "\" file=\""
+    file << "<DataSet timestep=\"" << description::decimal_text(c.times[i]) << "\" file=\""
          << file_name(c.name, c.files[i]) << "\"/>\n";
   file << "</Collection>\n</VTKFile>\n";
   file.close();
@@ -167,4 +167,4 @@ bool frame_write(Frames& frames, drape_cloth* cloth, double time) {
   return collect(frames, frames.bodies, time, &bodies);
 }
 
-}  // namespace drape
+}  // namespace drape::command

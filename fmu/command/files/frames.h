@@ -6,7 +6,7 @@
 
 #include "drape/drape.h"
 
-namespace drape {
+namespace drape::command {
 
 // One kind of thing in a folder of its own, NAME/NNNN.vtp, and NAME.pvd with the times.
 struct Collection {
@@ -27,4 +27,4 @@ struct Frames {
 // not be written.
 bool frame_write(Frames& frames, drape_cloth* cloth, double time);
 
-}  // namespace drape
+}  // namespace drape::command

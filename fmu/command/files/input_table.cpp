@@ -10,7 +10,7 @@
 #include "decimal.h"
 #include "scene/spelling.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 // What is read at present.
@@ -49,22 +49,23 @@ constexpr std::size_t kTime = std::size_t(-1), kUnknown = std::size_t(-2);
 
 // The row of the table that a column is for; kTime; or kUnknown, with the reason told.
 std::size_t column_of(Reading& r, std::size_t column, const std::string& name,
-                      const std::vector<Variable>& table) {
+                      const std::vector<description::Variable>& table) {
   if (name == "time") return kTime;
-  const auto row =
-      std::find_if(table.begin(), table.end(), [&](const Variable& v) { return v.name() == name; });
-  if (row != table.end() && row->causality == Causality::kInput) return std::size_t(row - table.begin());
+  const auto row = std::find_if(table.begin(), table.end(),
+                                [&](const description::Variable& v) { return v.name() == name; });
+  if (row != table.end() && row->causality == description::Causality::kInput)
+    return std::size_t(row - table.begin());
   if (row != table.end()) {
-    const bool output = row->causality == Causality::kOutput;
+    const bool output = row->causality == description::Causality::kOutput;
     complain(r, column,
              "'" + name + "' is " + (output ? "an output" : "a parameter, which --set sets") +
                  "; allowed: time and inputs");
     return kUnknown;
   }
   std::vector<std::string> names{"time"};
-  for (const Variable& v : table)
-    if (v.causality == Causality::kInput) names.push_back(v.name());
-  const std::string nearest = name_nearest(name, names);
+  for (const description::Variable& v : table)
+    if (v.causality == description::Causality::kInput) names.push_back(v.name());
+  const std::string nearest = scene::name_nearest(name, names);
   const std::string known =
       names.size() > 1 ? "`drape variables SCENE` lists the inputs" : "this scene has no inputs";
   complain(
@@ -75,7 +76,7 @@ std::size_t column_of(Reading& r, std::size_t column, const std::string& name,
 
 // The columns' variables in the order of the file; every name at most once, and the time.
 std::vector<std::size_t> header_read(Reading& r, const std::string& line,
-                                     const std::vector<Variable>& table) {
+                                     const std::vector<description::Variable>& table) {
   const std::vector<std::string> names = cells_of(line);
   std::vector<std::size_t> columns;
   for (std::size_t k = 0; k < names.size(); ++k) {
@@ -90,7 +91,7 @@ std::vector<std::size_t> header_read(Reading& r, const std::string& line,
 }
 
 // False, with the reason told, for a cell that is no number that its column may have.
-bool cell_read(Reading& r, std::size_t column, const std::string& text, const Variable* variable,
+bool cell_read(Reading& r, std::size_t column, const std::string& text, const description::Variable* variable,
                double& value) {
   const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';  // from_chars takes no plus
   const char* last = text.data() + text.size();
@@ -100,15 +101,15 @@ bool cell_read(Reading& r, std::size_t column, const std::string& text, const Va
     return false;
   }
   std::string problem;
-  if (variable) problem = range_problem(*variable, value);
+  if (variable) problem = description::range_problem(*variable, value);
   else if (!(value - value == 0))
-    problem = "time is " + decimal_text(value) + " s; allowed: any finite number";
+    problem = "time is " + description::decimal_text(value) + " s; allowed: any finite number";
   if (!problem.empty()) complain(r, column, problem);
   return problem.empty();
 }
 
 void row_read(Reading& r, const std::string& line, const std::vector<std::size_t>& columns,
-              const std::vector<Variable>& table, InputTable& inputs) {
+              const std::vector<description::Variable>& table, InputTable& inputs) {
   const std::vector<std::string> cells = cells_of(line);
   if (cells.size() != columns.size()) {
     complain(r, std::min(cells.size(), columns.size()),
@@ -118,7 +119,7 @@ void row_read(Reading& r, const std::string& line, const std::vector<std::size_t
   }
   for (std::size_t k = 0; k < cells.size(); ++k) {
     if (columns[k] == kUnknown) continue;
-    const Variable* variable = columns[k] == kTime ? nullptr : &table[columns[k]];
+    const description::Variable* variable = columns[k] == kTime ? nullptr : &table[columns[k]];
     double value = 0;
     const bool good = cell_read(r, k, cells[k], variable, value);
     if (variable) {
@@ -127,7 +128,7 @@ void row_read(Reading& r, const std::string& line, const std::vector<std::size_t
       if (!inputs.time.empty() && !(value > inputs.time.back()))
         complain(r, k,
                  "time is " + cells[k] + " s; allowed: above the time before it, " +
-                     decimal_text(inputs.time.back()) + " s");
+                     description::decimal_text(inputs.time.back()) + " s");
       inputs.time.push_back(value);
     }
   }
@@ -135,7 +136,7 @@ void row_read(Reading& r, const std::string& line, const std::vector<std::size_t
 
 }  // namespace
 
-InputTable input_table_read(const std::string& file, const std::vector<Variable>& table,
+InputTable input_table_read(const std::string& file, const std::vector<description::Variable>& table,
                             std::vector<std::string>& problems) {
   InputTable inputs;
   Reading r{file, problems};
@@ -174,10 +175,11 @@ void input_table_at(const InputTable& inputs, double time, double* values) {
   }
 }
 
-void input_table_apply(const InputTable& inputs, double time, const std::vector<Variable>& table) {
+void input_table_apply(const InputTable& inputs, double time,
+                       const std::vector<description::Variable>& table) {
   std::vector<double> values(inputs.variable.size());
   input_table_at(inputs, time, values.data());
   for (std::size_t k = 0; k < values.size(); ++k) *table[inputs.variable[k]].value = values[k];
 }
 
-}  // namespace drape
+}  // namespace drape::command

@@ -6,7 +6,7 @@
 
 #include "variables.h"
 
-namespace drape {
+namespace drape::command {
 
 struct InputTable {
   std::vector<std::size_t> variable;  // [columns] indices into the variable table
@@ -15,13 +15,14 @@ struct InputTable {
 };
 
 // Reads and checks a file against a variable table: every problem of it, one sentence each.
-InputTable input_table_read(const std::string& file, const std::vector<Variable>& table,
+InputTable input_table_read(const std::string& file, const std::vector<description::Variable>& table,
                             std::vector<std::string>& problems);
 
 // The values at a time, column by column.
 void input_table_at(const InputTable& inputs, double time, double* values);
 
 // Writes the values at a time to where the table's rows have them.
-void input_table_apply(const InputTable& inputs, double time, const std::vector<Variable>& table);
+void input_table_apply(const InputTable& inputs, double time,
+                       const std::vector<description::Variable>& table);
 
-}  // namespace drape
+}  // namespace drape::command

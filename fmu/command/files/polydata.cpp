@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 // VTK's appended data: each array is its length in bytes and its bytes, found by its offset.
@@ -62,4 +62,4 @@ bool polydata_write(const std::filesystem::path& path, const PolyData& poly) {
   return !file.fail();
 }
 
-}  // namespace drape
+}  // namespace drape::command

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::command {
 
 struct PolyField {
   std::string name;
@@ -27,4 +27,4 @@ struct PolyData {
 // False where that fails, with errno.
 bool polydata_write(const std::filesystem::path& path, const PolyData& data);
 
-}  // namespace drape
+}  // namespace drape::command

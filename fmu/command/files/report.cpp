@@ -9,7 +9,7 @@
 #include "command/files/csv.h"
 #include "decimal.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 ReportTable elongations(drape_cloth* cloth, double limit) {
@@ -147,8 +147,8 @@ std::string report_csv(const std::vector<ReportTable>& report) {
         if (std::isnan(row.values[k])) continue;
         std::string what;
         for (const std::string& word : row.words) what += (what.empty() ? "" : " ") + word;
-        text += t.title + "," + what + "," + t.columns[k].name + "," + decimal_text(row.values[k]) + "," +
-                t.columns[k].unit + "\n";
+        text += t.title + "," + what + "," + t.columns[k].name + "," +
+                description::decimal_text(row.values[k]) + "," + t.columns[k].unit + "\n";
       }
   return text;
 }
@@ -161,4 +161,4 @@ std::string report_write(const std::filesystem::path& file, const std::vector<Re
   return to.fail() ? cannot_write(file) : "";
 }
 
-}  // namespace drape
+}  // namespace drape::command

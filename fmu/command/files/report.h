@@ -6,7 +6,7 @@
 
 #include "drape/drape.h"
 
-namespace drape {
+namespace drape::command {
 
 struct ReportColumn {
   std::string name, unit;
@@ -34,4 +34,4 @@ std::string report_csv(const std::vector<ReportTable>& report);
 // Empty, or why the file could not be written.
 std::string report_write(const std::filesystem::path& file, const std::vector<ReportTable>& report);
 
-}  // namespace drape
+}  // namespace drape::command

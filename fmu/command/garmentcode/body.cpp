@@ -5,7 +5,7 @@
 #include "command/garmentcode/garment.h"
 #include "scene/diagnostics.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 constexpr double kLeast = 0.3, kMost = 3;  // m, of a body
@@ -13,7 +13,8 @@ constexpr double kUnits[] = {1, 0.01, 0.001};
 
 }  // namespace
 
-std::optional<BodyMesh> body_measure(const std::filesystem::path& file, std::vector<Problem>& problems) {
+std::optional<model::BodyMesh> body_measure(const std::filesystem::path& file,
+                                            std::vector<Problem>& problems) {
   const std::size_t before = problems.size();
   const auto fault = [&](std::size_t line, const std::string& message) {
     problems.push_back({file.string() + ":" + (line ? std::to_string(line) + ":" : ""), message});
@@ -44,11 +45,11 @@ std::optional<BodyMesh> body_measure(const std::filesystem::path& file, std::vec
     if (const double height = unit * (high - low); height >= kLeast && height <= kMost) {
       for (Vec3& v : vertex)
         for (double& x : v) x *= unit;
-      return BodyMesh{file.string(), unit, height, std::move(vertex)};
+      return model::BodyMesh{file.string(), unit, height, std::move(vertex)};
     }
-  fault(0, "is " + number_text(high - low) + " high along y; allowed: " + number_text(kLeast) + " to " +
-               number_text(kMost) + " m, in metres, centimetres or millimetres");
+  fault(0, "is " + scene::number_text(high - low) + " high along y; allowed: " + scene::number_text(kLeast) +
+               " to " + scene::number_text(kMost) + " m, in metres, centimetres or millimetres");
   return {};
 }
 
-}  // namespace drape
+}  // namespace drape::command

@@ -10,7 +10,7 @@
 #include "command/garmentcode/place_near.h"
 #include "scene/reader/value_reader.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 constexpr double kDuration = 10;  // s, by which a fit ends at the latest
@@ -77,9 +77,9 @@ std::vector<std::vector<std::string>> edge_notes(const Scene& scene, const Patte
       notes.back().push_back("edge " + std::to_string(k) +
                              (panel.edge_label[k].empty() ? "" : " (" + panel.edge_label[k] + ")"));
   }
-  for (const SeamSpec& seam : scene.seams)
+  for (const scene::SeamSpec& seam : scene.seams)
     for (std::size_t k = 0; k < 2; ++k) {
-      const SeamSide &here = seam.side[k], &there = seam.side[1 - k];
+      const scene::SeamSide &here = seam.side[k], &there = seam.side[1 - k];
       notes[std::size_t(here.piece)][std::size_t(here.edges[0])] +=
           ", sewn to edge " + std::to_string(there.edges[0]) +
           (here.piece == there.piece ? "" : " of " + scene.pieces[std::size_t(there.piece)].name);
@@ -87,7 +87,7 @@ std::vector<std::vector<std::string>> edge_notes(const Scene& scene, const Patte
   return notes;
 }
 
-std::string curve_text(const CurveSpec& c) {
+std::string curve_text(const scene::CurveSpec& c) {
   std::string text = "{ edge = " + std::to_string(c.edge);
   if (c.bezier.empty())
     return text + ", arc = " + metres(c.radius) + ", large = " + (c.large ? "true" : "false") +
@@ -97,8 +97,8 @@ std::string curve_text(const CurveSpec& c) {
   return text + ", bezier = [" + points + "] }";
 }
 
-std::string piece_text(const PieceSpec& piece, const Panel& panel, const std::vector<std::string>& notes,
-                       const Garment& garment) {
+std::string piece_text(const scene::PieceSpec& piece, const Panel& panel,
+                       const std::vector<std::string>& notes, const Garment& garment) {
   std::string text = "\n[[piece]]";
   if (panel.name != piece.name || !panel.label.empty())
     text += comment("  # panel " + panel.name + (panel.label.empty() ? "" : ", " + panel.label));
@@ -109,7 +109,7 @@ std::string piece_text(const PieceSpec& piece, const Panel& panel, const std::ve
   text += "]\n";
   if (!piece.curves.empty()) {
     text += "curves = [\n";
-    for (const CurveSpec& c : piece.curves) text += "  " + curve_text(c) + ",\n";
+    for (const scene::CurveSpec& c : piece.curves) text += "  " + curve_text(c) + ",\n";
     text += "]\n";
   }
   return text + "place = { origin = " + list_text(piece.place.origin) +
@@ -117,7 +117,7 @@ std::string piece_text(const PieceSpec& piece, const Panel& panel, const std::ve
          " }\n";
 }
 
-std::string side_text(const Scene& scene, const SeamSide& side) {
+std::string side_text(const Scene& scene, const scene::SeamSide& side) {
   return "{ piece = " + quoted(scene.pieces[std::size_t(side.piece)].name) + ", edges = [" +
          std::to_string(side.edges[0]) + "]" + (side.reverse ? ", reverse = true" : "") + " }\n";
 }
@@ -130,20 +130,20 @@ std::string name_made(const std::string& text, const std::string& otherwise) {
     name += (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ? c : '_';
   if (!name.empty() && !std::isalpha(static_cast<unsigned char>(name[0]))) name = otherwise + "_" + name;
   name.resize(std::min<std::size_t>(name.size(), 60));
-  return name_fits(name) ? name : otherwise;
+  return scene::name_fits(name) ? name : otherwise;
 }
 
-Scene garment_scene(const Pattern& pattern, const Garment& garment, const FabricSpec& fabric) {
+Scene garment_scene(const Pattern& pattern, const Garment& garment, const scene::FabricSpec& fabric) {
   Scene scene;
   scene.name = garment.name;
-  scene.mode = Mode::kFit;
+  scene.mode = scene::Mode::kFit;
   scene.duration = kDuration;
   scene.gravity = {0, garment.body ? -9.81 : 0, 0};
   scene.fabrics = {fabric};
   scene.fabrics[0].name = garment.fabric;
   std::set<std::string> pieces, seams;
   for (const Panel& panel : pattern.panels) {
-    PieceSpec piece;
+    scene::PieceSpec piece;
     piece.name = with_number(name_made(panel.name, "panel"), pieces);
     piece.fabric = 0;
     piece.cell = garment.cell;
@@ -155,7 +155,7 @@ Scene garment_scene(const Pattern& pattern, const Garment& garment, const Fabric
     scene.pieces.push_back(piece);
   }
   for (const Stitch& s : pattern.stitches) {
-    SeamSpec seam;
+    scene::SeamSpec seam;
     seam.name = seam_name(pattern, scene, s, seams);
     for (std::size_t k = 0; k < 2; ++k) seam.side[k] = {s.panel[k], {s.edge[k]}, k == 1 && !s.right_wrong};
     scene.seams.push_back(seam);
@@ -178,7 +178,7 @@ std::string garment_text(const Scene& scene, const Pattern& pattern, const Garme
   const std::vector<std::vector<std::string>> notes = edge_notes(scene, pattern);
   for (std::size_t p = 0; p < scene.pieces.size(); ++p)
     text += piece_text(scene.pieces[p], pattern.panels[p], notes[p], garment);
-  for (const SeamSpec& seam : scene.seams)
+  for (const scene::SeamSpec& seam : scene.seams)
     text +=
         "\n[[seam]]\nname = " + quoted(seam.name) + "\na = " + side_text(scene, seam.side[0]) +
         "b = " + side_text(scene, seam.side[1]) +
@@ -187,4 +187,4 @@ std::string garment_text(const Scene& scene, const Pattern& pattern, const Garme
   return text;
 }
 
-}  // namespace drape
+}  // namespace drape::command

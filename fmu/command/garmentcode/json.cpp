@@ -4,7 +4,7 @@
 
 #include "scene/diagnostics.h"
 
-namespace drape {
+namespace drape::command {
 
 void json_fault(const JsonFaults& faults, const std::string& path, const std::string& message) {
   faults.problems.push_back({faults.file + (path.empty() ? ":" : ": " + path), message});
@@ -47,7 +47,8 @@ std::optional<double> json_number(const JsonFaults& faults, const Json& value, c
   const double number = value.get<double>();
   if (number >= low && number <= high) return number;
   json_fault(faults, path,
-             "= " + number_text(number) + "; allowed: from " + number_text(low) + " to " + number_text(high));
+             "= " + scene::number_text(number) + "; allowed: from " + scene::number_text(low) + " to " +
+                 scene::number_text(high));
   return {};
 }
 
@@ -55,9 +56,10 @@ std::optional<std::vector<double>> json_numbers(const JsonFaults& faults, const 
                                                 const std::string& path, std::size_t count, double size) {
   if (!value.is_array() || value.size() != count) {
     json_fault(faults, path,
-               value.is_array() ? "has " + entries_text(value.size()) + "; wanted: " + std::to_string(count)
-                                : std::string("is ") + json_kind(value.type()) + "; wanted: a list of " +
-                                      std::to_string(count) + " numbers");
+               value.is_array()
+                   ? "has " + scene::entries_text(value.size()) + "; wanted: " + std::to_string(count)
+                   : std::string("is ") + json_kind(value.type()) + "; wanted: a list of " +
+                         std::to_string(count) + " numbers");
     return {};
   }
   std::vector<double> numbers;
@@ -78,9 +80,9 @@ std::optional<int> json_index(const JsonFaults& faults, const Json& value, const
   if (index >= 0 && index < double(count)) return int(index);
   json_fault(
       faults, path,
-      "= " + number_text(index) +
+      "= " + scene::number_text(index) +
           (count ? "; allowed: 0 to " + std::to_string(count - 1) : "; allowed: none, there are none"));
   return {};
 }
 
-}  // namespace drape
+}  // namespace drape::command

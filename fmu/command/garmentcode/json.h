@@ -7,7 +7,7 @@
 
 #include "scene/scene.h"
 
-namespace drape {
+namespace drape::command {
 
 using Json = nlohmann::ordered_json;  // members in the order of the file
 
@@ -31,4 +31,4 @@ std::optional<int> json_index(const JsonFaults& faults, const Json& value, const
 
 const char* json_kind(Json::value_t kind);
 
-}  // namespace drape
+}  // namespace drape::command

@@ -10,9 +10,8 @@
 #include <numbers>
 
 #include "scene/diagnostics.h"
-#include "scene/diagnostics.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 constexpr double kLargest = 1e4;  // m
@@ -40,30 +39,31 @@ bool curvature_open(const JsonFaults& faults, const Json& curvature, const std::
   type = name->get<std::string>();
   if (type == "quadratic" || type == "cubic" || type == "circle") return params != nullptr;
   json_fault(faults, path + ".type",
-             "= " + in_quotes(type) + "; allowed: \"quadratic\", \"cubic\", \"circle\"");
+             "= " + scene::in_quotes(type) + "; allowed: \"quadratic\", \"cubic\", \"circle\"");
   return false;
 }
 
 void arc_read(const JsonFaults& faults, const Json& params, const std::string& path, double chord,
-              const PatternUnits& units, CurveSpec& curve) {
+              const PatternUnits& units, scene::CurveSpec& curve) {
   const auto numbers = json_numbers(faults, params, path, 3, kLargest * units.per_metre);
   if (!numbers) return;
   for (std::size_t k : {1, 2})
     if ((*numbers)[k] != 0 && (*numbers)[k] != 1)
-      json_fault(faults, entry(path, k), "= " + number_text((*numbers)[k]) + "; allowed: 0 or 1");
+      json_fault(faults, scene::entry(path, k),
+                 "= " + scene::number_text((*numbers)[k]) + "; allowed: 0 or 1");
   const double radius = (*numbers)[0] / units.per_metre;
   if (!(radius >= chord / 2 * (1 - 1e-6)))
-    json_fault(faults, entry(path, 0),
-               "= " + number_text((*numbers)[0]) + "; allowed: at least " +
-                   number_text(chord / 2 * units.per_metre) + ", half the chord of the edge");
+    json_fault(faults, scene::entry(path, 0),
+               "= " + scene::number_text((*numbers)[0]) + "; allowed: at least " +
+                   scene::number_text(chord / 2 * units.per_metre) + ", half the chord of the edge");
   curve.radius = std::max(radius, chord / 2);  // half a circle is what rounding makes of it
   curve.large = (*numbers)[1] == 1;
   curve.right = (*numbers)[2] == 1;
 }
 
-CurveSpec curve_read(const JsonFaults& faults, const Json& curvature, const std::string& path, Vec2 s, Vec2 e,
-                     const PatternUnits& units) {
-  CurveSpec curve;
+scene::CurveSpec curve_read(const JsonFaults& faults, const Json& curvature, const std::string& path, Vec2 s,
+                            Vec2 e, const PatternUnits& units) {
+  scene::CurveSpec curve;
   std::string type;
   const Json* params = nullptr;
   if (!curvature_open(faults, curvature, path, type, params)) return curve;
@@ -74,13 +74,13 @@ CurveSpec curve_read(const JsonFaults& faults, const Json& curvature, const std:
   const std::size_t count = type == "cubic" ? 2 : 1;
   if (params && params->size() != count)
     return json_fault(faults, at,
-                      "has " + entries_text(params->size()) + "; wanted: " + std::to_string(count) +
+                      "has " + scene::entries_text(params->size()) + "; wanted: " + std::to_string(count) +
                           " control points of a " + type + " curve"),
            curve;
   const double size = kLargest * (units.absolute ? units.per_metre : 1);
   for (std::size_t k = 0; k < count; ++k) {
     const auto p =
-        json_numbers(faults, params ? (*params)[k] : curvature, params ? entry(at, k) : at, 2, size);
+        json_numbers(faults, params ? (*params)[k] : curvature, params ? scene::entry(at, k) : at, 2, size);
     if (!p) return curve;
     const auto [p0, p1] = Vec2{(*p)[0], (*p)[1]};
     const Vec2 point = units.absolute
@@ -95,7 +95,7 @@ std::vector<Vec2> vertices_read(const JsonFaults& faults, const Json& list, cons
                                 const PatternUnits& units) {
   std::vector<Vec2> vertices;
   for (std::size_t k = 0; k < list.size(); ++k)
-    if (const auto p = json_numbers(faults, list[k], entry(path, k), 2, kLargest * units.per_metre))
+    if (const auto p = json_numbers(faults, list[k], scene::entry(path, k), 2, kLargest * units.per_metre))
       vertices.push_back({grained((*p)[0] / units.per_metre), grained((*p)[1] / units.per_metre)});
   if (vertices.size() < list.size()) vertices.clear();
   return vertices;
@@ -106,10 +106,11 @@ std::vector<Edge> loop_read(const JsonFaults& faults, const Json& list, const st
                             std::size_t vertices) {
   std::vector<Edge> edges;
   if (list.size() < 3)
-    return json_fault(faults, path, "has " + entries_text(list.size()) + "; allowed: at least 3 edges"),
+    return json_fault(faults, path,
+                      "has " + scene::entries_text(list.size()) + "; allowed: at least 3 edges"),
            edges;
   for (std::size_t k = 0; k < list.size(); ++k) {
-    const std::string at = entry(path, k);
+    const std::string at = scene::entry(path, k);
     if (!list[k].is_object()) {
       json_fault(faults, at, std::string("is ") + json_kind(list[k].type()) + "; wanted: an object {...}");
       continue;
@@ -117,7 +118,8 @@ std::vector<Edge> loop_read(const JsonFaults& faults, const Json& list, const st
     const Json* ends = json_member(faults, list[k], at, "endpoints", Json::value_t::array);
     if (!ends) continue;
     if (ends->size() != 2) {
-      json_fault(faults, at + ".endpoints", "has " + entries_text(ends->size()) + "; wanted: 2 vertices");
+      json_fault(faults, at + ".endpoints",
+                 "has " + scene::entries_text(ends->size()) + "; wanted: 2 vertices");
       continue;
     }
     const auto from = json_index(faults, (*ends)[0], at + ".endpoints[0]", vertices);
@@ -129,7 +131,7 @@ std::vector<Edge> loop_read(const JsonFaults& faults, const Json& list, const st
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const std::size_t next = (k + 1) % edges.size();
     if (edges[k].to == edges[next].from) continue;
-    json_fault(faults, entry(path, next),
+    json_fault(faults, scene::entry(path, next),
                "starts at vertex " + std::to_string(edges[next].from) + "; wanted: vertex " +
                    std::to_string(edges[k].to) + ", where edge " + std::to_string(k) +
                    " ends: the edges do not close a loop");
@@ -148,7 +150,7 @@ void edges_land(const JsonFaults& faults, const Json& list, const std::string& p
     panel.edge_label.push_back(label != list[k].end() && label->is_string() ? label->get<std::string>() : "");
     const auto curvature = list[k].find("curvature");
     if (curvature == list[k].end() || curvature->is_null()) continue;
-    panel.curves.push_back(curve_read(faults, *curvature, entry(path, k) + ".curvature", s, e, units));
+    panel.curves.push_back(curve_read(faults, *curvature, scene::entry(path, k) + ".curvature", s, e, units));
     panel.curves.back().edge = int(k);
   }
 }
@@ -192,4 +194,4 @@ Panel panel_read(const JsonFaults& faults, const Json& json, const std::string& 
   return panel;
 }
 
-}  // namespace drape
+}  // namespace drape::command

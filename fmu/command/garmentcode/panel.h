@@ -2,13 +2,13 @@
 #pragma once
 #include "command/garmentcode/json.h"
 
-namespace drape {
+namespace drape::command {
 
 struct Panel {
-  std::string name, label;              // as the file has them
-  std::vector<Vec2> outline;            // [edges] m: where each edge starts
-  std::vector<CurveSpec> curves;        // m
-  std::vector<std::string> edge_label;  // [edges]
+  std::string name, label;               // as the file has them
+  std::vector<Vec2> outline;             // [edges] m: where each edge starts
+  std::vector<scene::CurveSpec> curves;  // m
+  std::vector<std::string> edge_label;   // [edges]
   Vec3 origin{0, 0, 0}, axis_x{1, 0, 0}, axis_y{0, 1, 0};
 };
 
@@ -24,4 +24,4 @@ Panel panel_read(const JsonFaults& faults, const Json& panel, const std::string&
 // The columns x and y of Rz Ry Rx; angles in degrees.
 void panel_axes(const std::vector<double>& degrees, Vec3& axis_x, Vec3& axis_y);
 
-}  // namespace drape
+}  // namespace drape::command

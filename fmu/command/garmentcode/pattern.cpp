@@ -5,9 +5,8 @@
 #include <map>
 
 #include "scene/diagnostics.h"
-#include "scene/diagnostics.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 constexpr double kMostPerMetre = 1e4;  // a tenth of a millimetre
@@ -28,7 +27,7 @@ PatternUnits units_read(const JsonFaults& faults, const Json& root) {
   units.absolute = word == "absolute";
   if (word != "relative" && word != "absolute")
     json_fault(faults, "properties.curvature_coords",
-               "= " + in_quotes(word) + "; allowed: \"relative\", \"absolute\"");
+               "= " + scene::in_quotes(word) + "; allowed: \"relative\", \"absolute\"");
   return units;
 }
 
@@ -39,7 +38,7 @@ std::vector<std::string> panel_names(const JsonFaults& faults, const Json& patte
   const auto order = pattern.find("panel_order");
   if (order == pattern.end() || !order->is_array()) return names;
   for (std::size_t k = 0; k < order->size(); ++k) {
-    const std::string path = entry("pattern.panel_order", k);
+    const std::string path = scene::entry("pattern.panel_order", k);
     const std::string name = (*order)[k].is_string() ? (*order)[k].get<std::string>() : "";
     const bool there = std::find(names.begin(), names.end(), name) != names.end();
     const bool again = std::find(ordered.begin(), ordered.end(), name) != ordered.end();
@@ -69,7 +68,7 @@ bool side_read(const JsonFaults& faults, const Json& side, const std::string& pa
   const auto found = std::find_if(pattern.panels.begin(), pattern.panels.end(),
                                   [&](const Panel& p) { return p.name == wanted; });
   if (found == pattern.panels.end()) {
-    json_fault(faults, path + ".panel", "= " + in_quotes(wanted) + " is no panel of the pattern");
+    json_fault(faults, path + ".panel", "= " + scene::in_quotes(wanted) + " is no panel of the pattern");
     return false;
   }
   if (number == side.end()) return false;
@@ -83,7 +82,7 @@ void stitches_read(const JsonFaults& faults, const Json& list, const std::vector
                    Pattern& pattern) {
   std::map<std::pair<int, int>, std::string> sewn;  // panel and edge -> where
   for (std::size_t k = 0; k < list.size(); ++k) {
-    const std::string path = entry("pattern.stitches", k);
+    const std::string path = scene::entry("pattern.stitches", k);
     const Json& json = list[k];
     if (!json.is_array() || json.size() < 2 || json.size() > 3) {
       json_fault(faults, path,
@@ -93,7 +92,7 @@ void stitches_read(const JsonFaults& faults, const Json& list, const std::vector
     Stitch stitch;
     bool sound = true;
     for (std::size_t s = 0; s < 2; ++s) {
-      const std::string at = entry(path, s);
+      const std::string at = scene::entry(path, s);
       if (!side_read(faults, json[s], at, pattern, edges, stitch.panel[s], stitch.edge[s])) {
         sound = false;
         continue;
@@ -102,13 +101,13 @@ void stitches_read(const JsonFaults& faults, const Json& list, const std::vector
       if (!fresh)
         json_fault(faults, at,
                    "sews edge " + std::to_string(stitch.edge[s]) + " of " +
-                       in_quotes(pattern.panels[std::size_t(stitch.panel[s])].name) + ", which " +
+                       scene::in_quotes(pattern.panels[std::size_t(stitch.panel[s])].name) + ", which " +
                        known->second + " sews already; an edge belongs to one seam");
     }
     if (json.size() == 3) {
       stitch.right_wrong = json[2] == "right_wrong";
       if (!stitch.right_wrong)
-        json_fault(faults, entry(path, 2),
+        json_fault(faults, scene::entry(path, 2),
                    "= " + json[2].dump().substr(0, 80) + "; allowed: \"right_wrong\", or nothing");
     }
     if (sound) pattern.stitches.push_back(stitch);
@@ -161,4 +160,4 @@ Pattern pattern_read(const std::filesystem::path& file, std::vector<Problem>& pr
   return pattern;
 }
 
-}  // namespace drape
+}  // namespace drape::command

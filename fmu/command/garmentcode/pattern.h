@@ -4,7 +4,7 @@
 
 #include "command/garmentcode/panel.h"
 
-namespace drape {
+namespace drape::command {
 
 struct Stitch {
   int panel[2], edge[2];     // indices into Pattern::panels, of their edges
@@ -19,4 +19,4 @@ struct Pattern {
 // Appends a problem for each fault; the pattern is usable only when none was appended.
 Pattern pattern_read(const std::filesystem::path& file, std::vector<Problem>& problems);
 
-}  // namespace drape
+}  // namespace drape::command

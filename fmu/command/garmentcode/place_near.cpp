@@ -6,10 +6,10 @@
 #include "math/vector3.h"
 #include "piece/place.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
 constexpr double kNear = 0.012;    // m, between a panel and the body
 constexpr double kAround = 0.03;   // m, beyond a panel: between the vertices of the body
@@ -26,10 +26,11 @@ struct Edge {
   Vec3 from, to;
   Vec3 middle() const { return 0.5 * (from + to); }
 };
-Edge edge_of(const Scene& scene, const SeamSide& side) {
-  const PieceSpec& piece = scene.pieces[std::size_t(side.piece)];
+Edge edge_of(const Scene& scene, const scene::SeamSide& side) {
+  const scene::PieceSpec& piece = scene.pieces[std::size_t(side.piece)];
   const auto i = std::size_t(side.edges[0]), n = piece.outline.size();
-  return {place_point(piece.place, piece.outline[i]), place_point(piece.place, piece.outline[(i + 1) % n])};
+  return {piece::place_point(piece.place, piece.outline[i]),
+          piece::place_point(piece.place, piece.outline[(i + 1) % n])};
 }
 
 // The box round points of a plane.
@@ -48,8 +49,8 @@ struct Stand {
   Vec3 out{0, 0, 0};
 };
 
-Stand panel_approach(PieceSpec& piece, const std::vector<Vec3>& body) {
-  PlaceSpec& place = piece.place;
+Stand panel_approach(scene::PieceSpec& piece, const std::vector<Vec3>& body) {
+  scene::PlaceSpec& place = piece.place;
   Box box;
   for (const Vec2& p : piece.outline) box.add(p);
   const auto& [low, high] = box;
@@ -75,13 +76,13 @@ Stand panel_approach(PieceSpec& piece, const std::vector<Vec3>& body) {
 }
 
 // True where most of the smaller panel lies over the other, nearer than kNear.
-bool covers(const PieceSpec& a, const Stand& as, const PieceSpec& b, const Stand& bs) {
+bool covers(const scene::PieceSpec& a, const Stand& as, const scene::PieceSpec& b, const Stand& bs) {
   if (dot(as.out, bs.out) < kParallel || std::abs(dot(b.place.origin - a.place.origin, as.out)) >= kNear)
     return false;
   Box of_a, of_b, both;
   for (const Vec2& p : a.outline) of_a.add(p);
   for (const Vec2& p : b.outline) {
-    const Vec3 d = place_point(b.place, p) - a.place.origin;
+    const Vec3 d = piece::place_point(b.place, p) - a.place.origin;
     of_b.add({dot(d, a.place.axis_x), dot(d, a.place.axis_y)});
   }
   for (std::size_t k = 0; k < 2; ++k) {
@@ -100,7 +101,7 @@ void layers_part(Scene& scene, const std::vector<Stand>& stands) {
                    [&](std::size_t a, std::size_t b) { return stands[a].off < stands[b].off; });
   for (std::size_t k = 1; k < order.size(); ++k)
     for (std::size_t below = 0; below < k; ++below) {
-      PieceSpec& piece = scene.pieces[order[k]];
+      scene::PieceSpec& piece = scene.pieces[order[k]];
       if (!covers(scene.pieces[order[below]], stands[order[below]], piece, stands[order[k]])) continue;
       const double over =
           dot(piece.place.origin - scene.pieces[order[below]].place.origin, stands[order[below]].out);
@@ -109,7 +110,7 @@ void layers_part(Scene& scene, const std::vector<Stand>& stands) {
 }
 
 // How far a level seam has to rise for its sides to meet above what is between them.
-double lift_wanted(const Scene& scene, const SeamSpec& seam, const std::vector<Vec3>& body) {
+double lift_wanted(const Scene& scene, const scene::SeamSpec& seam, const std::vector<Vec3>& body) {
   const Edge a = edge_of(scene, seam.side[0]), b = edge_of(scene, seam.side[1]);
   const Vec3 gap = b.middle() - a.middle(), along = a.to - a.from;
   const double length = norm(gap), level = std::hypot(gap[0], gap[2]);
@@ -131,20 +132,20 @@ double lift_wanted(const Scene& scene, const SeamSpec& seam, const std::vector<V
 
 void garment_place_near(Scene& scene, const std::vector<Vec3>& body) {
   double lift = 0, farthest = 0;
-  for (const SeamSpec& seam : scene.seams) lift = std::max(lift, lift_wanted(scene, seam, body));
+  for (const scene::SeamSpec& seam : scene.seams) lift = std::max(lift, lift_wanted(scene, seam, body));
   std::vector<Stand> stands;
-  for (PieceSpec& piece : scene.pieces) {
+  for (scene::PieceSpec& piece : scene.pieces) {
     piece.place.origin[1] += lift;
     stands.push_back(panel_approach(piece, body));
   }
   layers_part(scene, stands);
-  std::vector<SeamSpec*> later;
-  for (SeamSpec& seam : scene.seams) {
+  std::vector<scene::SeamSpec*> later;
+  for (scene::SeamSpec& seam : scene.seams) {
     const Vec3 gap = edge_of(scene, seam.side[1]).middle() - edge_of(scene, seam.side[0]).middle();
     if (norm(gap) > kGap && std::abs(gap[1]) > 0.7 * norm(gap)) later.push_back(&seam);
     else farthest = std::max(farthest, norm(gap));
   }
-  for (SeamSpec* seam : later) seam->closed_at = std::ceil(100 * farthest / seam->speed) / 100;
+  for (scene::SeamSpec* seam : later) seam->closed_at = std::ceil(100 * farthest / seam->speed) / 100;
 }
 
-}  // namespace drape
+}  // namespace drape::command

@@ -5,7 +5,7 @@
 
 #include "scene/scene.h"
 
-namespace drape {
+namespace drape::command {
 
 // Moves each panel that lies wholly beyond the body, or is a little cut by it, along its normal to `kNear`
 // off it, panels that lay one over the other as far from each other, all panels up until no level seam has a
@@ -13,4 +13,4 @@ namespace drape {
 // others are closed. `body` [m]: the vertices of the body; up is y.
 void garment_place_near(Scene& scene, const std::vector<Vec3>& body);
 
-}  // namespace drape
+}  // namespace drape::command

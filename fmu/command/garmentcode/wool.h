@@ -1,8 +1,8 @@
 // The measured wool of examples/fabrics, carried by the command: what is imported without a fabric is of it.
 #pragma once
 
-namespace drape {
+namespace drape::command {
 
 extern const char* const kWool;  // TOML
 
-}  // namespace drape
+}  // namespace drape::command

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::package {
 
 struct License {
   std::string name, text;
@@ -11,4 +11,4 @@ struct License {
 extern const std::vector<License> kLicenses;
 extern const std::vector<License> kContactLicenses;  // of the contact library and what comes with it
 
-}  // namespace drape
+}  // namespace drape::package

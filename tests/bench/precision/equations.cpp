@@ -64,8 +64,8 @@ void rate_by(Side& side, const double* y, double* rate) {
       std::copy(from, from + s.count, a->data() + s.node);
       from += s.count;
     }
-  kernel_forces(*r.motion.kernel, r.system, r.state, r.motion.workspace, side.f[0].data(), side.f[1].data(),
-                side.f[2].data());
+  dynamics::kernel_forces(*r.motion.kernel, r.system, r.state, r.motion.workspace, side.f[0].data(),
+                          side.f[1].data(), side.f[2].data());
   if (side.moves) std::copy(y + 3 * n, y + 6 * n, rate);
   else std::fill(rate, rate + 3 * n, 0.0);
   for (std::size_t k = 0; k < 3; ++k) acceleration(side, k, y + (3 + k) * n, rate + (3 + k) * n);
@@ -75,21 +75,21 @@ void rate_by(Side& side, const double* y, double* rate) {
 std::vector<std::size_t> held_of(const System& system) {
   std::vector<std::size_t> held;
   for (std::size_t k = 0; k < system.particle.size(); ++k)
-    for (const FixedNode& f : system.constraints.fixed)
+    for (const constraint::FixedNode& f : system.constraints.fixed)
       if (f.node == system.particle[k]) held.push_back(k);
   return held;
 }
 
 // The scene with stretch, shear and -m c v alone, and the one with all the rest.
 Scene inner_of(Scene s) {
-  for (FabricSpec& f : s.fabrics) f.bending_warp = f.bending_weft = 0;
+  for (scene::FabricSpec& f : s.fabrics) f.bending_warp = f.bending_weft = 0;
   s.gravity = s.wind = {0, 0, 0};
   s.has_air = false;
   s.air_normal = s.air_tangential = 0;
   return s;
 }
 Scene outer_of(Scene s) {
-  for (FabricSpec& f : s.fabrics) f.warp = f.weft = f.bias = {};
+  for (scene::FabricSpec& f : s.fabrics) f.warp = f.weft = f.bias = {};
   s.damping = 0;
   return s;
 }

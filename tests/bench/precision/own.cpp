@@ -11,15 +11,15 @@ namespace drape::bench {
 namespace {
 
 Scene scene_for(Scene scene, Own own) {
-  scene.integrator = own == Own::kPaper ? Integrator::kPaper : Integrator::kLeapfrog;
+  scene.integrator = own == Own::kPaper ? scene::Integrator::kPaper : scene::Integrator::kLeapfrog;
   scene.order = own == Own::kOrder4 ? 4 : own == Own::kOrder6 ? 6 : 2;
   return scene;
 }
 
 // r <- r + h v,  v <- v + h (F/m + g - c v): the old velocity moves, the old place pulls.
 void euler_step(Ready& r, Array (&f)[3], double h) {
-  kernel_forces(*r.motion.kernel, r.system, r.state, r.motion.workspace, f[0].data(), f[1].data(),
-                f[2].data());
+  dynamics::kernel_forces(*r.motion.kernel, r.system, r.state, r.motion.workspace, f[0].data(), f[1].data(),
+                          f[2].data());
   Array* at[] = {&r.state.x, &r.state.y, &r.state.z};
   Array* speed[] = {&r.state.vx, &r.state.vy, &r.state.vz};
   const double c = r.system.damping;
@@ -31,7 +31,7 @@ void euler_step(Ready& r, Array (&f)[3], double h) {
       v[n] += h * (pull[n] * lightness[n] + g - c * v[n]);
     }
   }
-  for (const FixedNode& node : r.system.constraints.fixed)
+  for (const constraint::FixedNode& node : r.system.constraints.fixed)
     for (Array* v : speed) (*v)[node.node] = 0;
 }
 
@@ -43,7 +43,7 @@ bool own_fits(const Scene& scene, Own own) {
 
 double own_least_steps(const Scene& scene, Own own, double end) {
   const Ready r = ready_at_start(scene_for(scene, own));
-  return end / step_limit_of(r.system, r.state.omega2);
+  return end / dynamics::step_limit_of(r.system, r.state.omega2);
 }
 
 Stepped own_run(const Scene& scene, Own own, double end, long steps) {
@@ -55,7 +55,7 @@ Stepped own_run(const Scene& scene, Own own, double end, long steps) {
   const Clock::time_point start = Clock::now();
   for (long k = 0; k < steps; ++k) {
     if (own == Own::kEuler) euler_step(r, f, h);
-    else leapfrog_step(r.system, r.motion, r.state, h);
+    else dynamics::leapfrog_step(r.system, r.motion, r.state, h);
   }
   Stepped result;
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -5,13 +5,14 @@ namespace {
 
 constexpr double kCell = 0.01;  // m
 
-DiagramSpec diagram(std::vector<double> percent, std::vector<double> force) {
+scene::DiagramSpec diagram(std::vector<double> percent, std::vector<double> force) {
   for (double& e : percent) e /= 100;
   return {std::move(percent), std::move(force), {}};
 }
 
-FabricSpec fabric(const char* name, double areal_density, double gauge, double ei_warp, double ei_weft) {
-  FabricSpec f;
+scene::FabricSpec fabric(const char* name, double areal_density, double gauge, double ei_warp,
+                         double ei_weft) {
+  scene::FabricSpec f;
   f.name = name;
   f.areal_density = areal_density;
   f.thickness = 5e-4;
@@ -22,8 +23,8 @@ FabricSpec fabric(const char* name, double areal_density, double gauge, double e
 }
 
 // Diagrams of examples/fabrics/cotton.toml.
-FabricSpec cotton() {
-  FabricSpec f = fabric("cotton", 0.15, 0.2, 6.3e-6, 4e-6);
+scene::FabricSpec cotton() {
+  scene::FabricSpec f = fabric("cotton", 0.15, 0.2, 6.3e-6, 4e-6);
   f.warp = diagram({0, 0.5, 1, 1.5, 2, 3, 4, 5, 6, 7},
                    {0, 1.14, 2.8, 5.2, 8.53, 18.47, 33.6, 54.72, 82.55, 117.71});
   f.weft = diagram({0, 0.5, 1, 2, 3, 4, 6, 8, 10, 12},
@@ -34,8 +35,8 @@ FabricSpec cotton() {
 }
 
 // Every third point of the diagrams of examples/fabrics/wool.toml.
-FabricSpec wool() {
-  FabricSpec f = fabric("wool", 0.15, 0.1, 4.567e-6, 4.567e-6);
+scene::FabricSpec wool() {
+  scene::FabricSpec f = fabric("wool", 0.15, 0.1, 4.567e-6, 4.567e-6);
   f.warp = diagram(
       {0.0, 0.14584, 0.29168, 0.43753, 0.58337, 0.72921, 0.87505, 1.02089, 1.16674, 1.31258, 1.36119},
       {0.0, 0.9985, 2.49252, 4.9776, 9.94036, 20.84367, 36.66997, 59.87135, 94.86166, 136.16182, 149.90138});
@@ -49,20 +50,20 @@ FabricSpec wool() {
 
 // A square of (side - 1) cells, level, or hanging in the plane of x and z; held along edge `held`, or at the
 // two corners of that edge.
-Scene square(const char* name, const FabricSpec& f, int side, int held, bool corners, bool hanging) {
+Scene square(const char* name, const scene::FabricSpec& f, int side, int held, bool corners, bool hanging) {
   const double l = (side - 1) * kCell;
   Scene s;
   s.name = name;
   s.clamp_correction = false;
   s.fabrics = {f};
-  PieceSpec piece;
+  scene::PieceSpec piece;
   piece.name = "cloth";
   piece.fabric = 0;
   piece.cell = kCell;
   piece.outline = {{0, 0}, {l, 0}, {l, l}, {0, l}};
   if (hanging) piece.place.axis_y = {0, 0, 1};
   s.pieces = {piece};
-  PinSpec pin;
+  scene::PinSpec pin;
   pin.name = "pin";
   pin.piece = 0;
   if (corners) pin.at = {piece.outline[std::size_t(held)], piece.outline[std::size_t(held + 1) % 4]};

@@ -4,7 +4,9 @@
 #include "api/cloth.h"
 #include "scene_file.h"
 
-namespace drape {
+namespace drape::api {
+
+using namespace tests;
 namespace {
 
 const std::string kTetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
@@ -100,4 +102,4 @@ TEST(BodyFault, WarnsOfOddMeshes) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::api

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::api {
 namespace {
 
 const std::vector<int> kGroup{0, 1, 2, 2, -1};  // two numbers, a diagram of two points, one that jumps
@@ -76,4 +76,4 @@ TEST(Ramp, the_points_of_a_diagram_move_together) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::api

@@ -4,7 +4,9 @@
 #include "api/cloth.h"
 #include "scene_file.h"
 
-namespace drape {
+namespace drape::api {
+
+using namespace tests;
 namespace {
 
 std::vector<std::string> said_of(const std::string& self_contact) {
@@ -43,4 +45,4 @@ TEST(SelfFault, PiecesThatGoThroughEachOther) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::api

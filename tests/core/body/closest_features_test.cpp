@@ -5,22 +5,24 @@
 
 #include <random>
 
-#include "body_fixture.h"
-#include "math/vector3.h"
 #include "assembly/bodies.h"
+#include "body_fixture.h"
 #include "contact/particle/update_neighbours.h"
+#include "math/vector3.h"
 
-namespace drape {
+namespace drape::body {
+
+using namespace tests;
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
-Body body_of(const SceneFolder& folder, const Mesh& mesh) {
+model::Body body_of(const SceneFolder& folder, const command::Mesh& mesh) {
   Scene scene;
   body_add(scene, folder, "body", mesh);
   std::vector<Problem> problems;
-  std::vector<Body> bodies = bodies_make(scene, problems);
-  for (const Problem& p : problems) ADD_FAILURE() << problem_text(p);
+  std::vector<model::Body> bodies = assembly::bodies_make(scene, problems);
+  for (const Problem& p : problems) ADD_FAILURE() << scene::problem_text(p);
   return std::move(bodies.at(0));
 }
 
@@ -47,9 +49,9 @@ TEST(Nearest, IsTheNearestOfAllTrianglesAndItsBudgetIsKept) {
   const SceneFolder folder;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> shift(-1, 1);
-  for (const Mesh& mesh : {ball(0.1, 16), box(0.2, 0.1, 0.01), cylinder(0.05, 0.2, 12)}) {
-    const Body body = body_of(folder, mesh);
-    const double contact = 0.001, reach = contact_reach(body.mesh.surface, contact);
+  for (const command::Mesh& mesh : {ball(0.1, 16), box(0.2, 0.1, 0.01), cylinder(0.05, 0.2, 12)}) {
+    const model::Body body = body_of(folder, mesh);
+    const double contact = 0.001, reach = contact::contact_reach(body.mesh.surface, contact);
     Voxels voxels = voxels_make(*body.mesh.library, *body.mesh.query, body.mesh.surface, reach);
     int touched = 0;
     for (int k = 0; k < 4000; ++k) {
@@ -100,11 +102,11 @@ TEST(Nearest, IsTheNearestOfAllTrianglesAndItsBudgetIsKept) {
 // A fin on a ball, of one triangle that no other backs, makes no inside behind it.
 TEST(Nearest, AFewBadEdgesMakeNoInside) {
   const SceneFolder folder;
-  Mesh mesh = ball(0.1, 16);
+  command::Mesh mesh = ball(0.1, 16);
   const int tip = int(mesh.point.size()), a = mesh.corner[200][0], b = mesh.corner[200][1];
   mesh.point.push_back(1.6 * mesh.point[std::size_t(a)]);
   mesh.corner.push_back({a, b, tip});
-  const Body body = body_of(folder, mesh);
+  const model::Body body = body_of(folder, mesh);
   const BodySurface& surface = body.mesh.surface;
   ASSERT_TRUE(surface.solid);
   Voxels voxels = voxels_make(*body.mesh.library, *body.mesh.query, surface, 0.002);
@@ -118,10 +120,10 @@ TEST(Nearest, AFewBadEdgesMakeNoInside) {
 // One minimum over a convex edge, two in a groove, one sign for each side.
 TEST(Nearest, CountsLocalMinima) {
   const SceneFolder folder;
-  Mesh groove;  // two planes that meet at a right angle along x, open upwards; a sheet
+  command::Mesh groove;  // two planes that meet at a right angle along x, open upwards; a sheet
   groove.point = {{-1, 0, 0}, {1, 0, 0}, {1, 1, 1}, {-1, 1, 1}, {1, -1, 1}, {-1, -1, 1}};
   groove.corner = {{0, 1, 2}, {0, 2, 3}, {1, 0, 5}, {1, 5, 4}};
-  const Body body = body_of(folder, groove);
+  const model::Body body = body_of(folder, groove);
   EXPECT_FALSE(body.mesh.surface.solid);
   const std::vector<int> all{0, 1, 2, 3};
   Nearest found;
@@ -138,4 +140,4 @@ TEST(Nearest, CountsLocalMinima) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::body

@@ -6,21 +6,23 @@
 #include <random>
 
 #include "body_fixture.h"
-#include "math/vector3.h"
 #include "contact/edge/gap.h"
+#include "math/vector3.h"
 
-namespace drape {
+namespace drape::body {
+
+using namespace tests;
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
-BodySurface surface_of(const Mesh& mesh) {
+BodySurface surface_of(const command::Mesh& mesh) {
   SurfaceFindings findings;
   std::string trouble;
   return surface_make(mesh.point, mesh.corner, findings, trouble);
 }
 
-std::array<int, 2> edges_and_tips(const Mesh& mesh) {
+std::array<int, 2> edges_and_tips(const command::Mesh& mesh) {
   std::array<int, 2> count{};
   for (const Ridge& r : ridges_make(surface_of(mesh), kRidgeSine, 0.01).ridge) ++count[r.tip];
   return count;
@@ -30,12 +32,12 @@ TEST(Ridge, AreTheSharpEdgesAndTipsOfABody) {
   EXPECT_EQ(edges_and_tips(box(1, 2, 3)), (std::array<int, 2>{12, 8}));
   EXPECT_EQ(edges_and_tips(ball(0.05, 100)), (std::array<int, 2>{0, 0}));
   EXPECT_EQ(edges_and_tips(cylinder(0.05, 0.1, 720)), (std::array<int, 2>{1440, 0}));  // its rims
-  const Mesh sheet{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  const command::Mesh sheet{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   EXPECT_EQ(edges_and_tips(sheet), (std::array<int, 2>{4, 4}));
-  const Mesh groove{{{-1, 0, 1}, {0, 0, 0}, {1, 0, 1}, {-1, 1, 1}, {0, 1, 0}, {1, 1, 1}},
-                    {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};  // from below it is a ridge
+  const command::Mesh groove{{{-1, 0, 1}, {0, 0, 0}, {1, 0, 1}, {-1, 1, 1}, {0, 1, 0}, {1, 1, 1}},
+                             {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};  // from below it is a ridge
   EXPECT_EQ(edges_and_tips(groove)[0], 7);
-  Mesh dented = box(1, 1, 1);  // a pit in the top is no tip
+  command::Mesh dented = box(1, 1, 1);  // a pit in the top is no tip
   dented.point.push_back({0, 0, 0});
   std::erase_if(dented.corner, [&](const std::array<int, 3>& c) {
     return dented.point[std::size_t(c[0])][2] > 0 && dented.point[std::size_t(c[1])][2] > 0 &&
@@ -49,7 +51,7 @@ TEST(Ridge, AreTheSharpEdgesAndTipsOfABody) {
 
 // What is found in buckets is what is near: against all of them.
 TEST(Ridge, SearchFindsTheNearest) {
-  const Mesh mesh = box(0.3, 0.2, 0.1);
+  const command::Mesh mesh = box(0.3, 0.2, 0.1);
   const BodySurface surface = surface_of(mesh);
   const Ridges ridges = ridges_make(surface, kRidgeSine, 0.02);
   std::mt19937 random(5);
@@ -84,7 +86,7 @@ TEST(Ridge, WeightsAreTheGradientOfTheDistance) {
                  {0, 0, 0},
                  {0, 0, 0}};
     const auto check = [&](const char* what, int nodes, auto gap_of) {
-      const RidgeGap gap = gap_of(x);
+      const contact::RidgeGap gap = gap_of(x);
       ASSERT_TRUE(gap.over) << what;
       EXPECT_EQ(gap.distance > 0, z > 0) << what;
       EXPECT_NEAR(gap.clearance, std::abs(gap.distance), 1e-12) << what;
@@ -99,15 +101,15 @@ TEST(Ridge, WeightsAreTheGradientOfTheDistance) {
           EXPECT_NEAR((more - less) / (2 * h), gap.weight[k] * gap.n[i], 1e-6) << what << k << i;
         }
     };
-    check("link on edge", 2, [&](const Vec3* at) { return gap_link_edge(*edge, at, sine); });
-    check("cell on tip", 4, [&](const Vec3* at) { return gap_cell_tip(*tip, at, sine); });
+    check("link on edge", 2, [&](const Vec3* at) { return contact::gap_link_edge(*edge, at, sine); });
+    check("cell on tip", 4, [&](const Vec3* at) { return contact::gap_cell_tip(*tip, at, sine); });
     const Vec3 beyond[1][2] = {{{-0.004, 0.006, z + 0.009}, {0.006, 0.006, z + 0.009}}};
     check("link on tip", 2, [&](const Vec3* at) {
       const Vec3 end[2] = {at[0] + Vec3{0, 0.0028, 0}, at[1] + Vec3{0, 0.0028, 0}};
-      return gap_link_tip(*tip, end, beyond, 1, sine);
+      return contact::gap_link_tip(*tip, end, beyond, 1, sine);
     });
   }
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::body

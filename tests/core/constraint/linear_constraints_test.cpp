@@ -3,7 +3,9 @@
 
 #include "cloth_fixture.h"
 
-namespace drape {
+namespace drape::constraint {
+
+using namespace tests;
 namespace {
 
 const std::vector<PinBase> kPins = {{"first"}, {"second"}};
@@ -45,7 +47,7 @@ TEST(Constraint, HoldsAnEdgeThatLiesInsideCutCells) {
   EXPECT_EQ(a.system.constraints.fixed.size(), 7u);
   EXPECT_EQ(a.system.constraints.rows.size(), 7u);
   std::string event;
-  ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 0.1, event), Advance::kDone);
+  ASSERT_EQ(dynamics::leapfrog_advance(a.system, a.motion, a.state, 0.1, event), dynamics::Advance::kDone);
   for (const HeldRow& row : a.system.constraints.rows) {
     Vec3 at{0, 0, 0};
     for (std::size_t k = 0; k < row.on.node.size(); ++k) {
@@ -58,4 +60,4 @@ TEST(Constraint, HoldsAnEdgeThatLiesInsideCutCells) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::constraint

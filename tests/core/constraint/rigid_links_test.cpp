@@ -5,12 +5,14 @@
 #include <cmath>
 #include <numeric>
 
+#include "model/seam_rows.h"
 #include "piece/outline/outline.h"
 #include "seam/particles.h"
-#include "model/seam_rows.h"
 #include "seam_fixture.h"
 
-namespace drape {
+namespace drape::constraint {
+
+using namespace tests;
 namespace {
 
 using reference::curved_fabric;
@@ -19,7 +21,7 @@ using reference::rectangle;
 // Two pieces side by side whose grids meet no outline, `gap` apart.
 Scene two_pieces(Vec3 gap) {
   Scene scene = rectangle(curved_fabric(), 0.05, 0.05, 0.008);
-  scene.outline = OutlineModel::kPaper;
+  scene.outline = scene::OutlineModel::kPaper;
   scene.gravity = {0, 0, 0};
   scene.pieces[0].grain = 0.3;
   scene.pieces.push_back(scene.pieces[0]);
@@ -37,7 +39,7 @@ double worst_link(const Assembled& a) {  // |r_b - r_a|/L - 1
   for (const RigidLink& l : a.system.links) {
     const auto [i, j] = l.node;
     const Vec3 d{s.x[j] - s.x[i], s.y[j] - s.y[i], s.z[j] - s.z[i]};
-    most = std::max(most, std::abs(vector3::norm(d) / l.length - 1));
+    most = std::max(most, std::abs(math::vector3::norm(d) / l.length - 1));
   }
   return most;
 }
@@ -46,12 +48,12 @@ double worst_link(const Assembled& a) {  // |r_b - r_a|/L - 1
 // grid.
 TEST(Rigid, TiesToTheEdgeWithinOneAndAHalfCells) {
   const Scene scene = two_pieces({0, 0, 0});
-  std::vector<std::vector<GridTie>> ties;
-  const std::vector<Grid> grids = grids_make(scene, &ties);
+  std::vector<std::vector<seam::GridTie>> ties;
+  const std::vector<piece::Grid> grids = seam::grids_make(scene, &ties);
   for (std::size_t p = 0; p < 2; ++p) {
     std::map<int, int> count;
     std::map<int, double> longest;
-    for (const GridTie& t : ties[p]) {
+    for (const seam::GridTie& t : ties[p]) {
       ++count[t.node[0]];
       longest[t.node[0]] = std::max(longest[t.node[0]], t.length);
       const Vec2 a = grids[p].place(t.node[0]), b = grids[p].place(t.node[1]);
@@ -71,7 +73,7 @@ TEST(Rigid, TiesToTheEdgeWithinOneAndAHalfCells) {
   Scene even = two_pieces({0, 0, 0});
   even.pieces[0].grain = 0;
   even.pieces[0].cell = 0.01;
-  EXPECT_TRUE(grids_make(even)[0].on_outline.empty());
+  EXPECT_TRUE(seam::grids_make(even)[0].on_outline.empty());
 }
 
 // While the pieces are pulled, welded and after: links keep their lengths, the whole its momentum. Joined,
@@ -85,7 +87,7 @@ TEST(Rigid, KeepsLengthsAndMomentum) {
   const auto momentum = [&] {
     Vec3 sum{0, 0, 0};
     for (std::size_t n : a.system.particle) {
-      using namespace vector3;
+      using namespace math::vector3;
       sum += a.system.mass[n] * Vec3{a.state.vx[n], a.state.vy[n], a.state.vz[n]};
     }
     return sum;
@@ -95,7 +97,7 @@ TEST(Rigid, KeepsLengthsAndMomentum) {
   const Vec3 start = momentum();
   for (int k = 0; k < 300; ++k) {
     sewn_advance(a, 1e-3);
-    const bool sewn = std::count(a.state.sewn.begin(), a.state.sewn.end(), Sewn::kWelded) > 0;
+    const bool sewn = std::count(a.state.sewn.begin(), a.state.sewn.end(), model::Sewn::kWelded) > 0;
     (sewn ? joined : apart) = std::max(sewn ? joined : apart, worst_link(a));
     const Vec3 now = momentum();
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(now[i], start[i], 1e-12 * mass);
@@ -103,10 +105,10 @@ TEST(Rigid, KeepsLengthsAndMomentum) {
   std::printf("rigid links: lengths within %.1e, of the joined trusses within %.1e\n", apart, joined);
   EXPECT_LE(apart, 1e-5);
   EXPECT_LE(joined, 1e-3);
-  EXPECT_EQ(std::count(a.state.sewn.begin(), a.state.sewn.end(), Sewn::kWelded),
+  EXPECT_EQ(std::count(a.state.sewn.begin(), a.state.sewn.end(), model::Sewn::kWelded),
             std::ptrdiff_t(a.state.sewn.size()));
-  for (const SeamPair& pair : a.system.seams.pair)
-    EXPECT_LE(vector3::norm(row_value(pair.gap, a.state)), 1e-14);
+  for (const model::SeamPair& pair : a.system.seams.pair)
+    EXPECT_LE(math::vector3::norm(model::row_value(pair.gap, a.state)), 1e-14);
 }
 
 // Before the weld the motion is of order 2 in the step: (x_h - x_{h/2})/(x_{h/2} - x_{h/4}) = 4.
@@ -134,10 +136,10 @@ TEST(Rigid, GoesOnFromAState) {
   for (int k = 0; k < 30; ++k) sewn_advance(a, 1e-3);
   const Eigen::VectorXd end = positions(a);
   a.state = saved;
-  seams_restore(a.system, a.motion, a.state);
+  dynamics::seams_restore(a.system, a.motion, a.state);
   for (int k = 0; k < 30; ++k) sewn_advance(a, 1e-3);
   EXPECT_EQ((positions(a) - end).cwiseAbs().maxCoeff(), 0);
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::constraint

@@ -8,14 +8,16 @@
 #include "outputs/energy.h"
 #include "validation/load.h"
 
-namespace drape {
+namespace drape::dynamics {
+
+using namespace tests;
 namespace {
 
 using reference::rectangle;
 using reference::straight;
 
-FabricSpec linear_fabric(double warp, double weft, double bias) {
-  FabricSpec f;
+scene::FabricSpec linear_fabric(double warp, double weft, double bias) {
+  scene::FabricSpec f;
   f.name = "linear";
   f.areal_density = 0.15;
   if (warp > 0) f.warp = straight(warp);
@@ -38,7 +40,7 @@ TEST(Leapfrog, ConservesItsDiscreteEnergyForAMillionSteps) {
     a.state.y[high + std::size_t(i)] += 2e-3;
   }
   const auto invariant = [&] {
-    std::vector<PinLoad> pins;
+    std::vector<math::PinLoad> pins;
     Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
     leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), pins);
     const double x = (a.state.y[high] - a.state.y[low] - 0.01) / 2, v = (vy[high] - vy[low]) / 2;
@@ -159,7 +161,7 @@ TEST(Leapfrog, HoldsAHangingStripAtItsExactRest) {
   Scene scene = rectangle(linear_fabric(k, 0, 0), 0.03, length, b, true);
   scene.pins = {reference::pin_edges("bar", {2})};
   Assembled a = assemble(scene);
-  const Lattice& l = a.system.lattices[0];
+  const model::Lattice& l = a.system.lattices[0];
   std::vector<double> at(std::size_t(l.rows), length);
   for (int link = 0; link < l.rows - 1; ++link) {
     const double strain = rho * g * (length - (link + 0.5) * b) / k;
@@ -181,17 +183,17 @@ TEST(Leapfrog, HoldsAHangingStripAtItsExactRest) {
 struct LimitCase {
   const char* name;
   Shape shape;
-  Integrator integrator = Integrator::kLeapfrog;
+  scene::Integrator integrator = scene::Integrator::kLeapfrog;
   double xi = 0;     // beta omega/2
   double along = 0;  // c/omega
 };
 const LimitCase kLimits[] = {{"rectangle", Shape::kRectangle},
                              {"disc_with_hole", Shape::kDiscWithHole},
                              {"dart", Shape::kDart},
-                             {"slightly_damped", Shape::kDart, Integrator::kLeapfrog, 0.05},
-                             {"damped", Shape::kDiscWithHole, Integrator::kLeapfrog, 0.7, 0.3},
-                             {"paper", Shape::kDart, Integrator::kPaper, 0, 0.3},
-                             {"paper_damped", Shape::kDart, Integrator::kPaper, 0.1, 0.3}};
+                             {"slightly_damped", Shape::kDart, scene::Integrator::kLeapfrog, 0.05},
+                             {"damped", Shape::kDiscWithHole, scene::Integrator::kLeapfrog, 0.7, 0.3},
+                             {"paper", Shape::kDart, scene::Integrator::kPaper, 0, 0.3},
+                             {"paper_damped", Shape::kDart, scene::Integrator::kPaper, 0.1, 0.3}};
 
 class StepLimitOf : public testing::TestWithParam<LimitCase> {};
 INSTANTIATE_TEST_SUITE_P(Cases, StepLimitOf, testing::ValuesIn(kLimits),
@@ -200,7 +202,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, StepLimitOf, testing::ValuesIn(kLimits),
 TEST_P(StepLimitOf, IsWhereALinearLatticeBeginsToGrow) {
   const double omega = std::sqrt(4 * 100 / (0.15 * 1e-4));
   for (const double factor : {0.99, 1.01}) {
-    FabricSpec fabric = linear_fabric(100, 0, 0);
+    scene::FabricSpec fabric = linear_fabric(100, 0, 0);
     fabric.damping = 2 * GetParam().xi / omega;
     Scene scene = cut_piece(fabric, GetParam().shape);
     scene.gravity = {0, 0, 0};
@@ -269,16 +271,16 @@ TEST(Leapfrog, GoesOnFromAGoodStateAfterABadOne) {
 // has.
 TEST(Leapfrog, PinsTakeOutExactlyTheMomentumThatIsMissing) {
   // 0.05 m: corners on nodes; 0.044 m: one corner inside a cut cell, a row on two nodes.
-  for (const auto& [integrator, width] : {std::pair{Integrator::kLeapfrog, 0.05},
-                                          {Integrator::kLeapfrog, 0.044},
-                                          {Integrator::kPaper, 0.05},
-                                          {Integrator::kPaper, 0.044}}) {
+  for (const auto& [integrator, width] : {std::pair{scene::Integrator::kLeapfrog, 0.05},
+                                          {scene::Integrator::kLeapfrog, 0.044},
+                                          {scene::Integrator::kPaper, 0.05},
+                                          {scene::Integrator::kPaper, 0.044}}) {
     Scene scene = rectangle(reference::curved_fabric(), width, 0.05, 0.01, true);
     scene.pins = {reference::pin_at("corners", {{0, 0.05}, {width, 0.05}})};
     scene.integrator = integrator;
     Assembled a = assemble(scene);
     std::string event;
-    std::vector<PinLoad> force;
+    std::vector<math::PinLoad> force;
     Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
     double before = 0;
     for (int call = 0; call < 30; ++call) {
@@ -289,7 +291,7 @@ TEST(Leapfrog, PinsTakeOutExactlyTheMomentumThatIsMissing) {
         momentum += a.system.mass[n] * vz[n];
         weight += a.system.mass[n] * a.system.gravity[2];
       }
-      const double last_half = integrator == Integrator::kPaper ? 0 : a.state.h_old / 2;
+      const double last_half = integrator == scene::Integrator::kPaper ? 0 : a.state.h_old / 2;
       const double impulse = a.state.pin_impulse[0].force[2] + last_half * force[0].force[2];
       EXPECT_NEAR(impulse, weight * 0.003 - (momentum - before), 1e-12 * std::abs(weight))
           << width << " call " << call;
@@ -308,7 +310,7 @@ TEST(Leapfrog, TakesCommunicationStepsOffTheGrid) {
   for (double length : lengths) {
     ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, length, event), Advance::kDone);
     time += length;
-    EXPECT_NEAR(state_time(a.state, a.system.communication), time, 1e-15);
+    EXPECT_NEAR(model::state_time(a.state, a.system.communication), time, 1e-15);
   }
   // Free fall by leapfrog with steps h_k: z = g sum h_k (t_k + h_k/2) = g t^2/2 exactly.
   for (std::size_t n : a.system.particle) EXPECT_NEAR(a.state.z[n], -9.81 * time * time / 2, 1e-14);
@@ -356,7 +358,7 @@ TEST(Leapfrog, UndampedWoolKeepsItsEnergy) {
   std::vector<Problem> problems;
   Scene wool;
   const std::string file = std::string(DRAPE_SOURCE_DIR) + "/examples/hanging_wool/scene.toml";
-  wool = scene_load(file, problems);
+  wool = validation::scene_load(file, problems);
   ASSERT_TRUE(problems.empty());
   Scene scene = reference::rectangle(wool.fabrics[0], 0.22, 0.235, 0.02);
   scene.clamp_correction = false;
@@ -364,14 +366,14 @@ TEST(Leapfrog, UndampedWoolKeepsItsEnergy) {
   Assembled a = assemble(scene);
   std::string event;
   double kinetic = 0, worst = 0;
-  const double start = energy_potential(a.system, a.state).gravity;
+  const double start = outputs::energy_potential(a.system, a.state).gravity;
   Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
-  std::vector<PinLoad> force;
+  std::vector<math::PinLoad> force;
   for (int call = 0; call < 60; ++call) {
     ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 0.1, event), Advance::kDone);
     leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), force);
-    const drape_energy e = energy_potential(a.system, a.state);
-    const double k = energy_kinetic(a.system, vx, vy, vz);
+    const drape_energy e = outputs::energy_potential(a.system, a.state);
+    const double k = outputs::energy_kinetic(a.system, vx, vy, vz);
     kinetic = std::max(kinetic, k);
     worst = std::max(worst, std::abs(e.stretch + e.shear + e.bending + e.gravity + k - start));
   }
@@ -380,4 +382,4 @@ TEST(Leapfrog, UndampedWoolKeepsItsEnergy) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -8,7 +8,9 @@
 #include "outputs/energy.h"
 #include "validation/load.h"
 
-namespace drape {
+namespace drape::dynamics {
+
+using namespace tests;
 namespace {
 
 // Every node to where the flat cloth (x, y) goes under (x, y) -> (X, Y).
@@ -22,12 +24,12 @@ void deform(Assembled& a, Map map) {
 }
 
 // The diagrams as they were measured, without the calibration of the strips.
-FabricSpec measured_wool() {
+scene::FabricSpec measured_wool() {
   std::vector<Problem> problems;
-  const Scene scene = scene_load(DRAPE_SOURCE_DIR "/examples/hanging_wool/scene.toml", problems);
+  const Scene scene = validation::scene_load(DRAPE_SOURCE_DIR "/examples/hanging_wool/scene.toml", problems);
   EXPECT_TRUE(problems.empty());
-  FabricSpec wool = scene.fabrics[0];
-  for (DiagramSpec* d : {&wool.warp, &wool.weft, &wool.bias}) d->correction.clear();
+  scene::FabricSpec wool = scene.fabrics[0];
+  for (scene::DiagramSpec* d : {&wool.warp, &wool.weft, &wool.bias}) d->correction.clear();
   return wool;
 }
 
@@ -35,7 +37,7 @@ FabricSpec measured_wool() {
 void tell(const char* what, double error) { std::printf("%s: at most %.1e off\n", what, error); }
 
 double elastic_energy(const Assembled& a) {
-  const drape_energy e = energy_potential(a.system, a.state);
+  const drape_energy e = outputs::energy_potential(a.system, a.state);
   return e.stretch + e.shear + e.bending;
 }
 
@@ -43,12 +45,12 @@ double elastic_energy(const Assembled& a) {
 //     F = W [p(e) + sqrt(2) g(l/(sqrt(2) b) - 1) (1 + e) b/l],   l = b sqrt((1 + e)^2 + 1)
 // for every b; at the diagram's own points p(e) = F_i/w_p.
 TEST(UniformStrip, GivesTheInputCurveAndTheDiagonalsShareAtEveryCell) {
-  const FabricSpec wool = measured_wool();
+  const scene::FabricSpec wool = measured_wool();
   const double W = 0.05, H = 0.1;
   double worst = 0;
   for (double b : {0.0125, 0.00625, 0.003125}) {
     for (const bool warp : {true, false}) {
-      const DiagramSpec& diagram = warp ? wool.warp : wool.weft;
+      const scene::DiagramSpec& diagram = warp ? wool.warp : wool.weft;
       for (std::size_t k = 1; k < diagram.force.size(); k += 3) {
         Scene scene = reference::rectangle(wool, warp ? W : H, warp ? H : W, b);
         scene.clamp_correction = false;
@@ -59,9 +61,9 @@ TEST(UniformStrip, GivesTheInputCurveAndTheDiagonalsShareAtEveryCell) {
         double pull = 0;
         for (Eigen::Index n = 0; n < r.size(); n += 3)
           if (r[n + warp] < (1 + e) * H / 2) pull += f[n + warp];
-        const Law& law = a.system.lattices[0].law;
-        const double share =
-            std::sqrt(2.0) * curve_value(law.bias, length / (std::sqrt(2.0) * b) - 1) * (1 + e) * b / length;
+        const fabric::Law& law = a.system.lattices[0].law;
+        const double share = std::sqrt(2.0) * math::curve_value(law.bias, length / (std::sqrt(2.0) * b) - 1) *
+                             (1 + e) * b / length;
         const double input = diagram.force[k] / wool.strip_width;
         // strains of 1e-4 of links at 0.1 m: 1e-17/1e-6; slopes up to 1e5 N/m
         const double error = std::abs(pull / W / (input + share) - 1);
@@ -77,7 +79,7 @@ TEST(UniformStrip, GivesTheInputCurveAndTheDiagonalsShareAtEveryCell) {
 // sqrt(2 - l1^2) along the other: F45/w_p = dW/dl1, W the energy per area. By fourth-order differences over
 // 1e-4 of smooth curves.
 TEST(BiasStrip, GivesTheInputCurveAtEveryPoint) {
-  const FabricSpec wool = measured_wool();
+  const scene::FabricSpec wool = measured_wool();
   Scene scene = reference::rectangle(wool, 0.05, 0.05, 0.0125);
   scene.clamp_correction = false;
   const Assembled flat = assemble(scene);
@@ -122,10 +124,12 @@ TEST(PictureFrame, ForceIsTheShearEnergysSlope) {
       const auto n = Eigen::Index(3 * k);
       force -= (f[n] * -u * std::sin(phi) + f[n + 1] * v * std::cos(phi)) / (-2 * L * std::sin(phi));
     }
-    const Curve& g = a.system.lattices[0].law.bias;
+    const math::Curve& g = a.system.lattices[0].law.bias;
     const double root2 = std::sqrt(2.0), e1 = root2 * std::cos(phi) - 1, e2 = root2 * std::sin(phi) - 1;
     const double slope =  // dW/dgamma = -dW/dphi / 2
-        -(curve_value(g, e1) * -root2 * std::sin(phi) + curve_value(g, e2) * root2 * std::cos(phi)) / 2;
+        -(math::curve_value(g, e1) * -root2 * std::sin(phi) +
+          math::curve_value(g, e2) * root2 * std::cos(phi)) /
+        2;
     const double error = std::abs(force / (L * slope / std::sin(phi)) - 1);
     EXPECT_LE(error, 1e-12) << phi;
     worst = std::max(worst, error);
@@ -136,7 +140,7 @@ TEST(PictureFrame, ForceIsTheShearEnergysSlope) {
 // Bias and bending off, the ends of every warp thread held: with H the horizontal pull, tan theta_{i+1} - tan
 // theta_i = m g/H at node i. Damped to rest: what is left after c t = 80 is e^-40 of the start.
 TEST(Catenary, IsTheDiscreteChain) {
-  FabricSpec fabric = reference::threads(20);
+  scene::FabricSpec fabric = reference::threads(20);
   fabric.weft = reference::straight(20);
   Scene scene = reference::rectangle(fabric, 0.02, 0.2, 0.01);
   scene.damping = 20;
@@ -144,7 +148,7 @@ TEST(Catenary, IsTheDiscreteChain) {
   Assembled a = assemble(scene);
   std::string event;
   ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 4.0, event), Advance::kDone);
-  const Lattice& l = a.system.lattices[0];
+  const model::Lattice& l = a.system.lattices[0];
   double worst = 0;
   for (int i = 0; i < l.columns; ++i) {
     const auto tangent = [&](int j) {
@@ -155,7 +159,7 @@ TEST(Catenary, IsTheDiscreteChain) {
       const std::size_t p = l.node(i, j), q = l.node(i, j + 1);
       const double dy = a.state.y[q] - a.state.y[p], length = std::hypot(dy, a.state.z[q] - a.state.z[p]);
       const double width = i == 0 || i + 1 == l.columns ? l.cell / 2 : l.cell;
-      return width * curve_value(l.law.warp, length / l.cell - 1) * dy / length;
+      return width * math::curve_value(l.law.warp, length / l.cell - 1) * dy / length;
     };
     ASSERT_LT(tangent(0), -0.3);  // it does sag
     for (int j = 1; j + 1 < l.rows; ++j) {
@@ -169,4 +173,4 @@ TEST(Catenary, IsTheDiscreteChain) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -4,32 +4,34 @@
 #include "body_fixture.h"
 #include "contact/particle/contact.h"
 
-namespace drape {
+namespace drape::dynamics {
+
+using namespace tests;
 namespace {
 
 // A square cell of cloth `height` layers over a roof's ridge, or lying on a plate.
 Assembled held_up(const SceneFolder& folder, bool over_ridge, double height) {
-  FabricSpec fabric = linen(0.01);
+  scene::FabricSpec fabric = linen(0.01);
   fabric.friction = {0.3, 0.3};
   Scene scene = reference::rectangle(fabric, 0.01, 0.01, 0.01);
   scene.pieces[0].place.origin = {-0.004, 0, 0.1};
-  const Mesh mesh = over_ridge ? roof(1.3) : box(1, 1, 0.1);
-  BodySpec& body = body_add(scene, folder, over_ridge ? "roof" : "plate", mesh);
+  const command::Mesh mesh = over_ridge ? roof(1.3) : box(1, 1, 0.1);
+  scene::BodySpec& body = body_add(scene, folder, over_ridge ? "roof" : "plate", mesh);
   body.moves = true;
   if (!over_ridge) body.position = {0, 0, -0.05};
   Assembled a = assemble(scene);
   for (std::size_t n : a.system.particle) a.state.z[n] = height * a.system.lattices[0].touch.layer;
-  touch_begin(a.system, a.motion.kernel->contact, a.motion.touch, a.state);
+  contact::touch_begin(a.system, a.motion.kernel->contact, a.motion.touch, a.state);
   return a;
 }
 
 // The sum of what is held against particles whose free acceleration is `a` along z.
 double held(const Assembled& of, double a) {
-  std::vector<RidgeTouch> pairs;
-  ridge_look(of.system, of.state, pairs);
+  std::vector<contact::RidgeTouch> pairs;
+  contact::ridge_look(of.system, of.state, pairs);
   Array x(of.system.nodes, 0.0), y = x, z(of.system.nodes, a);
   double* const field[] = {x.data(), y.data(), z.data()};
-  const TouchStops stops = touch_stops(of.system, of.state, pairs, field);
+  const contact::TouchStops stops = contact::touch_stops(of.system, of.state, pairs, field);
   double sum = 0;
   for (double s : stops.particle) sum += s;
   for (double s : stops.pair) sum += s;
@@ -44,7 +46,7 @@ TEST(Stops, HoldInTheFrameOfTheBody) {
     const double at_rest = held(a, -1e6), heavier = held(a, -1e6 - 2e5);
     EXPECT_GT(at_rest, 0) << over_ridge;
     EXPECT_GT(heavier, 1.01 * at_rest);
-    Frame& frame = a.state.body[0].frame;
+    math::Frame& frame = a.state.body[0].frame;
     frame.velocity = {0, 0, 3e5};
     EXPECT_NEAR(held(a, -1e6), at_rest, 1e-12 * at_rest) << over_ridge;
     frame.acceleration = {0, 0, 2e5};
@@ -53,4 +55,4 @@ TEST(Stops, HoldInTheFrameOfTheBody) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -6,7 +6,7 @@
 
 #include "bench/seams.h"
 
-namespace drape {
+namespace drape::dynamics {
 namespace {
 
 using bench::seam_figure;
@@ -56,4 +56,4 @@ TEST(Cut, IsStiffWithRigidLinks) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -8,7 +8,9 @@
 #include "outputs/energy.h"
 #include "outputs/outputs.h"
 
-namespace drape {
+namespace drape::dynamics {
+
+using namespace tests;
 namespace {
 
 // A hanging swatch that swings in the wind: every force that takes or brings energy.
@@ -26,11 +28,11 @@ Scene windy_scene() {
 
 drape_energy energy_after(const Scene& scene, double h, int steps) {
   Assembled a = assemble(scene);
-  energy_begin(a.system, a.state);
+  outputs::energy_begin(a.system, a.state);
   for (int k = 0; k < steps; ++k) leapfrog_step(a.system, a.motion, a.state, h);
-  Outputs o;
-  outputs_make(o, a.scene, a.system);
-  outputs_fill(o, a.system, a.motion, a.state, DRAPE_ENERGY);
+  outputs::Outputs o;
+  outputs::outputs_make(o, a.scene, a.system);
+  outputs::outputs_fill(o, a.system, a.motion, a.state, DRAPE_ENERGY);
   return o.shown.energy;
 }
 
@@ -66,4 +68,4 @@ TEST(Balance, ClosesExactlyWhereForcesAreConstant) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::dynamics

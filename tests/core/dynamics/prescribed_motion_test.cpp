@@ -7,7 +7,9 @@
 
 #include "cloth_fixture.h"
 
-namespace drape {
+namespace drape::dynamics {
+
+using namespace tests;
 namespace {
 
 using V = Eigen::Vector3d;
@@ -15,14 +17,15 @@ constexpr double kPi = std::numbers::pi;
 
 V vec(const Vec3& v) { return {v[0], v[1], v[2]}; }
 Vec3 arr(const V& v) { return {v[0], v[1], v[2]}; }
-Eigen::Quaterniond quat(const Quaternion& q) { return {q[0], q[1], q[2], q[3]}; }
-Quaternion turn_about(const V& axis, double angle) {
+Eigen::Quaterniond quat(const math::Quaternion& q) { return {q[0], q[1], q[2], q[3]}; }
+math::Quaternion turn_about(const V& axis, double angle) {
   const V u = axis.normalized() * std::sin(angle / 2);
   return {std::cos(angle / 2), u[0], u[1], u[2]};
 }
 
 // A sheet, 4.4 by 3.7 cells, whose left edge (inside cut cells where `cut`) a clamp may turn.
-Scene sheet(Drive drive, bool cut = true, Integrator integrator = Integrator::kLeapfrog) {
+Scene sheet(scene::Drive drive, bool cut = true,
+            scene::Integrator integrator = scene::Integrator::kLeapfrog) {
   Scene scene = reference::rectangle(reference::curved_fabric(), cut ? 0.044 : 0.04, 0.037, 0.01, true);
   scene.pins = {reference::pin_edges("right", {1})};
   if (cut)
@@ -35,9 +38,9 @@ Scene sheet(Drive drive, bool cut = true, Integrator integrator = Integrator::kL
 }
 
 // Every node held by one clamp.
-Scene rigid(Drive drive) {
+Scene rigid(scene::Drive drive) {
   Scene scene = reference::rectangle(reference::curved_fabric(), 0.03, 0.02, 0.01, true);
-  PinSpec pin = reference::pin_at("all", {});
+  scene::PinSpec pin = reference::pin_at("all", {});
   for (int j = 0; j <= 2; ++j)
     for (int i = 0; i <= 3; ++i) pin.at.push_back({0.01 * i, 0.01 * j});
   pin.clamp = true;
@@ -47,18 +50,18 @@ Scene rigid(Drive drive) {
 }
 
 // What the outside world saw of a pin in the last advance: impulse, and moment about the pin.
-PinLoad impulse_of(Assembled& a, std::size_t pin) {
-  std::vector<PinLoad> load;
+math::PinLoad impulse_of(Assembled& a, std::size_t pin) {
+  std::vector<math::PinLoad> load;
   Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
   leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), load);
-  const double half = a.system.integrator == Integrator::kPaper ? 0 : a.state.h_old / 2;
+  const double half = a.system.integrator == scene::Integrator::kPaper ? 0 : a.state.h_old / 2;
   return {arr(vec(a.state.pin_impulse[pin].force) + half * vec(load[pin].force)),
           arr(vec(a.state.pin_impulse[pin].torque) + half * vec(load[pin].torque))};
 }
 
 // Momentum and angular momentum about `at` of the synchronous velocities.
 std::pair<V, V> momenta(Assembled& a, const V& at = V::Zero()) {
-  std::vector<PinLoad> load;
+  std::vector<math::PinLoad> load;
   Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
   leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), load);
   V linear = V::Zero(), angular = V::Zero();
@@ -76,8 +79,8 @@ double total_mass(const Assembled& a) {
   return mass;
 }
 
-Frame frame_somewhere() {
-  Frame f;
+math::Frame frame_somewhere() {
+  math::Frame f;
   f.position = {0.1, -0.2, 0.3};
   f.turn = turn_about({1, 2, -1}, 0.8);
   f.velocity = {1, 2, -0.5};
@@ -86,15 +89,15 @@ Frame frame_somewhere() {
 }
 
 // The path of a pin from the start, or from frame_somewhere.
-PinPath path_to(Drive drive, const Frame& to, double length, bool from_rest = false) {
+PinPath path_to(scene::Drive drive, const math::Frame& to, double length, bool from_rest = false) {
   Assembled a = assemble(rigid(drive));
   if (!from_rest) a.state.pin_frame[0] = frame_somewhere();
   a.motion.inputs.pin[0] = to;
   return path_make(a.system, a.state, a.motion.inputs, length).pins.at(0);
 }
 
-Frame frame_asked() {
-  Frame f;
+math::Frame frame_asked() {
+  math::Frame f;
   f.position = {0.15, -0.1, 0.2};
   f.turn = turn_about({-1, 1, 2}, 1.5);
   f.velocity = {0.5, 1, 1};
@@ -104,24 +107,24 @@ Frame frame_asked() {
 
 // At z = 1 the values themselves; at z = 0 where the pin was.
 TEST(Drive, BeginsAndEndsExactly) {
-  const Frame from = frame_somewhere(), to = frame_asked();
-  for (const Drive drive : {Drive::kPosition, Drive::kVelocity, Drive::kBoth}) {
+  const math::Frame from = frame_somewhere(), to = frame_asked();
+  for (const scene::Drive drive : {scene::Drive::kPosition, scene::Drive::kVelocity, scene::Drive::kBoth}) {
     const PinPath path = path_to(drive, to, 0.05);
-    const Frame begin = path_frame(path, 0), end = path_frame(path, 1);
+    const math::Frame begin = path_frame(path, 0), end = path_frame(path, 1);
     EXPECT_EQ(begin.position, from.position);
     EXPECT_EQ(begin.turn, from.turn);
-    if (drive != Drive::kVelocity) {
+    if (drive != scene::Drive::kVelocity) {
       EXPECT_EQ(end.position, to.position);
-      EXPECT_EQ(end.turn, quaternion_normalised(to.turn));
+      EXPECT_EQ(end.turn, math::quaternion_normalised(to.turn));
     }
-    if (drive != Drive::kPosition) {
+    if (drive != scene::Drive::kPosition) {
       EXPECT_NEAR((vec(begin.velocity) - vec(from.velocity)).norm(), 0, 1e-14);
       EXPECT_NEAR((vec(begin.spin) - vec(from.spin)).norm(), 0, 1e-14);
       EXPECT_EQ(end.velocity, to.velocity);
       EXPECT_EQ(end.spin, to.spin);
     }
     // What the path says of its end is what it comes to.
-    const Frame near = path_frame(path, 1 - 1e-12);
+    const math::Frame near = path_frame(path, 1 - 1e-12);
     EXPECT_NEAR((vec(near.position) - vec(end.position)).norm(), 0, 1e-11);
     EXPECT_NEAR(quat(near.turn).angularDistance(quat(end.turn)), 0, 1e-7);  // acos near 1
     EXPECT_NEAR((vec(near.velocity) - vec(end.velocity)).norm(), 0, 1e-9);
@@ -134,11 +137,11 @@ TEST(Drive, BeginsAndEndsExactly) {
 // d^2 times the third derivative over 6 (at most about (50/H)^3 d^2 here), and rounding over d.
 TEST(Drive, TellsTheDerivativesOfItsPath) {
   const double length = 0.5, d = 1e-5;
-  for (const Drive drive : {Drive::kPosition, Drive::kVelocity, Drive::kBoth}) {
+  for (const scene::Drive drive : {scene::Drive::kPosition, scene::Drive::kVelocity, scene::Drive::kBoth}) {
     const PinPath path = path_to(drive, frame_asked(), length);
     for (const double z : {0.1, 0.45, 0.8}) {
-      const Frame before = path_frame(path, z - d / length), now = path_frame(path, z),
-                  after = path_frame(path, z + d / length);
+      const math::Frame before = path_frame(path, z - d / length), now = path_frame(path, z),
+                        after = path_frame(path, z + d / length);
       EXPECT_NEAR(((vec(after.position) - vec(before.position)) / (2 * d) - vec(now.velocity)).norm(), 0,
                   1e-8);
       EXPECT_NEAR(((vec(after.velocity) - vec(before.velocity)) / (2 * d) - vec(now.acceleration)).norm(), 0,
@@ -154,7 +157,7 @@ TEST(Drive, TellsTheDerivativesOfItsPath) {
 // with the whole to a fraction 2^-4 of its error, and three halvings show the order.
 TEST(Drive, TurnsByItsAngularVelocityToTheFourthOrder) {
   const auto turned = [](int parts) {
-    Assembled a = assemble(rigid(Drive::kVelocity));
+    Assembled a = assemble(rigid(scene::Drive::kVelocity));
     const V w0{3, -1, 2}, w1{-2, 5, 4};
     a.state.pin_frame[0].spin = arr(w0);
     for (int k = 1; k <= parts; ++k) {
@@ -180,7 +183,7 @@ TEST(Drive, TurnsByItsAngularVelocityToTheFourthOrder) {
 // about a point at rest the torque is -(L_1 - L_0)/H, L = I w of a rigid body.
 TEST(Drive, CarriesAPieceAsARigidBody) {
   for (const bool turns : {false, true}) {
-    Scene scene = rigid(Drive::kBoth);
+    Scene scene = rigid(scene::Drive::kBoth);
     if (turns) scene.gravity = {0, 0, 0};
     Assembled a = assemble(scene);
     const State start = a.state;
@@ -188,7 +191,7 @@ TEST(Drive, CarriesAPieceAsARigidBody) {
     const double length = 0.02, mass = total_mass(a);
     V last = V::Zero();
     for (int k = 1; k <= 5; ++k) {
-      Frame& to = a.motion.inputs.pin[0];
+      math::Frame& to = a.motion.inputs.pin[0];
       const double t = k * length, acceleration = 30;
       if (turns) {
         to.turn = turn_about({1, 1, 3}, acceleration * t * t / 2);
@@ -198,8 +201,8 @@ TEST(Drive, CarriesAPieceAsARigidBody) {
         to.velocity = arr(V(1, -2, 0.5) * acceleration * t);
       }
       advance(a, length);
-      const PinLoad impulse = impulse_of(a, 0);
-      const Frame& now = a.state.pin_frame[0];
+      const math::PinLoad impulse = impulse_of(a, 0);
+      const math::Frame& now = a.state.pin_frame[0];
       Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
       V centroid = V::Zero();
       for (std::size_t n : a.system.particle) {
@@ -227,13 +230,13 @@ TEST(Drive, CarriesAPieceAsARigidBody) {
 // Impulse of all pins = weight x H - change of the cloth's momentum, in every advance, also where velocities
 // jump; for pins at rest as well as moving, on nodes and in cut cells.
 TEST(Drive, ImpulsesBalanceTheMomentum) {
-  for (const Drive drive : {Drive::kPosition, Drive::kVelocity, Drive::kBoth})
+  for (const scene::Drive drive : {scene::Drive::kPosition, scene::Drive::kVelocity, scene::Drive::kBoth})
     for (const bool cut : {false, true}) {
       Assembled a = assemble(sheet(drive, cut));
       V before = momenta(a).first;
       const V weight = total_mass(a) * V(0, 0, -9.81);
       for (int k = 1; k <= 12; ++k) {
-        Frame& to = a.motion.inputs.pin[0];
+        math::Frame& to = a.motion.inputs.pin[0];
         to.position =
             arr(vec(a.system.constraints.pins[0].centre) + V(2e-4, 1e-3, -5e-4) * k * std::sin(0.5 * k));
         to.turn = turn_about({0, 1, 0.3 * k}, 0.05 * k);
@@ -254,7 +257,7 @@ TEST(Drive, ImpulsesBalanceTheMomentum) {
 // Without gravity, the moment of a pin that turns about a point at rest is minus the change of angular
 // momentum about it.
 TEST(Drive, MomentsBalanceTheAngularMomentum) {
-  Scene scene = sheet(Drive::kPosition, false);
+  Scene scene = sheet(scene::Drive::kPosition, false);
   scene.gravity = {0, 0, 0};
   Assembled a = assemble(scene);
   const V at = vec(a.system.constraints.pins[0].centre);
@@ -271,7 +274,7 @@ TEST(Drive, MomentsBalanceTheAngularMomentum) {
 // The paper's scheme kicks whole steps: the momentum of its own velocities balances.
 TEST(Drive, ImpulsesBalanceTheMomentumOfThePapersScheme) {
   for (const bool cut : {false, true}) {
-    Assembled a = assemble(sheet(Drive::kVelocity, cut, Integrator::kPaper));
+    Assembled a = assemble(sheet(scene::Drive::kVelocity, cut, scene::Integrator::kPaper));
     const auto momentum = [&] {
       V sum = V::Zero();
       for (std::size_t n : a.system.particle)
@@ -284,7 +287,7 @@ TEST(Drive, ImpulsesBalanceTheMomentumOfThePapersScheme) {
       a.motion.inputs.pin[0].spin = {5, 2.0 * std::cos(k), -3};
       advance(a, 0.002);
       V given = V::Zero();
-      for (const PinLoad& load : a.state.pin_impulse) given += vec(load.force);
+      for (const math::PinLoad& load : a.state.pin_impulse) given += vec(load.force);
       const V now = momentum(), weight = total_mass(a) * V(0, 0, -9.81);
       EXPECT_NEAR((given - weight * 0.002 + now - before).norm(), 0,
                   1e-12 * (weight.norm() * 0.01 + now.norm()));
@@ -297,8 +300,8 @@ TEST(Drive, ImpulsesBalanceTheMomentumOfThePapersScheme) {
 // same bits however an advance at constant velocity is cut.
 TEST(Drive, IntegratesVelocity) {
   const auto run = [](int calls) {
-    Assembled a = assemble(sheet(Drive::kVelocity));
-    Frame& to = a.motion.inputs.pin[0];
+    Assembled a = assemble(sheet(scene::Drive::kVelocity));
+    math::Frame& to = a.motion.inputs.pin[0];
     to.velocity = {0.1, -0.2, 0.05};
     to.spin = {1, 2, 3};
     advance(a, 0.005);
@@ -320,7 +323,7 @@ TEST(Drive, IntegratesVelocity) {
 // rounding, which a smooth motion of 20 ms multiplies by less than a thousand.
 TEST(Drive, DoesNotFeelHowAnAdvanceIsCut) {
   const auto run = [](int calls, double reach) {
-    Assembled a = assemble(sheet(Drive::kPosition));
+    Assembled a = assemble(sheet(scene::Drive::kPosition));
     const V p0 = vec(a.system.constraints.pins[0].centre);
     for (int k = 1; k <= calls; ++k) {
       a.motion.inputs.pin[0].position = arr(p0 + V(1, 2, -1) * (reach * k / calls));
@@ -341,7 +344,7 @@ TEST(Drive, DoesNotFeelHowAnAdvanceIsCut) {
 
 // 35 turns of 10 degrees come to 350 degrees, exactly where the input says; each goes the short way round.
 TEST(Drive, TurnsOnBeyondHalfATurn) {
-  Assembled a = assemble(rigid(Drive::kPosition));
+  Assembled a = assemble(rigid(scene::Drive::kPosition));
   for (int k = 1; k <= 35; ++k) {
     a.motion.inputs.pin[0].turn = turn_about({0, 0, 1}, k * kPi / 18);
     advance(a, 0.005);
@@ -355,7 +358,7 @@ TEST(Drive, TurnsOnBeyondHalfATurn) {
 // Where a pin's velocity jumps by dv, the cloth takes up M^-1 A^T (A M^-1 A^T)^-1 dv at once; of a piece that
 // is held as a whole, M dv goes to the pin: in the mean force of the next advance beside the weight.
 TEST(Drive, BooksTheImpulseOfAJump) {
-  Assembled a = assemble(rigid(Drive::kPosition));
+  Assembled a = assemble(rigid(scene::Drive::kPosition));
   const V p0 = vec(a.system.constraints.pins[0].centre);
   const double mass = total_mass(a), length = 0.01;
   double last = 0;
@@ -373,14 +376,14 @@ TEST(Drive, BooksTheImpulseOfAJump) {
 // A node held by a point pin moves along the cubic of "both": order 2 of the free cloth in the step.
 TEST(Drive, KeepsTheSecondOrder) {
   const auto run = [](double step, bool jumps) {
-    Scene scene = sheet(jumps ? Drive::kPosition : Drive::kBoth);
+    Scene scene = sheet(jumps ? scene::Drive::kPosition : scene::Drive::kBoth);
     scene.step = step;
     scene.damping = 2;
     Assembled a = assemble(scene);
     const V p0 = vec(a.system.constraints.pins[0].centre);
     for (int k = 1; k <= 10; ++k) {
       const double t = 0.002 * k;
-      Frame& to = a.motion.inputs.pin[0];
+      math::Frame& to = a.motion.inputs.pin[0];
       to.position = arr(p0 + V(0.3 * t * t, 4 * t * t, 0.01 * std::sin(50 * t)));
       to.velocity = arr(V(0.6 * t, 8 * t, 0.5 * std::cos(50 * t)));
       to.turn = turn_about({1, 2, 0}, 20 * t * t);
@@ -401,4 +404,4 @@ TEST(Drive, KeepsTheSecondOrder) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -6,7 +6,9 @@
 #include "cloth_fixture.h"
 #include "dynamics/relaxation.h"
 
-namespace drape {
+namespace drape::dynamics {
+
+using namespace tests;
 namespace {
 
 // A stretched sheet that has nearly come to rest, whose fabric then stiffens by half: over the jump the
@@ -15,20 +17,20 @@ namespace {
 // bound.
 TEST(FitDamping, IsMeasuredWithinOneSystem) {
   Scene scene = reference::rectangle(linen(), 0.1, 0.1, 0.01, true);
-  scene.mode = Mode::kFit;
+  scene.mode = scene::Mode::kFit;
   scene.pins = {reference::pin_edges("bar", {2}), reference::pin_edges("foot", {0})};
-  scene.pins[0].drive = Drive::kPosition;
+  scene.pins[0].drive = scene::Drive::kPosition;
   Assembled a = assemble(scene);
   a.motion.inputs.pin[0].position[2] += 0.002;
   advance(a, 0.01);
   while (a.state.fit.residual > 1e-3) advance(a, 1e-3);
   const double before = a.state.fit.damping;
   ASSERT_GT(before, 0);
-  std::vector<FabricSpec> fabrics = scene.fabrics;
+  std::vector<scene::FabricSpec> fabrics = scene.fabrics;
   fabrics[0].warp = fabrics[0].weft = reference::straight(3000);
   std::vector<Problem> problems;
   leapfrog_complete(a.system, a.motion, a.state);
-  system_retune(a.system, fabrics, problems);
+  assembly::system_retune(a.system, fabrics, problems);
   ASSERT_TRUE(problems.empty());
   leapfrog_retuned(a.system, a.motion, a.state);
   const std::int64_t retuned = a.state.steps;
@@ -50,7 +52,7 @@ TEST(FitDamping, IsMeasuredWithinOneSystem) {
 // A start has a damping after the first 16 steps; before, none.
 TEST(FitDamping, BeginsSoon) {
   Scene scene = reference::rectangle(linen(), 0.1, 0.1, 0.01, true);
-  scene.mode = Mode::kFit;
+  scene.mode = scene::Mode::kFit;
   scene.pins = {reference::pin_edges("bar", {2})};
   Assembled a = assemble(scene);
   std::string event;
@@ -66,4 +68,4 @@ TEST(FitDamping, BeginsSoon) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -6,30 +6,32 @@
 #include <cstdio>
 
 #include "body_fixture.h"
-#include "seam_fixture.h"
 #include "dynamics/relaxation.h"
+#include "seam_fixture.h"
 
-namespace drape {
+namespace drape::dynamics {
+
+using namespace tests;
 namespace {
 
 // Two sheets above a box, to be sewn; one is held at its outer edge.
 Scene to_sew(const SceneFolder& folder) {
   Scene scene = reference::rectangle(linen(), 0.05, 0.05, 0.01);
-  scene.mode = Mode::kFit;
+  scene.mode = scene::Mode::kFit;
   scene.pieces[0].place.origin = {0, 0, 0.001};
   scene.pieces.push_back(scene.pieces[0]);
   scene.pieces[1].name = "right";
   scene.pieces[1].place.origin = {0.054, 0.001, 0.003};
   scene.seams = {seam_join()};
   scene.pins = {reference::pin_edges("bar", {3})};
-  scene.pins[0].drive = Drive::kPosition;
+  scene.pins[0].drive = scene::Drive::kPosition;
   body_add(scene, folder, "table", box(0.06, 0.2, 0.2));
-  for (PieceSpec& p : scene.pieces) p.place.origin[2] += 0.1;
+  for (scene::PieceSpec& p : scene.pieces) p.place.origin[2] += 0.1;
   return scene;
 }
 
 Vec2 friction_of(const Assembled& a) {
-  return touch_law_now(a.system, a.state, a.system.bodies[0], a.system.lattices[0]).friction;
+  return contact::touch_law_now(a.system, a.state, a.system.bodies[0], a.system.lattices[0]).friction;
 }
 
 bool is_sewn(const Assembled& a) { return !seams_to_close(a.system, a.state); }
@@ -85,7 +87,7 @@ TEST(Settling, EndsAfterASecondAtTheLatest) {
 // An inertia grows at once, and from look to look loses 1 % at most, until it is the mass.
 TEST(Inertia, ShrinksByAHundredthALook) {
   Scene scene = reference::rectangle(reference::curved_fabric(), 0.05, 0.05, 0.01);
-  scene.mode = Mode::kFit;
+  scene.mode = scene::Mode::kFit;
   Assembled a = assemble(scene);
   const double h = kSafetyDamped * step_limit_of(a.system, a.state.omega2);
   const Array flat = a.state.y;
@@ -156,4 +158,4 @@ TEST(FitSewn, StateGoesOnAsItWas) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -10,7 +10,9 @@
 #include "cut_pieces.h"
 #include "reference/motion.h"
 
-namespace drape {
+namespace drape::dynamics {
+
+using namespace tests;
 namespace {
 
 // Runs a fit to its rest; false if it is not there in `most` seconds of cloth.
@@ -23,7 +25,7 @@ bool fit_run(Assembled& a, double most) {
 
 Vec3 probe_at(const Assembled& a) {
   Vec3 r{0, 0, 0};
-  const Probe& p = a.system.probes[0];
+  const model::Probe& p = a.system.probes[0];
   for (int k = 0; k < 4; ++k) {
     r[0] += p.weight[k] * a.state.x[p.node[k]];
     r[1] += p.weight[k] * a.state.y[p.node[k]];
@@ -73,18 +75,18 @@ Tip elastica(double beta) {
 constexpr double kLength = 0.065, kRigidity = 4.567e-6, kDensity = 0.1;  // m, N m, kg/m^2
 enum class Held { kEdge, kRegion };
 Scene cantilever(double beta, int cells, double share, Held held, double k) {
-  FabricSpec fabric = reference::threads(k);
+  scene::FabricSpec fabric = reference::threads(k);
   fabric.areal_density = kDensity;
   fabric.weft = reference::straight(k);
   fabric.bending_warp = kRigidity;
   const double b = kLength / cells, behind = held == Held::kRegion ? 3 * b : 0;
   Scene scene = reference::rectangle(fabric, 2 * b, kLength + behind, b);
-  scene.mode = Mode::kFit;
+  scene.mode = scene::Mode::kFit;
   scene.gravity = {0, 0, -beta * kRigidity / (kDensity * std::pow(kLength, 3))};
-  PieceSpec& piece = scene.pieces[0];
+  scene::PieceSpec& piece = scene.pieces[0];
   for (Vec2& p : piece.outline) p[1] -= behind;
   piece.grid_origin = Vec2{0, share * b};  // the clamp is at y = 0
-  PinSpec pin;
+  scene::PinSpec pin;
   pin.name = "clamp";
   pin.piece = 0;
   pin.clamp = true;
@@ -151,11 +153,11 @@ TEST(Cantilever, GivesTheOverhangOfTheBendingTest) {
 // The rest of a fit is the judge's: nothing is left of the forces; and a damped dynamic run ends there. A cut
 // piece with a hole, on a pin inside a cell and one at a node.
 TEST(Fit, EndsAtTheRestOfTheDampedMotion) {
-  FabricSpec fabric = reference::curved_fabric();
+  scene::FabricSpec fabric = reference::curved_fabric();
   Scene scene = cut_piece(fabric, Shape::kDiscWithHole);
   scene.pieces[0].place.axis_y = {0, 0, 1};
   scene.pins = {reference::pin_at("inside", {{0.0233, 0.0644}}), reference::pin_at("node", {{0.06, 0.06}})};
-  scene.mode = Mode::kFit;
+  scene.mode = scene::Mode::kFit;
   Assembled fit = assemble(scene);
   ASSERT_TRUE(fit_run(fit, 60)) << fit.state.fit.residual;
   const reference::Motion judge = reference::motion_make(scene);
@@ -163,7 +165,7 @@ TEST(Fit, EndsAtTheRestOfTheDampedMotion) {
   EXPECT_LE(fit.state.fit.residual, 1e-5);
   EXPECT_NEAR(left.force, fit.state.fit.residual * fit.state.fit.load, 1e-9 * fit.state.fit.load);
 
-  scene.mode = Mode::kDynamic;
+  scene.mode = scene::Mode::kDynamic;
   scene.damping = 30;
   Assembled damped = assemble(scene);
   std::string event;
@@ -180,17 +182,17 @@ TEST(Fit, EndsAtTheRestOfTheDampedMotion) {
 TEST(Fit, StaysAtRestUntilSomethingChanges) {
   Scene scene = reference::rectangle(reference::curved_fabric(), 0.04, 0.04, 0.01, true);
   scene.pins = {reference::pin_edges("bar", {2})};
-  scene.mode = Mode::kFit;
+  scene.mode = scene::Mode::kFit;
   Assembled a = assemble(scene);
   ASSERT_TRUE(fit_run(a, 60));
   const Eigen::VectorXd rest = positions(a);
   const std::int64_t steps = a.state.steps;
-  const double time = state_time(a.state, a.system.communication);
+  const double time = model::state_time(a.state, a.system.communication);
   std::string event;
   ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 1, event), Advance::kDone);
   EXPECT_EQ(a.state.steps, steps);
   EXPECT_EQ(positions(a), rest);
-  EXPECT_NEAR(state_time(a.state, a.system.communication), time + 1, 1e-9);
+  EXPECT_NEAR(model::state_time(a.state, a.system.communication), time + 1, 1e-9);
   a.system.gravity = {0, 0, -2};
   leapfrog_retuned(a.system, a.motion, a.state);
   ASSERT_TRUE(fit_run(a, 60));
@@ -206,11 +208,11 @@ TEST(Fit, RestIsJudgedByThePresentLoad) {
     for (const double weight : {9.81, 0.0}) {
       if (carried == 0 && weight == 0) continue;
       Scene scene = reference::rectangle(reference::curved_fabric(), 0.05, 0.05, 0.01, true);
-      scene.mode = Mode::kFit;
+      scene.mode = scene::Mode::kFit;
       scene.gravity = {0, 0, -weight};
       scene.imperfection_amplitude = 0.01;  // as large as a cell
       scene.pins = {reference::pin_edges("bar", {2}), reference::pin_edges("foot", {0})};
-      scene.pins[0].drive = Drive::kPosition;
+      scene.pins[0].drive = scene::Drive::kPosition;
       Assembled a = assemble(scene);
       std::string event;
       const Vec3 from = a.motion.inputs.pin[0].position;
@@ -237,18 +239,18 @@ TEST(Fit, RestIsJudgedByThePresentLoad) {
 // intervals after which a dynamic run would choose its step anew. Without weight, with nothing but a clamp
 // that was turned, it comes to rest all the same.
 TEST(Fit, ComesToRestWithDampedSpringsAndWithoutWeight) {
-  FabricSpec fabric = reference::curved_fabric();
+  scene::FabricSpec fabric = reference::curved_fabric();
   for (double damping : {0.0, 1e-4}) {
     fabric.damping = damping;
     Scene scene = reference::rectangle(fabric, 0.04, 0.04, 0.01, true);
-    scene.mode = Mode::kFit;
+    scene.mode = scene::Mode::kFit;
     scene.pins = {reference::pin_edges("bar", {2})};
     Assembled a = assemble(scene);
     EXPECT_TRUE(fit_run(a, 60)) << a.state.fit.residual;
     scene.gravity = {0, 0, 0};
     Assembled weightless = assemble(scene);
     crumple(weightless, 0.001, 3);
-    for (const FixedNode& f : weightless.system.constraints.fixed) {
+    for (const constraint::FixedNode& f : weightless.system.constraints.fixed) {
       weightless.state.x[f.node] = f.target.start[0];
       weightless.state.y[f.node] = f.target.start[1];
       weightless.state.z[f.node] = f.target.start[2];
@@ -260,7 +262,7 @@ TEST(Fit, ComesToRestWithDampedSpringsAndWithoutWeight) {
 // Where cells stiffen beyond what the step allows, their inertia grows: h omega' stays at 2 S.
 TEST(Fit, EnlargesTheInertiaOfStiffCells) {
   Scene scene = reference::rectangle(reference::curved_fabric(), 0.05, 0.05, 0.01);
-  scene.mode = Mode::kFit;
+  scene.mode = scene::Mode::kFit;
   Assembled a = assemble(scene);
   for (std::size_t n : a.system.particle) a.state.y[n] *= a.state.y[n] > 0.025 ? 1.3 : 1.0;
   const double h = kSafetyDamped * step_limit_of(a.system, a.state.omega2);
@@ -279,7 +281,7 @@ TEST(Fit, EnlargesTheInertiaOfStiffCells) {
 // the speed b/(50 k h), after k steps.
 TEST(Fit, LooksSoonerWhereTheClothMovesFast) {
   Scene scene = reference::rectangle(reference::curved_fabric(), 0.05, 0.05, 0.01);
-  scene.mode = Mode::kFit;
+  scene.mode = scene::Mode::kFit;
   Assembled a = assemble(scene);
   const double h = 1e-5;
   const auto looks_after = [&](double steps) {
@@ -293,4 +295,4 @@ TEST(Fit, LooksSoonerWhereTheClothMovesFast) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -3,22 +3,24 @@
 
 #include <cmath>
 
-#include "forces/seam_closing.h"
 #include "forces/seam_bending.h"
+#include "forces/seam_closing.h"
+#include "model/elements.h"
+#include "model/seam_rows.h"
 #include "reference/run.h"
 #include "reference/sewing.h"
-#include "model/seam_rows.h"
 #include "seam_fixture.h"
-#include "model/elements.h"
 
-namespace drape {
+namespace drape::dynamics {
+
+using namespace tests;
 namespace {
 
 using reference::curved_fabric;
 using reference::rectangle;
 
 // Two rectangles side by side, the right one off by `gap`, on cells of their own.
-Scene pair_of(const FabricSpec& fabric, double side, double cell, double ratio, Vec3 gap) {
+Scene pair_of(const scene::FabricSpec& fabric, double side, double cell, double ratio, Vec3 gap) {
   Scene scene = rectangle(fabric, side, side, cell);
   scene.gravity = {0, 0, 0};
   scene.pieces.push_back(scene.pieces[0]);
@@ -29,15 +31,15 @@ Scene pair_of(const FabricSpec& fabric, double side, double cell, double ratio, 
   return scene;
 }
 
-FabricSpec loose() {  // nodes without forces between them
-  FabricSpec fabric;
+scene::FabricSpec loose() {  // nodes without forces between them
+  scene::FabricSpec fabric;
   fabric.name = "loose";
   fabric.areal_density = 0.15;
   return fabric;
 }
 
 double gap_norm(const Assembled& a, std::size_t pair) {
-  return vector3::norm(row_value(a.system.seams.pair[pair].gap, a.state));
+  return math::vector3::norm(model::row_value(a.system.seams.pair[pair].gap, a.state));
 }
 
 // Single cells without laws: the nodes of the sewn edges are free particles, and close as
@@ -81,8 +83,8 @@ struct Momentum {
   Vec3 linear{0, 0, 0}, angular{0, 0, 0};
 };
 Momentum momentum_of(Assembled& a) {
-  using namespace vector3;
-  std::vector<PinLoad> pins;
+  using namespace math::vector3;
+  std::vector<math::PinLoad> pins;
   Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
   leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), pins);
   Momentum sum;
@@ -106,7 +108,7 @@ TEST(Sewing, KeepsMomentum) {
     bool welded = false;
     for (int k = 0; k < 300; ++k) {
       sewn_advance(a, 1e-3);
-      welded = welded || a.state.sewn[0] == Sewn::kWelded;
+      welded = welded || a.state.sewn[0] == model::Sewn::kWelded;
       const Momentum now = momentum_of(a);
       for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_NEAR(now.linear[i], start.linear[i], 1e-12 * scale);
@@ -115,7 +117,7 @@ TEST(Sewing, KeepsMomentum) {
         }
       }
     }
-    EXPECT_EQ(std::count(a.state.sewn.begin(), a.state.sewn.end(), Sewn::kWelded),
+    EXPECT_EQ(std::count(a.state.sewn.begin(), a.state.sewn.end(), model::Sewn::kWelded),
               std::ptrdiff_t(a.state.sewn.size()));
     for (std::size_t p = 0; p < a.state.sewn.size(); ++p) EXPECT_LE(gap_norm(a, p), 1e-15);
   }
@@ -131,10 +133,11 @@ TEST(Sewing, JumpsAtAWeldByWhatTheGapCarries) {
   for (std::size_t n : a.system.particle)
     a.state.vx[n] = 0.1 * double(n % 7), a.state.vy[n] = 0.05 * double(n % 5);
   Vec3 expected{0, 0, 0};
-  for (const SeamPair& pair : a.system.seams.pair) {
-    const Vec3 d = row_value(pair.gap, a.state), v = row_value(pair.gap, a.state.vx, a.state.vy, a.state.vz);
-    using namespace vector3;
-    expected -= seam_mass(a.system, pair) * cross(d, v);
+  for (const model::SeamPair& pair : a.system.seams.pair) {
+    const Vec3 d = model::row_value(pair.gap, a.state),
+               v = model::row_value(pair.gap, a.state.vx, a.state.vy, a.state.vz);
+    using namespace math::vector3;
+    expected -= forces::seam_mass(a.system, pair) * cross(d, v);
   }
   const Momentum before = momentum_of(a);
   seams_weld(a.system, a.motion, a.state, seams_due(a.system, a.state));
@@ -160,7 +163,7 @@ TEST(Sewing, MeetsTheJudge) {
       for (int k = 0; k < int(std::lround(until / 1e-3)); ++k) sewn_advance(a, 1e-3);
       const reference::ReferenceState exact = reference::reference_state_at(scene, {}, until, 1e-11);
       errors.push_back((positions(a) - exact.r).cwiseAbs().maxCoeff());
-      EXPECT_EQ(a.state.sewn[0], until < 0.02 ? Sewn::kPulled : Sewn::kWelded);
+      EXPECT_EQ(a.state.sewn[0], until < 0.02 ? model::Sewn::kPulled : model::Sewn::kWelded);
     }
     std::printf("sewing against the judge at %g s: %.3e %.3e %.3e m\n", until, errors[0], errors[1],
                 errors[2]);
@@ -197,7 +200,7 @@ TEST(Sewing, BondsAsTheJudgeSays) {
   scene.pieces[1].grain = 0.3;
   scene.seams[0].tape = 3;
   Assembled a = assemble(scene);
-  a.state.sewn.assign(a.state.sewn.size(), Sewn::kWelded);
+  a.state.sewn.assign(a.state.sewn.size(), model::Sewn::kWelded);
   crumple(a, 5e-4, 7);
   seams_restore(a.system, a.motion, a.state);
   constraints_place(a.system, a.motion.constraints, a.motion.held,
@@ -229,7 +232,7 @@ TEST(Sewing, BondsAsTheJudgeSays) {
     return e.bending + e.stretch;
   };
   EXPECT_NEAR(energy(1) - energy(-1), -2 * bonds.dot(step), 1e-5 * bonds.norm() * step.norm());
-  const SeamEnergy told = seams_energy(a.system, a.state);
+  const forces::SeamEnergy told = forces::seams_energy(a.system, a.state);
   const reference::BondEnergy wanted = reference::bond_energy(motion.lattice, motion.sewing, r);
   EXPECT_NEAR(told.bending, wanted.bending, 1e-12 * wanted.bending);
   EXPECT_NEAR(told.stretch, wanted.stretch, 1e-12 * wanted.stretch);
@@ -244,8 +247,10 @@ TEST(Sewing, LeavesToPinsWhatTheyHold) {
   scene.pins = {{"a", 0, {}, {1}}, {"b", 1, {}, {3}}};
   Assembled a = assemble(scene);
   for (int k = 0; k < 20; ++k) sewn_advance(a, 1e-3);
-  for (const Lattice& l : a.system.lattices)
-    each_link(a.system, l, [&](const Link& link) { EXPECT_LE(std::abs(link_strain(a.state, link)), 5e-3); });
+  for (const model::Lattice& l : a.system.lattices)
+    model::each_link(a.system, l, [&](const model::Link& link) {
+      EXPECT_LE(std::abs(model::link_strain(a.state, link)), 5e-3);
+    });
 }
 
 // Sewing does not distort the outlines: pieces that are free and unloaded once they are joined have edges of
@@ -261,18 +266,18 @@ TEST(Sewing, KeepsTheShapeOfOutlines) {
       sewn_advance(a, 1e-3);
       worst_length = worst_angle = 0;
       for (std::size_t p = 0; p < 2; ++p) {
-        const Grid grid = grid_make(scene, int(p));
+        const piece::Grid grid = piece::grid_make(scene, int(p));
         const auto place = [&](std::size_t corner) {
-          const GridPoint at = grid_locate(grid, scene.pieces[p].outline[corner % 4]);
+          const piece::GridPoint at = piece::grid_locate(grid, scene.pieces[p].outline[corner % 4]);
           Vec3 sum{0, 0, 0};
           for (int n = 0; n < 4; ++n) {
             const std::size_t node = a.system.lattices[p].node_of(at.node[n]);
-            using namespace vector3;
+            using namespace math::vector3;
             sum += at.weight[n] * Vec3{a.state.x[node], a.state.y[node], a.state.z[node]};
           }
           return sum;
         };
-        using namespace vector3;
+        using namespace math::vector3;
         for (std::size_t e = 0; e < 4; ++e) {
           const Vec3 edge = place(e + 1) - place(e), next = place(e + 2) - place(e + 1);
           worst_length = std::max(worst_length, std::abs(norm(edge) / 0.06 - 1));
@@ -293,14 +298,14 @@ TEST(Sewing, KeepsTheShapeOfOutlines) {
 // A fit does not rest while a seam waits for its time or is being pulled.
 TEST(Sewing, KeepsAFitAwake) {
   Scene scene = pair_of(curved_fabric(), 0.05, 0.01, 1, {0.002, 0, 0});
-  scene.mode = Mode::kFit;
+  scene.mode = scene::Mode::kFit;
   scene.seams[0].closed_at = 0.3;
   Assembled a = assemble(scene);
   for (int k = 0; k < 300; ++k) sewn_advance(a, 1e-3);
   EXPECT_FALSE(a.state.fit.at_rest);
   for (int k = 0; k < 1500 && !a.state.fit.at_rest; ++k) sewn_advance(a, 1e-3);
   EXPECT_TRUE(a.state.fit.at_rest);
-  EXPECT_EQ(std::count(a.state.sewn.begin(), a.state.sewn.end(), Sewn::kWelded),
+  EXPECT_EQ(std::count(a.state.sewn.begin(), a.state.sewn.end(), model::Sewn::kWelded),
             std::ptrdiff_t(a.state.sewn.size()));
 }
 
@@ -326,4 +331,4 @@ TEST(Sewing, TellsTheLimitOfItsPull) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -8,7 +8,9 @@
 
 #include "cloth_fixture.h"
 
-namespace drape {
+namespace drape::dynamics {
+
+using namespace tests;
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -23,8 +25,8 @@ double frequency_of(const std::vector<double>& s, double h) {
   return discrete * (1 - std::pow(discrete * h, 2) / 24);
 }
 
-FabricSpec linear(double warp, double weft, double bias, double bending) {
-  FabricSpec f = reference::threads(warp);
+scene::FabricSpec linear(double warp, double weft, double bias, double bending) {
+  scene::FabricSpec f = reference::threads(warp);
   f.weft = reference::straight(weft);
   if (bias > 0) f.bias = reference::diagram({0, 0.1}, {0, 0.1 * bias * 0.05});
   f.bending_warp = f.bending_weft = bending;
@@ -42,7 +44,7 @@ TEST(StretchedNet, SwingsAtItsFrequencies) {
       Scene scene = reference::rectangle(linear(k, k, 0, bending), n * b, n * b, b);
       scene.gravity = {0, 0, 0};
       Assembled a = assemble(scene);
-      const Lattice& l = a.system.lattices[0];
+      const model::Lattice& l = a.system.lattices[0];
       const auto shape = [&](int i, int j) { return std::sin(p * kPi * i / n) * std::sin(q * kPi * j / n); };
       for (int j = 0; j <= n; ++j)
         for (int i = 0; i <= n; ++i) {
@@ -84,7 +86,7 @@ TEST(PlaneWave, RunsAtItsFrequency) {
     for (const int branch : {0, 1}) {
       Scene scene = reference::rectangle(linear(warp, weft, bias, 0), n * b, n * b, b);
       scene.gravity = {0, 0, 0};
-      scene.bias_model = BiasModel::kPaper;
+      scene.bias_model = scene::BiasModel::kPaper;
       scene.clamp_correction = false;
       Assembled a = assemble(scene);
       const double kd = bias / 2, m = rho * b * b;
@@ -95,7 +97,7 @@ TEST(PlaneWave, RunsAtItsFrequency) {
       const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> modes(d / m);
       const double w = std::sqrt(modes.eigenvalues()[branch]);
       const Eigen::Vector2d way = modes.eigenvectors().col(branch);
-      const Lattice& l = a.system.lattices[0];
+      const model::Lattice& l = a.system.lattices[0];
       const std::size_t middle = l.node(n / 2, n / 2);
       const double x0 = a.state.x[middle], y0 = a.state.y[middle];
       for (int j = 0; j <= n; ++j)
@@ -118,4 +120,4 @@ TEST(PlaneWave, RunsAtItsFrequency) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -7,7 +7,9 @@
 #include "fabric/material_law.h"
 #include "scene_file.h"
 
-namespace drape {
+namespace drape::fabric {
+
+using namespace tests;
 namespace {
 
 const std::filesystem::path kFolder = DRAPE_SOURCE_DIR "/examples/fabrics";
@@ -25,10 +27,10 @@ std::vector<std::string> shipped() {
 }
 
 // The fabric of a small scene that takes the file as it is: read without fault, and with laws.
-FabricSpec fabric_of(const std::filesystem::path& file) {
+scene::FabricSpec fabric_of(const std::filesystem::path& file) {
   const SceneFolder folder;
   std::vector<Problem> problems;
-  const Scene scene = scene_load(folder.write("scene.toml", R"(
+  const Scene scene = validation::scene_load(folder.write("scene.toml", R"(
 [scene]
 name = "a"
 [fabric.f]
@@ -39,13 +41,13 @@ fabric = "f"
 cell = 0.1
 outline = [[0, 0], [1, 0], [1, 1], [0, 1]]
 )"),
-                                 problems);
-  const FabricSpec fabric = scene.fabrics.empty() ? FabricSpec{} : scene.fabrics[0];
+                                             problems);
+  const scene::FabricSpec fabric = scene.fabrics.empty() ? scene::FabricSpec{} : scene.fabrics[0];
   if (problems.empty()) {
     const Law law = law_make(fabric, {}, 0.1, "fabric.f", problems);
     EXPECT_TRUE(law.warp.segments && law.weft.segments && law.bias.segments && law.bending_warp > 0) << file;
   }
-  for (const Problem& p : problems) ADD_FAILURE() << problem_text(p);
+  for (const Problem& p : problems) ADD_FAILURE() << scene::problem_text(p);
   return fabric;
 }
 
@@ -55,16 +57,16 @@ std::string printed(const char* format, double value) {
   return text;
 }
 
-std::string slope_at_zero(const FabricSpec& f, const DiagramSpec& d) {  // N/m
+std::string slope_at_zero(const scene::FabricSpec& f, const scene::DiagramSpec& d) {  // N/m
   return printed("%.0f", d.force[1] / d.elongation[1] / f.strip_width);
 }
 
-std::string end_of(const DiagramSpec& d) {
+std::string end_of(const scene::DiagramSpec& d) {
   return printed("%.3g", d.force.back()) + " at " + printed("%.3g", 100 * d.elongation.back());
 }
 
 // A row of the page's table from the areal density on.
-std::string row_of(const FabricSpec& f) {
+std::string row_of(const scene::FabricSpec& f) {
   constexpr double kMicroNcm2 = 1e10;  // uN cm2 per N m2
   constexpr double kWidth = 0.03;      // of all bending specimens here
   const auto rigidity = [](double b) { return printed("%.0f", b * kWidth * kMicroNcm2); };
@@ -111,7 +113,7 @@ TEST(FabricsPage, WorkedExampleIsAFabric) {
   const std::size_t from = begin + fence.size();
   const SceneFolder folder;
   const std::string block = page.substr(from, page.find("```", from) - from);
-  const FabricSpec f = fabric_of(folder.write("shirting.toml", block));
+  const scene::FabricSpec f = fabric_of(folder.write("shirting.toml", block));
   EXPECT_EQ(f.areal_density, 0.132);
   // EI = 42046 m/A over 30 mm, as the page works it out from the sheet; typed to 10 uN cm2
   const double half_digit = 5e-10 / 0.03;
@@ -131,4 +133,4 @@ TEST(FabricsPage, SheetsAreFabrics) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::fabric

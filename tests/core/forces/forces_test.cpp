@@ -7,19 +7,21 @@
 #include "cloth_fixture.h"
 #include "cut_pieces.h"
 #include "forces/hinge_energy.h"
+#include "model/elements.h"
 #include "outputs/energy.h"
 #include "reference/forces.h"
-#include "model/elements.h"
 
-namespace drape {
+namespace drape::forces {
+
+using namespace tests;
 namespace {
 
 struct LawCase {
   const char* name;
   bool warp, weft, bias, bending;
-  BiasModel model = BiasModel::kOdd;
+  scene::BiasModel model = scene::BiasModel::kOdd;
   double crumple = 0.15;  // of a cell: strains to 30 %, folds to 60 degrees
-  Scaling scaling = Scaling::kWidth;
+  scene::Scaling scaling = scene::Scaling::kWidth;
   Shape shape = Shape::kRectangle;
 };
 
@@ -27,25 +29,32 @@ const LawCase kLaws[] = {
     {"warp", true, false, false, false},
     {"weft", false, true, false, false},
     {"bias_odd", false, false, true, false},
-    {"bias_tension", false, false, true, false, BiasModel::kTension},
-    {"bias_paper", false, false, true, false, BiasModel::kPaper},
+    {"bias_tension", false, false, true, false, scene::BiasModel::kTension},
+    {"bias_paper", false, false, true, false, scene::BiasModel::kPaper},
     {"bending", false, false, false, true},
-    {"bending_sharp_folds", false, false, false, true, BiasModel::kOdd, 0.8},
-    {"paper_area", true, true, true, true, BiasModel::kOdd, 0.15, Scaling::kPaperArea},
+    {"bending_sharp_folds", false, false, false, true, scene::BiasModel::kOdd, 0.8},
+    {"paper_area", true, true, true, true, scene::BiasModel::kOdd, 0.15, scene::Scaling::kPaperArea},
     {"all", true, true, true, true},
-    {"all_sharp_folds", true, true, true, true, BiasModel::kOdd, 0.8},
-    {"stretch_dart", true, true, false, false, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kDart},
-    {"shear_slits", false, false, true, false, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kSlits},
-    {"bending_dart", false, false, false, true, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kDart},
-    {"bending_slits", false, false, false, true, BiasModel::kOdd, 0.8, Scaling::kWidth, Shape::kSlits},
-    {"all_triangle", true, true, true, true, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kTriangle},
-    {"all_disc", true, true, true, true, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kDiscWithHole},
-    {"all_dart", true, true, true, true, BiasModel::kOdd, 0.15, Scaling::kWidth, Shape::kDart},
-    {"all_slits", true, true, true, true, BiasModel::kOdd, 0.8, Scaling::kWidth, Shape::kSlits}};
+    {"all_sharp_folds", true, true, true, true, scene::BiasModel::kOdd, 0.8},
+    {"stretch_dart", true, true, false, false, scene::BiasModel::kOdd, 0.15, scene::Scaling::kWidth,
+     Shape::kDart},
+    {"shear_slits", false, false, true, false, scene::BiasModel::kOdd, 0.15, scene::Scaling::kWidth,
+     Shape::kSlits},
+    {"bending_dart", false, false, false, true, scene::BiasModel::kOdd, 0.15, scene::Scaling::kWidth,
+     Shape::kDart},
+    {"bending_slits", false, false, false, true, scene::BiasModel::kOdd, 0.8, scene::Scaling::kWidth,
+     Shape::kSlits},
+    {"all_triangle", true, true, true, true, scene::BiasModel::kOdd, 0.15, scene::Scaling::kWidth,
+     Shape::kTriangle},
+    {"all_disc", true, true, true, true, scene::BiasModel::kOdd, 0.15, scene::Scaling::kWidth,
+     Shape::kDiscWithHole},
+    {"all_dart", true, true, true, true, scene::BiasModel::kOdd, 0.15, scene::Scaling::kWidth, Shape::kDart},
+    {"all_slits", true, true, true, true, scene::BiasModel::kOdd, 0.8, scene::Scaling::kWidth,
+     Shape::kSlits}};
 
 // The rectangle: 7 x 5 whole cells and a cut row on each axis, edges and corners of every kind.
 Scene scene_of(const LawCase& law) {
-  FabricSpec fabric = reference::curved_fabric();
+  scene::FabricSpec fabric = reference::curved_fabric();
   if (!law.warp) fabric.warp = {};
   if (!law.weft) fabric.weft = {};
   if (!law.bias) fabric.bias = {};
@@ -66,7 +75,7 @@ TEST_P(EveryForce, IsTheJudges) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     Assembled a = assemble(scene_of(GetParam()));
     crumple(a, GetParam().crumple * 0.01, seed);
-    const Eigen::VectorXd core = forces_by(kernel_pick(), a);
+    const Eigen::VectorXd core = forces_by(dynamics::kernel_pick(), a);
     const Eigen::VectorXd judge = reference::forces(reference::lattice_make(a.scene), positions(a));
     ASSERT_EQ(core.size(), judge.size());
     EXPECT_LE((core - judge).lpNorm<Eigen::Infinity>(), 1e-12 * judge.lpNorm<Eigen::Infinity>())
@@ -79,11 +88,11 @@ TEST_P(EveryForce, IsTheJudges) {
 TEST_P(EveryForce, IsMinusTheGradientOfItsEnergy) {
   Assembled a = assemble(scene_of(GetParam()));
   crumple(a, GetParam().crumple * 0.01, 7);
-  const Eigen::VectorXd force = forces_by(kernel_pick(), a);
+  const Eigen::VectorXd force = forces_by(dynamics::kernel_pick(), a);
   const auto energy = [&] {
     System weightless = a.system;
     weightless.gravity = {0, 0, 0};
-    const drape_energy e = energy_potential(weightless, a.state);
+    const drape_energy e = outputs::energy_potential(weightless, a.state);
     return e.stretch + e.shear + e.bending;
   };
   const double eps = 1e-7, scale = force.lpNorm<Eigen::Infinity>();
@@ -103,7 +112,7 @@ TEST_P(EveryForce, IsMinusTheGradientOfItsEnergy) {
 TEST_P(EveryForce, HasNoNetForceAndNoNetTorque) {
   Assembled a = assemble(scene_of(GetParam()));
   crumple(a, GetParam().crumple * 0.01, 3);
-  const Eigen::VectorXd force = forces_by(kernel_pick(), a), r = positions(a);
+  const Eigen::VectorXd force = forces_by(dynamics::kernel_pick(), a), r = positions(a);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero(), torque = sum;
   for (Eigen::Index k = 0; k < r.size(); k += 3) {
     const Eigen::Vector3d f = force.segment<3>(k), at = r.segment<3>(k);
@@ -118,13 +127,13 @@ TEST_P(EveryForce, HasNoNetForceAndNoNetTorque) {
 TEST_P(EveryForce, IsZeroAtRest) {
   Assembled a = assemble(scene_of(GetParam()));
   // A length rounds to 1e-16 of itself; times the stiffness, 600 N/m of 1 cm, and 8 links.
-  EXPECT_LE(forces_by(kernel_pick(), a).lpNorm<Eigen::Infinity>(), 8 * 600 * 0.01 * 4e-16);
+  EXPECT_LE(forces_by(dynamics::kernel_pick(), a).lpNorm<Eigen::Infinity>(), 8 * 600 * 0.01 * 4e-16);
 }
 
 TEST_P(EveryForce, TurnsWithTheCloth) {
   Assembled a = assemble(scene_of(GetParam()));
   crumple(a, GetParam().crumple * 0.01, 5);
-  const Eigen::VectorXd before = forces_by(kernel_pick(), a);
+  const Eigen::VectorXd before = forces_by(dynamics::kernel_pick(), a);
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, -3).normalized()).matrix();
   for (std::size_t n : a.system.particle) {
     const Eigen::Vector3d r = turn * Eigen::Vector3d(a.state.x[n], a.state.y[n], a.state.z[n]);
@@ -132,23 +141,23 @@ TEST_P(EveryForce, TurnsWithTheCloth) {
     a.state.y[n] = r[1];
     a.state.z[n] = r[2];
   }
-  const Eigen::VectorXd after = forces_by(kernel_pick(), a);
+  const Eigen::VectorXd after = forces_by(dynamics::kernel_pick(), a);
   const double scale = before.lpNorm<Eigen::Infinity>();
   for (Eigen::Index k = 0; k < before.size(); k += 3)
     EXPECT_LE((after.segment<3>(k) - turn * before.segment<3>(k)).norm(), 1e-12 * scale);
 }
 
 TEST_P(EveryForce, IsTheSameBitForBitInEveryLane) {
-  const Kernel* scalar = kernel_named("scalar");
+  const dynamics::Kernel* scalar = dynamics::kernel_named("scalar");
   if (!scalar) GTEST_SKIP() << "this processor has no AVX2 with FMA";
   Assembled a = assemble(scene_of(GetParam()));
   crumple(a, GetParam().crumple * 0.01, 11);
   const Eigen::VectorXd expected = forces_by(*scalar, a);
   for (const char* name : {"avx2", "avx512"}) {
-    const Kernel* kernel = kernel_named(name);
+    const dynamics::Kernel* kernel = dynamics::kernel_named(name);
     EXPECT_TRUE(!kernel || forces_by(*kernel, a) == expected) << name;
   }
-  const Eigen::VectorXd portable = forces_by(kKernelPortable, a);
+  const Eigen::VectorXd portable = forces_by(dynamics::kKernelPortable, a);
   EXPECT_LE((portable - expected).lpNorm<Eigen::Infinity>(), 1e-12 * expected.lpNorm<Eigen::Infinity>());
 }
 
@@ -159,8 +168,8 @@ TEST_P(EveryForce, IsTheSameBitForBitInEveryLane) {
 TEST(Patch, LinearDisplacementGivesTheExactStressOnEveryCutPiece) {
   for (Shape shape : kCutShapes) {
     Assembled a = assemble(cut_piece(reference::curved_fabric(), shape));
-    const PieceSpec& piece = a.scene.pieces[0];
-    const Lattice& l = a.system.lattices[0];
+    const scene::PieceSpec& piece = a.scene.pieces[0];
+    const model::Lattice& l = a.system.lattices[0];
     const Eigen::Matrix2d map = (Eigen::Matrix2d() << 1.05, 0.03, -0.02, 1.09).finished();
     for (std::size_t n : a.system.particle) {
       const Eigen::Vector2d to = map * Eigen::Vector2d(a.state.x[n], a.state.y[n]);
@@ -168,17 +177,19 @@ TEST(Patch, LinearDisplacementGivesTheExactStressOnEveryCutPiece) {
       a.state.y[n] = to[1];
     }
     const Eigen::Vector2d weft(std::cos(piece.grain), std::sin(piece.grain)), warp(-weft[1], weft[0]);
-    const auto stress = [](const Curve& law, double ratio) { return curve_value(law, ratio - 1) * ratio; };
+    const auto stress = [](const math::Curve& law, double ratio) {
+      return math::curve_value(law, ratio - 1) * ratio;
+    };
     double virial = stress(l.law.weft, (map * weft).norm()) + stress(l.law.warp, (map * warp).norm());
     for (double sign : {1.0, -1.0})
       virial += stress(l.law.bias, (map * (weft + sign * warp)).norm() / std::sqrt(2.0));
     double area = 0;
     for (double of_node : a.system.area) area += of_node;
-    const Eigen::VectorXd f = forces_by(kernel_pick(), a);
+    const Eigen::VectorXd f = forces_by(dynamics::kernel_pick(), a);
     EXPECT_NEAR(-f.dot(positions(a)), area * virial, 1e-12 * area * virial) << shape_name(shape);
 
     std::vector<int> whole(a.system.nodes, 0);
-    each_cell(a.system, l, [&](const std::size_t* corner, double share) {
+    model::each_cell(a.system, l, [&](const std::size_t* corner, double share) {
       for (int k = 0; k < 4; ++k) whole[corner[k]] += std::abs(share - 1) < 1e-12;
     });
     int inside = 0;
@@ -195,7 +206,7 @@ TEST(Patch, LinearDisplacementGivesTheExactStressOnEveryCutPiece) {
 TEST(Side, IsThereWhereTheOutlineSplitsCellsAndOnlyThere) {
   for (Shape shape : {Shape::kRectangle, Shape::kDart, Shape::kSlits}) {
     const Assembled a = assemble(cut_piece(reference::curved_fabric(), shape));
-    const Side& side = a.system.side;
+    const model::Side& side = a.system.side;
     const bool split = shape != Shape::kRectangle;
     EXPECT_EQ(a.system.lattices[0].twins > 0, split) << shape_name(shape);
     EXPECT_EQ(side.links.size() + side.hinges.size() + side.cells.size() > 0, split);
@@ -217,4 +228,4 @@ TEST(Bending, EnergyIsHalfTheAngleSquaredToASharpFoldAndSmoothBeyond) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::forces

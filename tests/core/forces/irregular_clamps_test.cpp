@@ -10,7 +10,9 @@
 #include "outputs/energy.h"
 #include "reference/forces.h"
 
-namespace drape {
+namespace drape::forces {
+
+using namespace tests;
 namespace {
 
 using Eigen::Vector3d;
@@ -39,10 +41,10 @@ const ClampCase kClamps[] = {{"node", {{0.03, 0.02}}, {}, {}},
                               {{0.022, 0.012}, {0.067, 0.013}, {0.064, 0.047}, {0.021, 0.046}},
                               Shape::kSlits}};
 
-Scene clamped(const ClampCase& c, FabricSpec fabric = reference::curved_fabric()) {
+Scene clamped(const ClampCase& c, scene::FabricSpec fabric = reference::curved_fabric()) {
   Scene scene = cut_piece(fabric, c.shape);
   if (c.origin != Vec2{0, 0}) scene.pieces[0].grid_origin = c.origin;
-  PinSpec pin;
+  scene::PinSpec pin;
   pin.name = "clamp";
   pin.piece = 0;
   pin.at = c.at;
@@ -80,7 +82,7 @@ TEST_P(EveryClamp, IsTheJudges) {
     const Eigen::Matrix3d turn = turn_of(0.1 * seed);
     turn_pin(a, turn);
     const reference::Lattice lattice = reference::lattice_make(a.scene);
-    const VectorXd core = forces_by(kernel_pick(), a),
+    const VectorXd core = forces_by(dynamics::kernel_pick(), a),
                    judge = reference::forces(lattice, positions(a), {turn});
     EXPECT_LE((core - judge).lpNorm<Eigen::Infinity>(), 1e-12 * judge.lpNorm<Eigen::Infinity>());
     VectorXd alone = VectorXd::Zero(core.size());
@@ -92,16 +94,16 @@ TEST_P(EveryClamp, IsTheJudges) {
 // F = -dE/dr; the torque on the pin is -dE/da for a turn by a about each axis. Central differences at 1e-7 m
 // and rad.
 TEST_P(EveryClamp, IsMinusTheGradientOfItsEnergy) {
-  FabricSpec fabric = reference::curved_fabric();
+  scene::FabricSpec fabric = reference::curved_fabric();
   fabric.warp = fabric.weft = fabric.bias = {};
   Assembled a = assemble(clamped(GetParam(), fabric));
   crumple(a, 0.0015, 7);
   const Eigen::Matrix3d turn = turn_of(0.4);
   turn_pin(a, turn);
-  const VectorXd force = forces_by(kernel_pick(), a);
+  const VectorXd force = forces_by(dynamics::kernel_pick(), a);
   const Vector3d torque = clamp_torque(a);
   const double eps = 1e-7;
-  const auto energy = [&] { return energy_potential(a.system, a.state).bending; };
+  const auto energy = [&] { return outputs::energy_potential(a.system, a.state).bending; };
   Eigen::Index k = 0;
   for (std::size_t n : a.system.particle)
     for (Array* r : {&a.state.x, &a.state.y, &a.state.z}) {
@@ -128,7 +130,7 @@ TEST_P(EveryClamp, TurnsThePinAgainstTheCloth) {
   Assembled a = assemble(clamped(GetParam()));
   crumple(a, 0.0015, 3);
   turn_pin(a, turn_of(0.7));
-  const VectorXd force = forces_by(kernel_pick(), a), r = positions(a);
+  const VectorXd force = forces_by(dynamics::kernel_pick(), a), r = positions(a);
   Vector3d sum = Vector3d::Zero(), torque = sum;
   for (Eigen::Index k = 0; k < r.size(); k += 3) {
     sum += force.segment<3>(k);
@@ -140,8 +142,8 @@ TEST_P(EveryClamp, TurnsThePinAgainstTheCloth) {
 
 TEST_P(EveryClamp, IsAtRestInFlatCloth) {
   Assembled a = assemble(clamped(GetParam()));
-  EXPECT_LE(forces_by(kernel_pick(), a).lpNorm<Eigen::Infinity>(), 8 * 600 * 0.01 * 4e-16);
+  EXPECT_LE(forces_by(dynamics::kernel_pick(), a).lpNorm<Eigen::Infinity>(), 8 * 600 * 0.01 * 4e-16);
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::forces

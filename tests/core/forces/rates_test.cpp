@@ -10,14 +10,16 @@
 #include "reference/forces.h"
 #include "reference/resistance.h"
 
-namespace drape {
+namespace drape::forces {
+
+using namespace tests;
 namespace {
 
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-FabricSpec damped_fabric() {
-  FabricSpec fabric = reference::curved_fabric();
+scene::FabricSpec damped_fabric() {
+  scene::FabricSpec fabric = reference::curved_fabric();
   fabric.damping = 3e-3;
   return fabric;
 }
@@ -50,12 +52,12 @@ void throw_about(Assembled& a, double speed, unsigned seed) {
 
 // What of the kernel's forces depends on velocity.
 VectorXd rates_of(Assembled& a) {
-  const VectorXd all = forces_by(kernel_pick(), a);
+  const VectorXd all = forces_by(dynamics::kernel_pick(), a);
   System still = a.system;
   still.air = {};
-  for (Lattice& l : still.lattices) l.law.damping = 0;
+  for (model::Lattice& l : still.lattices) l.law.damping = 0;
   std::swap(still, a.system);
-  const VectorXd elastic = forces_by(kernel_pick(), a);
+  const VectorXd elastic = forces_by(dynamics::kernel_pick(), a);
   std::swap(still, a.system);
   return all - elastic;
 }
@@ -79,16 +81,16 @@ Totals totals(const VectorXd& f, const VectorXd& r) {
 
 // In a linear law F = w k (e + beta e'): the damping is the elastic force of the strain beta e'.
 TEST(Damping, AddsBetaTimesTheRateToTheStrainOfALinearThread) {
-  FabricSpec fabric = reference::threads(300);
+  scene::FabricSpec fabric = reference::threads(300);
   fabric.damping = 2e-3;
   Scene scene = reference::rectangle(fabric, 0.03, 0.04, 0.01);
   scene.gravity = {0, 0, 0};
   Assembled a = assemble(scene);
   set_velocities(a, [](const Vector3d& r) { return Vector3d(0, 0.7 * r[1], 0); });  // e' = 0.7/s everywhere
-  const VectorXd moving = forces_by(kernel_pick(), a);
+  const VectorXd moving = forces_by(dynamics::kernel_pick(), a);
   set_velocities(a, [](const Vector3d&) { return Vector3d::Zero().eval(); });
   for (std::size_t n : a.system.particle) a.state.y[n] *= 1 + 2e-3 * 0.7;
-  const VectorXd strained = forces_by(kernel_pick(), a);
+  const VectorXd strained = forces_by(dynamics::kernel_pick(), a);
   EXPECT_GT(strained.norm(), 1e-3);
   EXPECT_LE((moving - strained).norm(), 1e-11 * strained.norm());  // a strain of 1e-3 is known to 1e-13
 }
@@ -121,7 +123,7 @@ TEST(Damping, DoesNothingToRigidMotion) {
 // for the rounding of some fifty terms a node.
 TEST(Rates, AreTheJudges) {
   for (Shape shape : {Shape::kRectangle, Shape::kTriangle, Shape::kDiscWithHole, Shape::kDart, Shape::kSlits})
-    for (OutlineModel outline : {OutlineModel::kCutCell, OutlineModel::kPaper})
+    for (scene::OutlineModel outline : {scene::OutlineModel::kCutCell, scene::OutlineModel::kPaper})
       for (unsigned seed = 1; seed <= 5; ++seed) {
         Scene scene = sheet(true, true, shape);
         scene.outline = outline;
@@ -131,7 +133,7 @@ TEST(Rates, AreTheJudges) {
         throw_about(a, 2, seed);
         a.state.wx = a.state.vx, a.state.wy = a.state.vy, a.state.wz = a.state.vz;
         const reference::Lattice lattice = reference::lattice_make(scene);
-        const VectorXd core = forces_by(kernel_pick(), a), r = positions(a), v = velocities(a);
+        const VectorXd core = forces_by(dynamics::kernel_pick(), a), r = positions(a), v = velocities(a);
         VectorXd judge = reference::forces(lattice, r);
         reference::add_link_damping(lattice, r, v, judge);
         reference::add_air(lattice, {scene.air_density, 1.1, 0.2}, Vector3d(3, -1, 2), r, v, judge);
@@ -216,10 +218,10 @@ TEST(Rates, AreTheSameBitForBitInEveryLaneAndOneByOne) {
   throw_about(a, 1, 8);
   a.state.h_old = a.state.h_older = 1e-5;
   a.state.wind = {0.3, 1, -2};
-  if (const Kernel* scalar = kernel_named("scalar")) {
+  if (const dynamics::Kernel* scalar = dynamics::kernel_named("scalar")) {
     const VectorXd expected = forces_by(*scalar, a);
     for (const char* name : {"avx2", "avx512"}) {
-      const Kernel* kernel = kernel_named(name);
+      const dynamics::Kernel* kernel = dynamics::kernel_named(name);
       EXPECT_TRUE(!kernel || forces_by(*kernel, a) == expected) << name;
     }
   }
@@ -227,15 +229,15 @@ TEST(Rates, AreTheSameBitForBitInEveryLaneAndOneByOne) {
   const Vec3 air = rate_forces(a.system, a.state, 0.5, fx.data(), fy.data(), fz.data());
   const VectorXd alone = gathered(a.system, fx, fy, fz), expected = rates_of(a);
   EXPECT_LE((alone - expected).lpNorm<Eigen::Infinity>(),
-            1e-12 * forces_by(kernel_pick(), a).lpNorm<Eigen::Infinity>());
-  for (Lattice& l : a.system.lattices) l.law.damping = 0;
+            1e-12 * forces_by(dynamics::kernel_pick(), a).lpNorm<Eigen::Infinity>());
+  for (model::Lattice& l : a.system.lattices) l.law.damping = 0;
   const Vector3d total = totals(rates_of(a), positions(a)).force;
   EXPECT_LE((total - Vector3d(air[0], air[1], air[2])).norm(), 1e-12 * total.norm());
 }
 
 // Steps too: rows, twins and what lies beside the rows.
 TEST(Rates, StepTheSameBitsInEveryLane) {
-  const Kernel* scalar = kernel_named("scalar");
+  const dynamics::Kernel* scalar = dynamics::kernel_named("scalar");
   if (!scalar) GTEST_SKIP() << "this processor has no AVX2 with FMA";
   for (Shape shape : kCutShapes)
     for (const bool rates : {false, true}) {
@@ -243,17 +245,18 @@ TEST(Rates, StepTheSameBitsInEveryLane) {
       if (rates) a.system.lattices[0].law.damping = 3e-5;
       crumple(a, 0.001, 7);
       const State start = a.state;
-      const auto stepped = [&](const Kernel* kernel) {
+      const auto stepped = [&](const dynamics::Kernel* kernel) {
         a.state = start;
         a.motion.kernel = kernel;
-        for (int k = 0; k < 50; ++k) leapfrog_step(a.system, a.motion, a.state, k / 10 % 2 ? 1e-6 : 2e-6);
+        for (int k = 0; k < 50; ++k)
+          dynamics::leapfrog_step(a.system, a.motion, a.state, k / 10 % 2 ? 1e-6 : 2e-6);
         return a.state;
       };
       const State expected = stepped(scalar);
       EXPECT_TRUE(positions(a).allFinite());
       EXPECT_FALSE(expected.x == start.x);
       for (const char* name : {"avx2", "avx512"}) {
-        const Kernel* kernel = kernel_named(name);
+        const dynamics::Kernel* kernel = dynamics::kernel_named(name);
         if (!kernel) continue;
         const State found = stepped(kernel);
         EXPECT_TRUE(found.x == expected.x && found.y == expected.y && found.z == expected.z) << name;
@@ -275,7 +278,7 @@ TEST(Rates, KeepTheOrderOfLeapfrog) {
     Assembled a = assemble(scene);
     const int n = 300 << level;
     const double h = time / (1.5 * n);
-    for (int k = 0; k < n; ++k) leapfrog_step(a.system, a.motion, a.state, k / 10 % 2 ? h : 2 * h);
+    for (int k = 0; k < n; ++k) dynamics::leapfrog_step(a.system, a.motion, a.state, k / 10 % 2 ? h : 2 * h);
     error[level] = -a.state.z[a.system.particle[0]] - fallen;
   }
   std::printf("falling sheet: errors %.2e %.2e %.2e m\n", error[0], error[1], error[2]);
@@ -284,4 +287,4 @@ TEST(Rates, KeepTheOrderOfLeapfrog) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::forces

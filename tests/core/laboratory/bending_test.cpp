@@ -8,11 +8,11 @@
 
 #include "reference/test_cloth.h"
 
-namespace drape {
+namespace drape::laboratory {
 namespace {
 
-FabricSpec strip_fabric() {
-  FabricSpec f = reference::threads(2000);
+scene::FabricSpec strip_fabric() {
+  scene::FabricSpec f = reference::threads(2000);
   f.weft = reference::straight(1500);
   f.areal_density = 0.12;
   f.bending_warp = 9e-6;
@@ -23,7 +23,7 @@ FabricSpec strip_fabric() {
 // Both tests on the mesh and on one of half the cell: of order 2 towards B. The order of the sequence itself
 // is that of hinges at the clamp, 2, to 0.3 as the meshes are coarse.
 TEST(BendingTests, GiveBackTheRigidityWithOrderTwo) {
-  const FabricSpec f = strip_fabric();
+  const scene::FabricSpec f = strip_fabric();
   std::vector<Problem> problems;
   for (bool warp : {true, false}) {
     const double b = warp ? f.bending_warp : f.bending_weft;
@@ -45,4 +45,4 @@ TEST(BendingTests, GiveBackTheRigidityWithOrderTwo) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::laboratory

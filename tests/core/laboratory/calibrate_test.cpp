@@ -7,10 +7,12 @@
 
 #include "laboratory/write_calibration.h"
 #include "reference/test_cloth.h"
-#include "validation/load.h"
 #include "scene_file.h"
+#include "validation/load.h"
 
-namespace drape {
+namespace drape::laboratory {
+
+using namespace tests;
 namespace {
 
 constexpr const char* kText =
@@ -25,22 +27,22 @@ constexpr const char* kText =
     "elongation_percent = [0, 1, 2]\n"
     "force = [\n  0, # nothing\n  6,\n  15]\n";
 
-FabricSpec read(const std::string& text, Corrections corrections = Corrections::kKept) {
+scene::FabricSpec read(const std::string& text, scene::Corrections corrections = scene::Corrections::kKept) {
   const SceneFolder folder;
   std::vector<Problem> problems;
-  const FabricSpec f = fabric_load(folder.write("f.toml", text), problems, corrections);
-  for (const Problem& p : problems) ADD_FAILURE() << problem_text(p);
+  const scene::FabricSpec f = validation::fabric_load(folder.write("f.toml", text), problems, corrections);
+  for (const Problem& p : problems) ADD_FAILURE() << scene::problem_text(p);
   return f;
 }
 
-Calibration calibrated(const FabricSpec& f, double cell = 0.0125) {
+Calibration calibrated(const scene::FabricSpec& f, double cell = 0.0125) {
   std::vector<Problem> problems;
   const Calibration c = calibrate(f, {.cell = cell}, problems);
-  for (const Problem& p : problems) ADD_FAILURE() << problem_text(p);
+  for (const Problem& p : problems) ADD_FAILURE() << scene::problem_text(p);
   return c;
 }
 
-double off(const FabricSpec& f, Thread along, double cell) {
+double off(const scene::FabricSpec& f, model::Thread along, double cell) {
   std::vector<Problem> problems;
   const StripPull pull = strip_pull(f, along, cell, strip_elongations(f, along, 10), problems);
   double most = pull.force.empty() ? 1 : 0;
@@ -50,10 +52,10 @@ double off(const FabricSpec& f, Thread along, double cell) {
 }
 
 TEST(Calibration, LetsStripsGiveBackTheirDiagrams) {
-  const FabricSpec f = read(kText);
+  const scene::FabricSpec f = read(kText);
   const Calibration c = calibrated(f);
   ASSERT_TRUE(c.converged) << c.why;
-  for (Thread along : {Thread::kWarp, Thread::kWeft, Thread::kBias}) {
+  for (model::Thread along : {model::Thread::kWarp, model::Thread::kWeft, model::Thread::kBias}) {
     EXPECT_GT(off(f, along, 0.0125), 5e-3);
     EXPECT_LE(off(c.fabric, along, 0.0125), 1e-4);
   }
@@ -71,8 +73,9 @@ TEST(Calibration, StartsFromStoredCorrections) {
 TEST(Calibration, TakesFewSweeps) {
   std::vector<Problem> problems;
   for (const char* name : {"cotton", "half_wool", "quilting_cotton"}) {
-    const FabricSpec f = fabric_load(DRAPE_SOURCE_DIR "/examples/fabrics/" + std::string(name) + ".toml",
-                                     problems, Corrections::kDropped);
+    const scene::FabricSpec f =
+        validation::fabric_load(DRAPE_SOURCE_DIR "/examples/fabrics/" + std::string(name) + ".toml", problems,
+                                scene::Corrections::kDropped);
     ASSERT_TRUE(f.bias.correction.empty() && f.bias.correction_elongation.empty());
     const Calibration c = calibrate(f, {.cell = f.strip_width / 8}, problems);
     ASSERT_TRUE(c.converged && problems.empty()) << c.why;
@@ -95,15 +98,16 @@ TEST(Calibration, LetsDiagramsBeSlackAtFirst) {
 // A tuned point keeps its correction: with all forces of a fabric times a factor, all laws are, and so are
 // the simulated strips, but for bending (1e-6 of the forces).
 TEST(Calibration, StaysWithTunedPoints) {
-  FabricSpec f = calibrated(read(kText)).fabric;
-  for (DiagramSpec* d : {&f.warp, &f.weft, &f.bias})
+  scene::FabricSpec f = calibrated(read(kText)).fabric;
+  for (scene::DiagramSpec* d : {&f.warp, &f.weft, &f.bias})
     for (double& force : d->force) force *= 1.7;
-  for (Thread along : {Thread::kWarp, Thread::kWeft, Thread::kBias}) EXPECT_LE(off(f, along, 0.0125), 1.1e-4);
+  for (model::Thread along : {model::Thread::kWarp, model::Thread::kWeft, model::Thread::kBias})
+    EXPECT_LE(off(f, along, 0.0125), 1.1e-4);
 }
 
 // Diagonals that pull harder than the warp's whole diagram cannot be taken out of it.
 TEST(Calibration, SaysWhyItDoesNotConverge) {
-  FabricSpec f = read(kText);
+  scene::FabricSpec f = read(kText);
   f.warp.force = {0, 0.05, 0.1};
   const Calibration c = calibrated(f);
   EXPECT_FALSE(c.converged);
@@ -134,9 +138,9 @@ TEST(Store, KeepsTheText) {
     }
     for (std::size_t k = stored.find('\n'); crlf && k != std::string::npos; k = stored.find('\n', k + 1))
       EXPECT_EQ(stored[k - 1], '\r');
-    const FabricSpec again = read(stored);
-    for (Thread along : {Thread::kWarp, Thread::kWeft, Thread::kBias}) {
-      const DiagramSpec &a = strip_diagram(again, along), &b = strip_diagram(c.fabric, along);
+    const scene::FabricSpec again = read(stored);
+    for (model::Thread along : {model::Thread::kWarp, model::Thread::kWeft, model::Thread::kBias}) {
+      const scene::DiagramSpec &a = strip_diagram(again, along), &b = strip_diagram(c.fabric, along);
       ASSERT_EQ(a.correction.size(), b.correction.size());
       for (std::size_t k = 0; k < a.correction.size(); ++k)
         EXPECT_NEAR(a.correction[k] / b.correction[k], 1, 1e-5);
@@ -164,9 +168,9 @@ TEST(Store, TakesOutWhatNoLongerHolds) {
     std::string loose = with;
     const std::string force = "force = [0, 0.4, 0.9, 1.5]";
     loose.insert(loose.find(force) + force.size(), inline_table ? ", jaws = false" : "\njaws = false");
-    const std::string again =
-        calibration_store(loose, calibrated(read(loose, Corrections::kDropped)), "2026-11-26", problems);
-    ASSERT_TRUE(problems.empty()) << problem_text(problems[0]);
+    const std::string again = calibration_store(loose, calibrated(read(loose, scene::Corrections::kDropped)),
+                                                "2026-11-26", problems);
+    ASSERT_TRUE(problems.empty()) << scene::problem_text(problems[0]);
     EXPECT_EQ(again.find("correction_elongation"), std::string::npos) << again;
     EXPECT_TRUE(read(again).bias.correction_elongation.empty());
     EXPECT_EQ(read(again).bias.correction.size(), 4u);
@@ -184,9 +188,9 @@ TEST(Store, KeepsASheet) {
   const std::string stored = calibration_store(text, c, "2026-11-25", problems);
   ASSERT_TRUE(problems.empty());
   EXPECT_EQ(stored.substr(0, text.size()), text);
-  const FabricSpec again = read(stored);
-  for (Thread along : {Thread::kWarp, Thread::kWeft, Thread::kBias}) {
-    const DiagramSpec &a = strip_diagram(again, along), &b = strip_diagram(c.fabric, along);
+  const scene::FabricSpec again = read(stored);
+  for (model::Thread along : {model::Thread::kWarp, model::Thread::kWeft, model::Thread::kBias}) {
+    const scene::DiagramSpec &a = strip_diagram(again, along), &b = strip_diagram(c.fabric, along);
     ASSERT_EQ(a.correction.size(), b.correction.size());
     for (std::size_t k = 0; k < a.correction.size(); ++k)
       EXPECT_NEAR(a.correction[k] / b.correction[k], 1, 1e-5);
@@ -197,4 +201,4 @@ TEST(Store, KeepsASheet) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::laboratory

@@ -6,14 +6,16 @@
 #include "cloth_fixture.h"
 #include "cut_pieces.h"
 
-namespace drape {
+namespace drape::laboratory {
+
+using namespace tests;
 namespace {
 
 // K = -dF/dr by central differences over 1e-7 m: curvatures of the laws over lengths of a cell leave 1e-6 of
 // the largest entry. A cut piece with links beside the rows, and a clamp.
 TEST(Stiffness, IsMinusTheDerivativeOfTheForces) {
   Scene scene = cut_piece(reference::curved_fabric(), Shape::kSlits);
-  PinSpec pin = reference::pin_edges("edge", {0});
+  scene::PinSpec pin = reference::pin_edges("edge", {0});
   pin.clamp = true;
   scene.pins = {pin};
   Assembled a = assemble(scene);
@@ -32,13 +34,13 @@ TEST(Stiffness, IsMinusTheDerivativeOfTheForces) {
     for (Array* r : {&a.state.x, &a.state.y, &a.state.z}) {
       const double at = (*r)[n];
       (*r)[n] = at + eps;
-      const Eigen::VectorXd above = forces_by(kernel_pick(), a);
+      const Eigen::VectorXd above = forces_by(dynamics::kernel_pick(), a);
       (*r)[n] = at - eps;
-      const Eigen::VectorXd below = forces_by(kernel_pick(), a);
+      const Eigen::VectorXd below = forces_by(dynamics::kernel_pick(), a);
       (*r)[n] = at;
       EXPECT_LE((full.col(column++) + (above - below) / (2 * eps)).lpNorm<Eigen::Infinity>(), 1e-6 * largest);
     }
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::laboratory

@@ -12,20 +12,24 @@
 #include "reference/motion.h"
 #include "validation/load.h"
 
-namespace drape {
+namespace drape::laboratory {
+
+using namespace tests;
 namespace {
 
-FabricSpec shipped(const std::string& name) {
+scene::FabricSpec shipped(const std::string& name) {
   std::vector<Problem> problems;
-  const FabricSpec f = fabric_load(DRAPE_SOURCE_DIR "/examples/fabrics/" + name + ".toml", problems);
-  for (const Problem& p : problems) ADD_FAILURE() << problem_text(p);
+  const scene::FabricSpec f =
+      validation::fabric_load(DRAPE_SOURCE_DIR "/examples/fabrics/" + name + ".toml", problems);
+  for (const Problem& p : problems) ADD_FAILURE() << scene::problem_text(p);
   return f;
 }
 
-StripPull pulled(const FabricSpec& f, Thread along, double cell, const std::vector<double>& elongation) {
+StripPull pulled(const scene::FabricSpec& f, model::Thread along, double cell,
+                 const std::vector<double>& elongation) {
   std::vector<Problem> problems;
   const StripPull pull = strip_pull(f, along, cell, elongation, problems);
-  for (const Problem& p : problems) ADD_FAILURE() << problem_text(p);
+  for (const Problem& p : problems) ADD_FAILURE() << scene::problem_text(p);
   EXPECT_EQ(pull.force.size(), elongation.size());
   return pull;
 }
@@ -37,30 +41,31 @@ INSTANTIATE_TEST_SUITE_P(Fabrics, ShippedStrip,
 
 // Case a on calibrated fabrics: S_i = F_i, 0.05 % in jaws along warp and weft, 0.1 % at 45 degrees.
 TEST_P(ShippedStrip, GivesBackItsDiagrams) {
-  const FabricSpec f = shipped(GetParam());
-  for (Thread along : {Thread::kWarp, Thread::kWeft, Thread::kBias}) {
-    const DiagramSpec& d = strip_diagram(f, along);
+  const scene::FabricSpec f = shipped(GetParam());
+  for (model::Thread along : {model::Thread::kWarp, model::Thread::kWeft, model::Thread::kBias}) {
+    const scene::DiagramSpec& d = strip_diagram(f, along);
     ASSERT_FALSE(d.correction.empty());
     const StripPull pull = pulled(f, along, f.strip_width / kStripCells, strip_elongations(f, along, 10));
     double worst = 0;
     for (std::size_t k = 0; k < pull.force.size(); ++k)
       worst = std::max(worst, std::abs(pull.force[k] / d.force[k + 1] - 1));
-    std::printf("case a, %s: at most %.1e off\n", along == Thread::kBias ? "45 degrees" : "threads", worst);
-    EXPECT_LE(worst, along == Thread::kBias ? 1e-3 : 5e-4);
+    std::printf("case a, %s: at most %.1e off\n", along == model::Thread::kBias ? "45 degrees" : "threads",
+                worst);
+    EXPECT_LE(worst, along == model::Thread::kBias ? 1e-3 : 5e-4);
   }
 }
 
 // Every strip finds its rest on cells of width/8 and width/32 too; across the ends of the 45 degree strip an
 // even share of the width, corners are nodes, and its forces change with order 1 or more.
 TEST_P(ShippedStrip, FindsItsRestOnOtherCells) {
-  const FabricSpec f = shipped(GetParam());
+  const scene::FabricSpec f = shipped(GetParam());
   std::vector<Problem> problems;
-  for (Thread along : {Thread::kWarp, Thread::kWeft})
+  for (model::Thread along : {model::Thread::kWarp, model::Thread::kWeft})
     for (double cells : {8.0, 32.0})
       pulled(f, along, f.strip_width / cells, strip_elongations(f, along, 0.04));
   if (!f.bias.jaws) return;
   const StripOrder o =
-      strip_order(f, f.strip_width / 16, strip_elongations(f, Thread::kBias, 0.06), problems);
+      strip_order(f, f.strip_width / 16, strip_elongations(f, model::Thread::kBias, 0.06), problems);
   ASSERT_TRUE(o.told && o.why.empty() && problems.empty()) << o.why;
   std::printf("45 degrees on cells of %.3f, %.3f, %.3f mm: %.2f, %.3f, %.2f %% off, order %.2f\n",
               1e3 * o.cell[0], 1e3 * o.cell[1], 1e3 * o.cell[2], 100 * o.off[0], 100 * o.off[1],
@@ -81,9 +86,9 @@ TEST(StripOrder, IsThePowerOfTheCell) {
 TEST(Strip, FindsItsRestWhereClothIsSlackOrShort) {
   for (const auto& [width, gauge] : {std::pair{0.05, 0.075}, std::pair{0.025, 0.075}, std::pair{0.05, 0.1}})
     for (double compression : {1.0, 0.0}) {
-      FabricSpec f = shipped("cotton");
+      scene::FabricSpec f = shipped("cotton");
       f.strip_width = width, f.strip_gauge = gauge, f.compression = compression;
-      for (Thread along : {Thread::kWarp, Thread::kWeft, Thread::kBias})
+      for (model::Thread along : {model::Thread::kWarp, model::Thread::kWeft, model::Thread::kBias})
         for (double cells : {8.0, 13.0}) pulled(f, along, width / cells, strip_elongations(f, along, 10));
     }
 }
@@ -91,13 +96,13 @@ TEST(Strip, FindsItsRestWhereClothIsSlackOrShort) {
 // With the bias law off and nothing to bend, a warp strip between jaws is threads side by side: the input at
 // every cell, to what rest leaves (1e-7 of the load).
 TEST(Strip, OfThreadsAloneIsItsDiagramAtEveryCell) {
-  FabricSpec f = shipped("cotton");
+  scene::FabricSpec f = shipped("cotton");
   f.bias = {};
   f.warp.correction.clear();
   f.weft.correction.clear();
-  for (Thread along : {Thread::kWarp, Thread::kWeft})
+  for (model::Thread along : {model::Thread::kWarp, model::Thread::kWeft})
     for (double cells : {4.0, 7.3, 16.0}) {
-      const DiagramSpec& d = strip_diagram(f, along);
+      const scene::DiagramSpec& d = strip_diagram(f, along);
       const StripPull pull = pulled(f, along, f.strip_width / cells, strip_elongations(f, along, 10));
       for (std::size_t k = 0; k < pull.force.size(); ++k)
         EXPECT_NEAR(pull.force[k] / d.force[k + 1], 1, 1e-6) << cells << " cells, point " << k + 1;
@@ -106,8 +111,8 @@ TEST(Strip, OfThreadsAloneIsItsDiagramAtEveryCell) {
 
 // The rest of Newton's method is the judge's: nothing is left of the forces, and the pins carry what it says.
 TEST(Strip, IsAtRestForTheJudge) {
-  const FabricSpec f = shipped("half_wool");
-  const Scene scene = strip_scene(f, Thread::kBias, f.strip_width / 8);
+  const scene::FabricSpec f = shipped("half_wool");
+  const Scene scene = strip_scene(f, model::Thread::kBias, f.strip_width / 8);
   Assembled a = assemble(scene);
   a.state.pin_frame[1].position[1] += 0.04 * f.strip_gauge;
   const RestSearchHandle search = rest_search_make(a.system, true);
@@ -125,33 +130,33 @@ TEST(Strip, IsAtRestForTheJudge) {
 // Fit mode finds the same rest by motion, to the 1e-5 of the load at which it stops: as forces on soft
 // strips, 1e-3 of the pull.
 TEST(Strip, IsTheRestOfAFit) {
-  const FabricSpec f = shipped("half_wool");
-  Scene scene = strip_scene(f, Thread::kBias, f.strip_width / 4);
-  scene.mode = Mode::kFit;
+  const scene::FabricSpec f = shipped("half_wool");
+  Scene scene = strip_scene(f, model::Thread::kBias, f.strip_width / 4);
+  scene.mode = scene::Mode::kFit;
   Assembled a = assemble(scene);
   const double pull = 0.03;
-  a.motion.inputs = inputs_at(a.state);
+  a.motion.inputs = dynamics::inputs_at(a.state);
   a.motion.inputs.pin[1].position[1] += pull * f.strip_gauge;
   std::string event;
-  ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 0.1, event), Advance::kDone);
+  ASSERT_EQ(dynamics::leapfrog_advance(a.system, a.motion, a.state, 0.1, event), dynamics::Advance::kDone);
   for (int k = 0; k < 600 && !a.state.fit.at_rest; ++k)
-    ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 0.1, event), Advance::kDone);
+    ASSERT_EQ(dynamics::leapfrog_advance(a.system, a.motion, a.state, 0.1, event), dynamics::Advance::kDone);
   ASSERT_TRUE(a.state.fit.at_rest) << a.state.fit.residual;
-  std::vector<PinLoad> load(2);
+  std::vector<math::PinLoad> load(2);
   Array v[3] = {Array(a.system.nodes), Array(a.system.nodes), Array(a.system.nodes)};
-  leapfrog_synchronous(a.system, a.motion, a.state, v[0].data(), v[1].data(), v[2].data(), load);
-  const StripPull newton = pulled(f, Thread::kBias, f.strip_width / 4, {pull});
+  dynamics::leapfrog_synchronous(a.system, a.motion, a.state, v[0].data(), v[1].data(), v[2].data(), load);
+  const StripPull newton = pulled(f, model::Thread::kBias, f.strip_width / 4, {pull});
   EXPECT_NEAR(-load[1].force[1] / newton.force[0], 1, 1e-3);
 }
 
 // A trellis of inextensible threads: S = w_p [g(L) + g(|e2|) l1/l2], which the odd law without jaws solves
 // for F; exact but for the differences of the homogeneous lattice, 1e-9.
 TEST(Strip, WithoutJawsIsTheTrellis) {
-  FabricSpec f = shipped("wool");
+  scene::FabricSpec f = shipped("wool");
   f.bias.correction.clear();
-  const std::vector<double> elongation = strip_elongations(f, Thread::kBias, 10);
+  const std::vector<double> elongation = strip_elongations(f, model::Thread::kBias, 10);
   for (double cells : {4.0, 9.0}) {
-    const StripPull pull = pulled(f, Thread::kBias, f.strip_width / cells, elongation);
+    const StripPull pull = pulled(f, model::Thread::kBias, f.strip_width / cells, elongation);
     for (std::size_t k = 0; k < pull.force.size(); ++k)
       EXPECT_NEAR(pull.force[k] / f.bias.force[k + 1], 1, 1e-9);
   }
@@ -159,28 +164,30 @@ TEST(Strip, WithoutJawsIsTheTrellis) {
 
 // Jaws stiffen a linear 45 degree strip about as K = r (r - 1.25)/(r - 1)^2 says: within 15 % for r = 4.
 TEST(Strip, IsStiffenedByJawsAboutAsKSays) {
-  FabricSpec f = shipped("cotton");
-  for (DiagramSpec* d : {&f.warp, &f.weft, &f.bias}) d->correction.clear(), d->correction_elongation.clear();
-  const StripPull pull = pulled(f, Thread::kBias, f.strip_width / 16, {0.005});
+  scene::FabricSpec f = shipped("cotton");
+  for (scene::DiagramSpec* d : {&f.warp, &f.weft, &f.bias})
+    d->correction.clear(), d->correction_elongation.clear();
+  const StripPull pull = pulled(f, model::Thread::kBias, f.strip_width / 16, {0.005});
   EXPECT_NEAR(pull.force[0] / f.bias.force[1], 1, 0.15);
   f.bias.jaws = false;
   f.bias.force[1] *= 9.0 / 11;  // over K
-  EXPECT_NEAR(pulled(f, Thread::kBias, f.strip_width / 16, {0.005}).force[0] / f.bias.force[1], 1, 1e-9);
+  EXPECT_NEAR(pulled(f, model::Thread::kBias, f.strip_width / 16, {0.005}).force[0] / f.bias.force[1], 1,
+              1e-9);
 }
 
 // The diagonals' share of a uniform strip is sqrt(2) g (1 + e)/l w_p, l = hypot(1 + e, 1), while it is as
 // wide as at first; it may narrow, and then they pull less. What is left to expect of a calibrated one is its
 // 1e-4 on the cells of the calibration.
 TEST(StripExcess, OfWeftIsTheShareOfTheDiagonalsAtMost) {
-  FabricSpec f = shipped("wool");
+  scene::FabricSpec f = shipped("wool");
   f.weft.correction.clear();
-  const StripExcess e = strip_excess(f, Thread::kWeft, {});
+  const StripExcess e = strip_excess(f, model::Thread::kWeft, {});
   EXPECT_EQ(e.elongation, f.weft.elongation[1]);
   std::vector<Problem> problems;
-  const Law law = law_make(f, {}, 0.01, "fabric.f", problems);
+  const fabric::Law law = fabric::law_make(f, {}, 0.01, "fabric.f", problems);
   const double l = std::hypot(1 + e.elongation, 1),
-               share = std::sqrt(2.0) * curve_value(law.bias, l / std::sqrt(2.0) - 1) * (1 + e.elongation) /
-                       l * f.strip_width / f.weft.force[1];
+               share = std::sqrt(2.0) * math::curve_value(law.bias, l / std::sqrt(2.0) - 1) *
+                       (1 + e.elongation) / l * f.strip_width / f.weft.force[1];
   std::printf("wool's weft at %.3f %%: %.1f %% too hard, at most %.1f %%\n", 100 * e.elongation,
               100 * e.excess, 100 * share);
   EXPECT_GT(e.excess, 0.3 * share);
@@ -188,4 +195,4 @@ TEST(StripExcess, OfWeftIsTheShareOfTheDiagonalsAtMost) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::laboratory

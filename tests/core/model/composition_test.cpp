@@ -8,7 +8,9 @@
 #include "cloth_fixture.h"
 #include "outputs/energy.h"
 
-namespace drape {
+namespace drape::model {
+
+using namespace tests;
 namespace {
 
 using reference::rectangle;
@@ -19,8 +21,8 @@ INSTANTIATE_TEST_SUITE_P(Orders, CompositionOf, testing::Values(4, 6),
                          [](const auto& p) { return "order_" + std::to_string(p.param); });
 
 // Straight diagrams, large turns: smooth, but not linear.
-FabricSpec smooth_fabric() {
-  FabricSpec f;
+scene::FabricSpec smooth_fabric() {
+  scene::FabricSpec f;
   f.name = "smooth";
   f.areal_density = 0.2;
   f.warp = straight(30);
@@ -86,7 +88,7 @@ TEST_P(CompositionOf, IsBoundedUpToItsLimitWithDamping) {
 // One cell that breathes along the warp: w^2 = 4 k/(rho b^2). Bounded at 0.99 of the limit; beyond it the
 // method of order 4 grows at once, that of order 6 by sqrt(excess) a step in a tongue 0.0003 wide.
 TEST_P(CompositionOf, MovesAnOscillatorWithinItsLimit) {
-  FabricSpec fabric;
+  scene::FabricSpec fabric;
   fabric.name = "linear";
   fabric.areal_density = 0.15;
   fabric.warp = straight(100);
@@ -97,10 +99,10 @@ TEST_P(CompositionOf, MovesAnOscillatorWithinItsLimit) {
     Assembled a = assemble(scene);
     const Lattice& l = a.system.lattices[0];
     for (int i = 0; i < 2; ++i) a.state.y[l.node(i, 0)] -= 1e-9, a.state.y[l.node(i, 1)] += 1e-9;
-    const double h = factor * step_limit_of(a.system, a.state.omega2);
+    const double h = factor * dynamics::step_limit_of(a.system, a.state.omega2);
     double most = 0;
     for (int step = 0; step < 60000 && most < 1; ++step) {
-      leapfrog_step(a.system, a.motion, a.state, h);
+      dynamics::leapfrog_step(a.system, a.motion, a.state, h);
       for (std::size_t n : a.system.particle) most = std::max(most, std::abs(a.state.vy[n]) * h);
     }
     if (factor < 1) EXPECT_LT(most, 1e-9 * 200);
@@ -115,10 +117,10 @@ struct Swung {
   double balance;  // J
 };
 Swung swung(int order, int n, double damping, bool driven = false,
-            const FabricSpec& fabric = smooth_fabric()) {
+            const scene::FabricSpec& fabric = smooth_fabric()) {
   Scene scene = rectangle(fabric, 0.054, 0.04, 0.01, true);
-  PinSpec pin = reference::pin_at("pegs", {{0, 0.04}, {0.054, 0.04}});
-  if (driven) pin.drive = Drive::kBoth;
+  scene::PinSpec pin = reference::pin_at("pegs", {{0, 0.04}, {0.054, 0.04}});
+  if (driven) pin.drive = scene::Drive::kBoth;
   scene.pins = {pin};
   scene.order = order;
   scene.damping = damping;
@@ -126,27 +128,28 @@ Swung swung(int order, int n, double damping, bool driven = false,
   scene.communication = 0.02;
   scene.step = scene.communication / n;
   Assembled a = assemble(scene);
-  energy_begin(a.system, a.state);
+  outputs::energy_begin(a.system, a.state);
   if (driven) {
-    a.motion.inputs = inputs_at(a.state);
+    a.motion.inputs = dynamics::inputs_at(a.state);
     a.motion.inputs.pin[0].position[0] += 0.01;
     a.motion.inputs.pin[0].position[2] += 0.005;
     a.motion.inputs.pin[0].velocity = {0.3, 0.2, 0};
   }
   std::string event;
   for (int k = 0; k < 2; ++k) {
-    EXPECT_EQ(leapfrog_advance(a.system, a.motion, a.state, 0.02, event), Advance::kDone);
+    EXPECT_EQ(dynamics::leapfrog_advance(a.system, a.motion, a.state, 0.02, event), dynamics::Advance::kDone);
     if (driven) a.motion.inputs.pin[0].position[0] += 0.004;
   }
-  std::vector<PinLoad> load;
+  std::vector<math::PinLoad> load;
   Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
-  leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), load);
-  const BalanceNow now = balance_now(a.system, a.motion.balance, a.state, 0, vx, vy, vz);
-  drape_energy e = energy_potential(a.system, a.state);
-  e.kinetic = energy_kinetic(a.system, vx, vy, vz);
-  return {positions(a), gathered(a.system, vx, vy, vz),
-          (a.state.pin_impulse[0].force[2] + last_half(a.system, a.state) * load[0].force[2]) / 0.02,
-          energy_sum(e) - a.state.energy_start - (now.input + a.motion.held.work) + now.dissipated};
+  dynamics::leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), load);
+  const dynamics::BalanceNow now = dynamics::balance_now(a.system, a.motion.balance, a.state, 0, vx, vy, vz);
+  drape_energy e = outputs::energy_potential(a.system, a.state);
+  e.kinetic = outputs::energy_kinetic(a.system, vx, vy, vz);
+  return {
+      positions(a), gathered(a.system, vx, vy, vz),
+      (a.state.pin_impulse[0].force[2] + dynamics::last_half(a.system, a.state) * load[0].force[2]) / 0.02,
+      outputs::energy_sum(e) - a.state.energy_start - (now.input + a.motion.held.work) + now.dissipated};
 }
 
 // Error = C h^p (1 + O(h^2)): halving the step divides it by 2^p. Against the method of order 6 in steps
@@ -174,7 +177,7 @@ void expect_order(int order, double damping, bool driven) {
 // Diagrams are C2 at their points, so the step in which a link passes one errs by h^4: order 4 is left of 6,
 // with a small constant.
 TEST_P(CompositionOf, HasOrder4AcrossPointsOfDiagrams) {
-  FabricSpec fabric = smooth_fabric();
+  scene::FabricSpec fabric = smooth_fabric();
   fabric.warp = reference::diagram({0, 0.002, 0.005, 0.01, 0.02}, {0, 0.002, 0.008, 0.02, 0.06});
   fabric.weft = reference::diagram({0, 0.003, 0.006, 0.012}, {0, 0.002, 0.006, 0.02});
   const Swung exact = swung(6, 2048, 0, false, fabric);
@@ -203,7 +206,8 @@ TEST_P(CompositionOf, GivesTheSameBitsHoweverAMasterGroupsItsSteps) {
     Assembled a = assemble(scene);
     std::string event;
     for (int k = 0; k < calls; ++k)
-      EXPECT_EQ(leapfrog_advance(a.system, a.motion, a.state, length, event), Advance::kDone);
+      EXPECT_EQ(dynamics::leapfrog_advance(a.system, a.motion, a.state, length, event),
+                dynamics::Advance::kDone);
     return a.state;
   };
   const State one = advanced(0.1, 1), hundred = advanced(0.001, 100);
@@ -219,9 +223,9 @@ TEST_P(CompositionOf, GivesTheSameBitsOnThreads) {
   scene.order = GetParam();
   const auto moved = [&](int threads) {
     Assembled a = assemble(scene);
-    a.motion.workspace = workspace_make(a.system, threads);
+    a.motion.workspace = dynamics::workspace_make(a.system, threads);
     std::string event;
-    EXPECT_EQ(leapfrog_advance(a.system, a.motion, a.state, 0.01, event), Advance::kDone);
+    EXPECT_EQ(dynamics::leapfrog_advance(a.system, a.motion, a.state, 0.01, event), dynamics::Advance::kDone);
     return positions(a);
   };
   const Eigen::VectorXd one = moved(1);
@@ -238,19 +242,20 @@ TEST_P(CompositionOf, PinsTakeOutExactlyTheMomentumThatIsMissing) {
     scene.order = GetParam();
     Assembled a = assemble(scene);
     std::string event;
-    std::vector<PinLoad> load;
+    std::vector<math::PinLoad> load;
     Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
     double before = 0;
     for (int call = 0; call < 10; ++call) {
-      ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 0.003, event), Advance::kDone);
-      leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), load);
+      ASSERT_EQ(dynamics::leapfrog_advance(a.system, a.motion, a.state, 0.003, event),
+                dynamics::Advance::kDone);
+      dynamics::leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), load);
       double momentum = 0, weight = 0;
       for (std::size_t n : a.system.particle) {
         momentum += a.system.mass[n] * vz[n];
         weight += a.system.mass[n] * a.system.gravity[2];
       }
       const double impulse =
-          a.state.pin_impulse[0].force[2] + last_half(a.system, a.state) * load[0].force[2];
+          a.state.pin_impulse[0].force[2] + dynamics::last_half(a.system, a.state) * load[0].force[2];
       EXPECT_NEAR(impulse, weight * 0.003 - (momentum - before), 1e-12 * std::abs(weight)) << width;
       before = momentum;
     }
@@ -258,4 +263,4 @@ TEST_P(CompositionOf, PinsTakeOutExactlyTheMomentumThatIsMissing) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::model

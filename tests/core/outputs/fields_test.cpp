@@ -7,7 +7,9 @@
 #include "contact/particle/contact.h"
 #include "outputs/strain.h"
 
-namespace drape {
+namespace drape::outputs {
+
+using namespace tests;
 namespace {
 
 // A cloth that has fallen onto a ball, which moves.
@@ -27,7 +29,7 @@ TEST(Fields, PressureIsThatOfTheSummary) {
   const Assembled a = on_ball(folder);
   Fields fields;
   fields_fill(fields, a.system, a.state, {});
-  const ContactSummary sum = touch_summary(a.system, a.state, {});
+  const model::ContactSummary sum = contact::touch_summary(a.system, a.state, {});
   std::size_t count = 0;
   double most = 0, weight = 0;
   for (const double p : fields.pressure) count += p > 0, most = std::max(most, p);
@@ -44,8 +46,8 @@ TEST(Fields, PressureIsThatOfTheSummary) {
 TEST(Fields, PressureAtRestIsWeightOverArea) {
   const SceneFolder folder;
   for (const double slope : {0.2, 20.0})  // N/m per width
-    for (const Mode mode : {Mode::kFit, Mode::kDynamic}) {
-      FabricSpec fabric = linen();
+    for (const scene::Mode mode : {scene::Mode::kFit, scene::Mode::kDynamic}) {
+      scene::FabricSpec fabric = linen();
       fabric.warp = fabric.weft = reference::straight(slope);
       fabric.bias = {};
       fabric.bending_warp = fabric.bending_weft = 0;
@@ -53,11 +55,11 @@ TEST(Fields, PressureAtRestIsWeightOverArea) {
       scene.pieces[0].outline[2] = {0.047, 0.042};
       scene.pieces[0].place.origin = {0, 0, 0.0002};
       scene.mode = mode;
-      scene.damping = mode == Mode::kFit ? 0 : 50;
+      scene.damping = mode == scene::Mode::kFit ? 0 : 50;
       body_add(scene, folder, "table", box(2, 2, 0.1)).position = {0, 0, -0.05};
       Assembled a = assemble(scene);
       for (double t = 0; t < 2 && !a.state.fit.at_rest; t += 0.1) advance(a, 0.1);
-      const TouchStops stops = leapfrog_stops(a.system, a.motion, a.state);
+      const contact::TouchStops stops = dynamics::leapfrog_stops(a.system, a.motion, a.state);
       EXPECT_EQ(stops.particle.empty(), slope > 1) << "the penalty holds it";
       Fields fields;
       fields_fill(fields, a.system, a.state, stops);
@@ -69,8 +71,9 @@ TEST(Fields, PressureAtRestIsWeightOverArea) {
       }
       for (std::size_t n : a.system.particle) weight += 9.81 * a.system.mass[n];
       EXPECT_NEAR(force, weight, 2e-5 * weight);
-      EXPECT_NEAR(-body_force(a)[2], mode == Mode::kFit ? force : force * a.state.h_old / 2, 2e-5 * weight);
-      EXPECT_NEAR(touch_summary(a.system, a.state, stops).pressure, wanted, 1e-4 * wanted);
+      EXPECT_NEAR(-body_force(a)[2], mode == scene::Mode::kFit ? force : force * a.state.h_old / 2,
+                  2e-5 * weight);
+      EXPECT_NEAR(contact::touch_summary(a.system, a.state, stops).pressure, wanted, 1e-4 * wanted);
     }
 }
 
@@ -78,15 +81,16 @@ TEST(Fields, PressureAtRestIsWeightOverArea) {
 // two bodies.
 TEST(Fields, AParticleCountsOnceByHoweverManySurfaces) {
   const SceneFolder folder;
-  const Mesh groove{{{-0.2, -1, 0.2}, {0, -1, 0}, {0.2, -1, 0.2}, {-0.2, 1, 0.2}, {0, 1, 0}, {0.2, 1, 0.2}},
-                    {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};
+  const command::Mesh groove{
+      {{-0.2, -1, 0.2}, {0, -1, 0}, {0.2, -1, 0.2}, {-0.2, 1, 0.2}, {0, 1, 0}, {0.2, 1, 0.2}},
+      {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};
   for (const bool halves : {false, true}) {
     Scene scene = reference::rectangle(linen(), 0.04, 0.03, 0.01);
     scene.pieces[0].place.axis_x = {0, 1, 0};  // along the groove
     scene.pieces[0].place.axis_y = {-1, 0, 0};
     scene.pieces[0].place.origin = {0.01, -0.02, 0.05};
     if (halves) {
-      Mesh left = groove, right = groove;
+      command::Mesh left = groove, right = groove;
       left.corner.resize(2);
       right.corner.erase(right.corner.begin(), right.corner.begin() + 2);
       body_add(scene, folder, "left", left);
@@ -99,8 +103,8 @@ TEST(Fields, AParticleCountsOnceByHoweverManySurfaces) {
       a.state.x[n] = 0;
       a.state.z[n] = 0.0004 * std::sqrt(2.0);
     }
-    touch_begin(a.system, a.motion.kernel->contact, a.motion.touch, a.state);
-    EXPECT_EQ(touch_summary(a.system, a.state, {}).count, a.system.particle.size()) << halves;
+    contact::touch_begin(a.system, a.motion.kernel->contact, a.motion.touch, a.state);
+    EXPECT_EQ(contact::touch_summary(a.system, a.state, {}).count, a.system.particle.size()) << halves;
   }
 }
 
@@ -113,7 +117,7 @@ TEST(Fields, ElongationIsThatOfTheSummary) {
   fields_fill(fields, a.system, a.state, {});
   const drape_strain of[] = {sum.warp, sum.weft, sum.bias};
   double tension = 0;
-  for (const Thread along : {Thread::kWarp, Thread::kWeft, Thread::kBias}) {
+  for (const model::Thread along : {model::Thread::kWarp, model::Thread::kWeft, model::Thread::kBias}) {
     const drape_strain& all = of[std::size_t(along)];
     const double middle = (all.min + all.max) / 2;
     const Elongation e = elongation_of(a.system, a.state, a.system.lattices[0], along, middle);
@@ -132,4 +136,4 @@ TEST(Fields, ElongationIsThatOfTheSummary) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::outputs

@@ -3,7 +3,9 @@
 
 #include "piece_fixture.h"
 
-namespace drape {
+namespace drape::piece {
+
+using namespace tests;
 namespace {
 
 double dot(Vec3 a, Vec3 b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -14,7 +16,7 @@ Vec3 minus(Vec3 a, Vec3 b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 // direction.
 TEST(Place, CylinderKeepsHeightsAndLengths) {
   for (const double side : {2.0, -2.0, 0.0}) {  // before, behind, through the axis
-    PlaceSpec place;
+    scene::PlaceSpec place;
     place.origin = {0, side, 1};
     place.axis_y = {0, 0, 1};  // axis_x x axis_y = -y
     place.radius = {0.5, 0.5};
@@ -40,7 +42,7 @@ TEST(Place, CylinderKeepsHeightsAndLengths) {
 TEST(Place, EllipseKeepsArcLengths) {
   for (const Vec2 radius : {Vec2{0.2, 0.12}, {0.1, 0.3}, {0.3, 0.3}})
     for (const double side : {2.0, -2.0}) {
-      PlaceSpec place;
+      scene::PlaceSpec place;
       place.origin = {0, side, 1};
       place.axis_y = {0, 0, 1};
       place.radius = radius;
@@ -73,7 +75,7 @@ TEST(Place, EllipseKeepsArcLengths) {
 // A chord of the arc length h is h (1 - (k h)^2/24 + ...) long, k the curvature, on an ellipse at most
 // max(a, b)/min(a, b)^2: placed cloth starts strained by less than that.
 TEST(Place, EllipseStrainsByTheChordOnly) {
-  PlaceSpec place;
+  scene::PlaceSpec place;
   place.origin = {0, 2, 0};
   place.axis_y = {0, 0, 1};
   for (const Vec2 radius : {Vec2{0.2, 0.12}, {0.1, 0.3}}) {
@@ -90,7 +92,7 @@ TEST(Place, EllipseStrainsByTheChordOnly) {
 
 // Off the ellipse the imperfection goes along its normal: (x/a^2, y/b^2).
 TEST(Place, ImperfectionOfAnEllipseIsNormal) {
-  PieceSpec piece = rectangle(0, 0, 1, 1, 0.1);
+  scene::PieceSpec piece = rectangle(0, 0, 1, 1, 0.1);
   piece.place.origin = {0, 2, 0};
   piece.place.axis_y = {0, 0, 1};
   piece.place.radius = {0.5, 0.2};
@@ -106,7 +108,7 @@ TEST(Place, ImperfectionOfAnEllipseIsNormal) {
 
 // Steele, Lea, Flood: splitmix64 from state 0 gives e220a8397b1dcdaf, 6e789e6aa1b965f4, ...
 TEST(Place, ImperfectionIsTheSumOfItsWaves) {
-  PieceSpec piece = rectangle(-1, 2, 3, 4, 0.1);  // diagonal 5
+  scene::PieceSpec piece = rectangle(-1, 2, 3, 4, 0.1);  // diagonal 5
   piece.place.origin = {0, 0, 1};
   Scene scene = scene_of(piece);
   scene.imperfection_amplitude = 0.01;
@@ -148,7 +150,7 @@ TEST(Place, ImperfectionIsTheSumOfItsWaves) {
 
 // On a cylinder the imperfection is radial.
 TEST(Place, ImperfectionOfACylinderIsRadial) {
-  PieceSpec piece = rectangle(0, 0, 1, 1, 0.1);
+  scene::PieceSpec piece = rectangle(0, 0, 1, 1, 0.1);
   piece.place.origin = {0, 2, 0};
   piece.place.axis_y = {0, 0, 1};
   piece.place.radius = {0.5, 0.5};
@@ -165,4 +167,4 @@ TEST(Place, ImperfectionOfACylinderIsRadial) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::piece

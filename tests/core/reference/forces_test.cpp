@@ -35,7 +35,7 @@ VectorXd law_force(const NamedLaw& law, const Lattice& lattice, const VectorXd& 
 }
 
 // 4 x 3 cells, the last column and row cut.
-Lattice cut_lattice(BiasModel model = BiasModel::kOdd) {
+Lattice cut_lattice(scene::BiasModel model = scene::BiasModel::kOdd) {
   Scene scene = rectangle(curved_fabric(), 0.0345, 0.0272, 0.01);
   scene.bias_model = model;
   return lattice_make(scene);
@@ -55,7 +55,8 @@ int sharp_folds(const Lattice& lattice, const VectorXd& r) {
 // length over which the laws bend (0.05 b at least), and rounding epsilon E/(h F), E/F about b: 1e-11 and
 // 1e-12 for h = 1e-4 b.
 TEST(ReferenceForces, AreMinusTheGradientOfTheirEnergy) {
-  for (BiasModel model : {BiasModel::kOdd, BiasModel::kTension, BiasModel::kPaper}) {
+  for (scene::BiasModel model :
+       {scene::BiasModel::kOdd, scene::BiasModel::kTension, scene::BiasModel::kPaper}) {
     const Lattice lattice = cut_lattice(model);
     const VectorXd r = crumpled(lattice, 0.012, 11);
     ASSERT_GT(sharp_folds(lattice, r), 0);
@@ -124,8 +125,8 @@ TEST(ReferenceForces, VanishAtRest) {
 TEST(ReferenceForces, StretchedLinkPullsWithItsDiagram) {
   const Scene whole = rectangle(curved_fabric(), 0.04, 0.04, 0.01);
   Scene paper = whole;
-  paper.scaling = Scaling::kPaperArea;
-  paper.bias_model = BiasModel::kTension;
+  paper.scaling = scene::Scaling::kPaperArea;
+  paper.bias_model = scene::BiasModel::kTension;
   paper.clamp_correction = false;
   const double b = 0.01, e = 0.25, F_strip = 18;
   for (const Scene& scene : {whole, paper}) {
@@ -142,7 +143,7 @@ TEST(ReferenceForces, StretchedLinkPullsWithItsDiagram) {
     }
     add_stretch(warp_only, r, F);
     const double asked =
-        scene.scaling == Scaling::kWidth ? F_strip * b / 0.05 : F_strip * b * b / (0.05 * 0.2);
+        scene.scaling == scene::Scaling::kWidth ? F_strip * b / 0.05 : F_strip * b * b / (0.05 * 0.2);
     EXPECT_NEAR(F[3 * middle + 1], asked, 1e-13 * asked);
     EXPECT_NEAR(F[3 * above + 1], -asked, 1e-13 * asked);
   }
@@ -151,8 +152,8 @@ TEST(ReferenceForces, StretchedLinkPullsWithItsDiagram) {
 // F S_cell/S_pr on a whole link, S_pr = H w_p: for threads and diagonals alike.
 TEST(ReferenceForces, PaperAreaGivesTheDiagonalsTheCellsShare) {
   Scene scene = rectangle(curved_fabric(), 0.04, 0.04, 0.01);
-  scene.scaling = Scaling::kPaperArea;
-  scene.bias_model = BiasModel::kPaper;
+  scene.scaling = scene::Scaling::kPaperArea;
+  scene.bias_model = scene::BiasModel::kPaper;
   scene.clamp_correction = false;
   const Lattice lattice = lattice_make(scene);
   const double asked = 2.5 * 0.01 * 0.01 / (0.05 * 0.2), e = 0.15;
@@ -215,19 +216,19 @@ TEST(ReferenceLattice, PiecesFollowOneAnother) {
 }
 
 TEST(ReferenceLattice, StoredCorrectionReplacesTheClampCorrection) {
-  FabricSpec fabric = curved_fabric();
+  scene::FabricSpec fabric = curved_fabric();
   const double r = 4, K = r * (r - 1.25) / ((r - 1) * (r - 1));
   Scene scene = rectangle(fabric, 0.04, 0.04, 0.01);
-  scene.bias_model = BiasModel::kTension;
+  scene.bias_model = scene::BiasModel::kTension;
   EXPECT_NEAR(lattice_make(scene).laws[2].curve.f[3], 2.5 / 0.05 / K, 1e-13);
   scene.fabrics[0].bias.correction = {1, 0.9, 0.8, 0.7};
   EXPECT_NEAR(lattice_make(scene).laws[2].curve.f[3], 2.5 / 0.05 / K, 1e-13);  // made for another law
-  scene.bias_model = BiasModel::kOdd;
+  scene.bias_model = scene::BiasModel::kOdd;
   EXPECT_NEAR(lattice_make(scene).laws[2].curve.f[3], 2.5 / 0.05 * 0.7, 1e-13);
 }
 
 TEST(ReferenceLattice, ZeroForcesSwitchALawOff) {
-  FabricSpec fabric = curved_fabric();
+  scene::FabricSpec fabric = curved_fabric();
   fabric.warp.force.assign(4, 0);
   fabric.bias = {};
   fabric.bending_weft = 0;

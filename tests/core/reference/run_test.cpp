@@ -128,7 +128,7 @@ TEST(ReferenceRun, RowsMatchTheirColumns) {
 }
 
 TEST(ReferenceRun, CountsLinksBeyondTheirTest) {
-  FabricSpec fabric = threads(40);
+  scene::FabricSpec fabric = threads(40);
   fabric.warp = diagram({0, 0.001}, {0, 0.001 * 40 * 0.05});
   Scene scene = rectangle(fabric, 0.01, 0.02, 0.01, true);
   scene.pins = {pin_edges("bar", {2})};

@@ -8,16 +8,16 @@ namespace drape::reference {
 
 constexpr double kG = 9.81;  // m/s^2, the default gravity
 
-inline DiagramSpec diagram(std::vector<double> elongation, std::vector<double> force) {
+inline scene::DiagramSpec diagram(std::vector<double> elongation, std::vector<double> force) {
   return {std::move(elongation), std::move(force), {}};
 }
 
 // A straight law of the given slope per width (N/m) on a 50 mm strip.
-inline DiagramSpec straight(double slope) { return diagram({0, 1}, {0, slope * 0.05}); }
+inline scene::DiagramSpec straight(double slope) { return diagram({0, 1}, {0, slope * 0.05}); }
 
 // A warp-only fabric with a straight law of k (N/m).
-inline FabricSpec threads(double k) {
-  FabricSpec fabric;
+inline scene::FabricSpec threads(double k) {
+  scene::FabricSpec fabric;
   fabric.name = "threads";
   fabric.areal_density = 0.15;
   fabric.warp = straight(k);
@@ -26,8 +26,8 @@ inline FabricSpec threads(double k) {
 
 // Curved laws whose points lie far apart, so that differences over a micrometre see smooth functions; bending
 // differs between warp and weft.
-inline FabricSpec curved_fabric() {
-  FabricSpec fabric;
+inline scene::FabricSpec curved_fabric() {
+  scene::FabricSpec fabric;
   fabric.name = "curved";
   fabric.areal_density = 0.15;
   fabric.thickness = 4e-4;
@@ -43,12 +43,12 @@ inline FabricSpec curved_fabric() {
 }
 
 // A rectangle of a fabric in the horizontal plane, or hanging (y up); width along the weft.
-inline Scene rectangle(const FabricSpec& fabric, double width, double height, double cell,
+inline Scene rectangle(const scene::FabricSpec& fabric, double width, double height, double cell,
                        bool hanging = false) {
   Scene scene;
   scene.name = "rectangle";
   scene.fabrics = {fabric};
-  PieceSpec piece;
+  scene::PieceSpec piece;
   piece.name = "sheet";
   piece.fabric = 0;
   piece.cell = cell;
@@ -58,21 +58,23 @@ inline Scene rectangle(const FabricSpec& fabric, double width, double height, do
   return scene;
 }
 
-inline PinSpec pin_edges(const std::string& name, std::vector<int> edges) {
+inline scene::PinSpec pin_edges(const std::string& name, std::vector<int> edges) {
   return {name, 0, {}, std::move(edges)};
 }
-inline PinSpec pin_at(const std::string& name, std::vector<Vec2> at) { return {name, 0, std::move(at), {}}; }
+inline scene::PinSpec pin_at(const std::string& name, std::vector<Vec2> at) {
+  return {name, 0, std::move(at), {}};
+}
 
 // Straight, soft laws are smooth in the positions, so every method shows its own order.
 inline Scene smooth_scene() {
-  FabricSpec fabric = threads(8);
+  scene::FabricSpec fabric = threads(8);
   fabric.weft = straight(5);
   fabric.bias = straight(2);
   fabric.bending_warp = 2e-6;
   fabric.bending_weft = 1e-6;
   Scene scene = rectangle(fabric, 0.03, 0.03, 0.01);
   scene.damping = 3;
-  scene.bias_model = BiasModel::kPaper;
+  scene.bias_model = scene::BiasModel::kPaper;
   scene.pins = {pin_at("corner", {{0, 0}}), pin_at("middle", {{0.017, 0.024}})};
   return scene;
 }

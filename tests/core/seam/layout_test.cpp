@@ -8,42 +8,42 @@
 
 #include "reference/test_cloth.h"
 
-namespace drape {
+namespace drape::seam {
 namespace {
 
 using reference::rectangle;
 using reference::threads;
 
 // Two pieces whose edge 0 is sewn: straight, or with a curve.
-Scene two_pieces(const PieceSpec& a, const PieceSpec& b) {
+Scene two_pieces(const scene::PieceSpec& a, const scene::PieceSpec& b) {
   Scene scene = rectangle(threads(100), 0.1, 0.1, 0.01);
   scene.pieces = {a, b};
-  SeamSpec seam;
+  scene::SeamSpec seam;
   seam.name = "join";
   for (int k = 0; k < 2; ++k) seam.side[k] = {k, {0}, false};
   scene.seams = {seam};
   return scene;
 }
 
-PieceSpec square(double side, double cell) {
-  PieceSpec piece = rectangle(threads(100), side, side, cell).pieces[0];
+scene::PieceSpec square(double side, double cell) {
+  scene::PieceSpec piece = rectangle(threads(100), side, side, cell).pieces[0];
   return piece;
 }
 
-PieceSpec half_circle(double diameter, double cell) {
-  PieceSpec piece = square(diameter, cell);
+scene::PieceSpec half_circle(double diameter, double cell) {
+  scene::PieceSpec piece = square(diameter, cell);
   piece.curves = {{0, {}, diameter / 2, false, true}};
   return piece;
 }
 
-PieceSpec s_curve(double length, double cell) {
-  PieceSpec piece = square(length, cell);
+scene::PieceSpec s_curve(double length, double cell) {
+  scene::PieceSpec piece = square(length, cell);
   piece.curves = {{0, {{length / 3, length / 3}, {2 * length / 3, -length / 3}}, 0, false, true}};
   return piece;
 }
 
-PieceSpec quarter(double radius, double cell) {
-  PieceSpec piece;
+scene::PieceSpec quarter(double radius, double cell) {
+  scene::PieceSpec piece;
   piece.name = "quarter";
   piece.fabric = 0;
   piece.cell = cell;
@@ -74,7 +74,7 @@ double arc(const std::vector<Vec2>& line, Vec2 from, Vec2 to) {  // along the li
 }
 
 TEST(SeamLayout, GivesBothSidesAsManyParticlesAndBothEnds) {
-  const std::vector<std::pair<PieceSpec, PieceSpec>> cases = {
+  const std::vector<std::pair<scene::PieceSpec, scene::PieceSpec>> cases = {
       {square(0.1, 0.01), square(0.1, 0.014)},       {square(0.1, 0.01), square(0.13, 0.01)},
       {half_circle(0.1, 0.01), square(0.157, 0.02)}, {quarter(0.1, 0.007), half_circle(0.08, 0.01)},
       {s_curve(0.1, 0.003), square(0.09, 0.0031)},   {square(0.01, 0.01), square(0.011, 0.05)},
@@ -88,7 +88,7 @@ TEST(SeamLayout, GivesBothSidesAsManyParticlesAndBothEnds) {
     EXPECT_GE(double(n) * cell, longest * (1 - 1e-9));  // no coarser than the finer grid
     EXPECT_LT((double(n) - 1) * cell, longest);
     for (int k = 0; k < 2; ++k) {
-      const PieceSpec& piece = scene.pieces[std::size_t(k)];
+      const scene::PieceSpec& piece = scene.pieces[std::size_t(k)];
       const std::vector<Vec2> line = seam_line(piece, scene.seams[0].side[k]);
       EXPECT_EQ(layout.point[k].front(), piece.outline[0]);
       EXPECT_EQ(layout.point[k].back(), piece.outline[1]);
@@ -114,7 +114,7 @@ TEST(SeamLayout, MeasuresAlongTheCurve) {
 
 TEST(SeamLayout, RunsOverSeveralEdgesEitherWay) {
   Scene scene = two_pieces(square(0.1, 0.01), square(0.1, 0.01));
-  SeamSide& side = scene.seams[0].side[0];
+  scene::SeamSide& side = scene.seams[0].side[0];
   side.edges = {0, 3};  // in the outline's order: 3, then 0
   std::vector<Vec2> line = seam_line(scene.pieces[0], side);
   EXPECT_EQ(line, (std::vector<Vec2>{{0, 0.1}, {0, 0}, {0.1, 0}}));
@@ -128,7 +128,7 @@ TEST(SeamLayout, RunsOverSeveralEdgesEitherWay) {
 // Whole outlines: the last particle would be the first.
 TEST(SeamLayout, ClosesOnItself) {
   Scene scene = two_pieces(square(0.1, 0.01), square(0.1, 0.01));
-  for (SeamSide& side : scene.seams[0].side) side.edges = {1, 2, 3, 0};
+  for (scene::SeamSide& side : scene.seams[0].side) side.edges = {1, 2, 3, 0};
   const SeamLayout layout = seam_layout(scene, scene.seams[0]);
   EXPECT_EQ(layout.point[0].size(), 40u);
   EXPECT_EQ(layout.point[0][0], (Vec2{0.1, 0}));
@@ -149,7 +149,7 @@ TEST(SeamLayout, KnowsTheInside) {
 // The points of a flat half disc go round the other way than its outline with the arc does.
 TEST(SeamLayout, KnowsTheInsideOfCurves) {
   for (double bow : {5e-4, -5e-4}) {
-    PieceSpec piece = square(0.1, 0.01);
+    scene::PieceSpec piece = square(0.1, 0.01);
     piece.outline = {{0, 0}, {0.05, bow}, {0.1, 0}};
     piece.curves = {{2, {}, 0.05, false, true}};
     Scene scene = two_pieces(piece, square(0.1, 0.01));
@@ -160,4 +160,4 @@ TEST(SeamLayout, KnowsTheInsideOfCurves) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::seam

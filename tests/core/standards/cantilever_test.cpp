@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace drape {
+namespace drape::standards {
 namespace {
 
 constexpr double kDegrees = 180 / 3.14159265358979323846;
@@ -138,4 +138,4 @@ TEST(Gost10550, TableIsTheElastica) {
 TEST(BendingLength, Rigidity) { EXPECT_NEAR(bending_length_rigidity(0.132, 0.019), 8.88e-6, 0.005e-6); }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::standards

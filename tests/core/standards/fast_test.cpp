@@ -9,7 +9,7 @@
 #include "standards/kes.h"
 #include "standards/trellis.h"
 
-namespace drape {
+namespace drape::standards {
 namespace {
 
 // A sheet of a plain-woven wool, 168 g/m^2 ("Fabric Assurance by Simple Testing", report of a student's
@@ -26,9 +26,9 @@ TEST(Fast, ShearIsThatOfTheStrip) {
   EXPECT_NEAR(fast_shear(1) / (5 * kGramForcePerCm / (4 * 0.01)), 1, 0.5 / 123);
 }
 
-FabricSpec sheared(double g) {
+scene::FabricSpec sheared(double g) {
   const SheetDiagram d = trellis_bias(g);
-  FabricSpec fabric;
+  scene::FabricSpec fabric;
   for (std::size_t i = 0; i < d.percent.size(); ++i) {
     fabric.bias.elongation.push_back(d.percent[i] / 100);
     fabric.bias.force.push_back(d.force_per_width[i] * fabric.strip_width);
@@ -42,12 +42,13 @@ FabricSpec sheared(double g) {
 TEST(Trellis, LawHasTheShearStress) {
   const double shear = 0.9 * kKesShear;
   std::vector<Problem> problems;
-  const Law law = law_make(sheared(shear), {}, 0.01, "fabric.f", problems);
+  const fabric::Law law = fabric::law_make(sheared(shear), {}, 0.01, "fabric.f", problems);
   ASSERT_TRUE(problems.empty());
-  EXPECT_NEAR(curve_slope(law.bias, 0) / (2 * shear), 1, 1e-4);
+  EXPECT_NEAR(math::curve_slope(law.bias, 0) / (2 * shear), 1, 1e-4);
   const auto stress = [&](double g) {
     const double l1 = std::sqrt(1 + std::sin(g)), l2 = std::sqrt(1 - std::sin(g));
-    return std::cos(g) / 2 * (curve_value(law.bias, l1 - 1) / l1 + curve_value(law.bias, 1 - l2) / l2);
+    return std::cos(g) / 2 *
+           (math::curve_value(law.bias, l1 - 1) / l1 + math::curve_value(law.bias, 1 - l2) / l2);
   };
   for (const double degrees : {0.5, 1.0, 2.5, 5.0, 8.0, 12.0}) {
     const double g = degrees * kRadiansPerDegree;
@@ -60,15 +61,16 @@ TEST(Trellis, LawHasTheShearStress) {
 // Shear holds no jaws: the law is the same whether the scene takes them out of diagrams or not.
 TEST(Trellis, JawsAreNotTakenOut) {
   std::vector<Problem> problems;
-  LawOptions with, without;
+  fabric::LawOptions with, without;
   with.clamp_correction = true, without.clamp_correction = false;
-  FabricSpec fabric = sheared(50);
-  const Law a = law_make(fabric, with, 0.01, "", problems), b = law_make(fabric, without, 0.01, "", problems);
-  EXPECT_EQ(curve_value(a.bias, 0.05), curve_value(b.bias, 0.05));
+  scene::FabricSpec fabric = sheared(50);
+  const fabric::Law a = fabric::law_make(fabric, with, 0.01, "", problems),
+                    b = fabric::law_make(fabric, without, 0.01, "", problems);
+  EXPECT_EQ(math::curve_value(a.bias, 0.05), math::curve_value(b.bias, 0.05));
   fabric.bias.jaws = true;
-  const Law c = law_make(fabric, with, 0.01, "", problems);
-  EXPECT_GT(curve_value(b.bias, 0.05), 1.2 * curve_value(c.bias, 0.05));
+  const fabric::Law c = fabric::law_make(fabric, with, 0.01, "", problems);
+  EXPECT_GT(math::curve_value(b.bias, 0.05), 1.2 * math::curve_value(c.bias, 0.05));
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::standards

@@ -7,13 +7,13 @@
 
 #include "math/monotone_curve.h"
 
-namespace drape {
+namespace drape::standards {
 namespace {
 
-Curve curve_of(const SheetDiagram& d) {
+math::Curve curve_of(const SheetDiagram& d) {
   std::vector<double> e;
   for (const double percent : d.percent) e.push_back(percent / 100);
-  return curve_make(e, d.force_per_width, {});
+  return math::curve_make(e, d.force_per_width, {});
 }
 
 TEST(Kes, Units) {
@@ -38,9 +38,9 @@ TEST(Kes, TensionGivesTheFiguresBack) {
   for (const double fm : {500.0, 50.0})
     for (const double lt : {0.2, 0.5, 0.676, 0.9, 1.0, 1.2, 1.8}) {
       const double emt = 5.135, wt = kes_energy(emt, lt, fm);
-      const Curve curve = curve_of(kes_tension(emt, wt, fm));
-      EXPECT_NEAR(curve_value(curve, emt / 100) / (fm * kGramForcePerCm), 1, 1e-14) << lt;
-      EXPECT_NEAR(curve_energy(curve, emt / 100) / (wt * kGramForcePerCm), 1, 1e-13) << lt;
+      const math::Curve curve = curve_of(kes_tension(emt, wt, fm));
+      EXPECT_NEAR(math::curve_value(curve, emt / 100) / (fm * kGramForcePerCm), 1, 1e-14) << lt;
+      EXPECT_NEAR(math::curve_energy(curve, emt / 100) / (wt * kGramForcePerCm), 1, 1e-13) << lt;
     }
 }
 
@@ -57,11 +57,11 @@ TEST(Kes, TensionIsExponential) {
       if (i) {
         EXPECT_GT(d.force_per_width[i], d.force_per_width[i - 1]);
       }
-      EXPECT_GT(curve_slope(curve_of(d), d.percent[i] / 100), 0);
+      EXPECT_GT(math::curve_slope(curve_of(d), d.percent[i] / 100), 0);
     }
     EXPECT_NEAR(2 * (1 / a - 1 / std::expm1(a)), lt, 1e-2 * std::pow(a / 10, 2) + 1e-4) << a;
   }
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::standards

@@ -1,7 +1,9 @@
 // Faults in what makes a cloth of any outline: curves, holes, grain, cylinders, regions, clamps, air, fit.
 #include "fault_case.h"
 
-namespace drape {
+namespace drape::validation {
+
+using namespace tests;
 namespace {
 
 class ClothFault : public testing::TestWithParam<Case> {};
@@ -461,4 +463,4 @@ INSTANTIATE_TEST_SUITE_P(Places, ClothFault, testing::ValuesIn(kPlaces), name_of
 INSTANTIATE_TEST_SUITE_P(Pins, ClothFault, testing::ValuesIn(kPins), name_of);
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::validation

@@ -1,7 +1,9 @@
 // Bad input that no single key shows: outlines, cells, pins, probes; and the fabric file with its diagrams.
 #include "fault_case.h"
 
-namespace drape {
+namespace drape::validation {
+
+using namespace tests;
 namespace {
 
 // ---- Geometry
@@ -201,4 +203,4 @@ const Case kFabrics[] = {
 INSTANTIATE_TEST_SUITE_P(Fabric, FabricFault, testing::ValuesIn(kFabrics), name_of);
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::validation

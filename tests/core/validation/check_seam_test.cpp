@@ -1,7 +1,9 @@
 // Bad input about seams.
 #include "fault_case.h"
 
-namespace drape {
+namespace drape::validation {
+
+using namespace tests;
 namespace {
 
 const std::string kSewn = R"([scene]
@@ -113,4 +115,4 @@ const Case kSeams[] = {
 INSTANTIATE_TEST_SUITE_P(Seam, SeamFault, testing::ValuesIn(kSeams), name_of);
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::validation

@@ -3,7 +3,7 @@
 
 #include "command/command_fixture.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 TEST_F(Command, check_tells_size_area_and_mass) {
@@ -58,4 +58,4 @@ TEST_F(Command, check_draws_only_when_asked) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::command

@@ -12,7 +12,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace drape {
+namespace drape::command {
 
 namespace fs = std::filesystem;
 
@@ -65,4 +65,4 @@ class Command : public testing::Test {
   }
 };
 
-}  // namespace drape
+}  // namespace drape::command

@@ -2,7 +2,7 @@
 #include "command/command_fixture.h"
 #include "decimal.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 // One --set for several settings, one for each, and both; a plus; the same bits.
@@ -65,10 +65,10 @@ TEST_F(Command, writes_the_times_that_were_asked_for) {
   ASSERT_EQ(lines.size(), 17u);  // the header, 0 to 14 DT, the end
   for (int k = 0; k <= 15; ++k) {
     const std::string& line = lines[std::size_t(k) + 1];
-    EXPECT_EQ(line.substr(0, line.find(',')), k < 15 ? decimal_text(k * 0.0007) : "0.01");
+    EXPECT_EQ(line.substr(0, line.find(',')), k < 15 ? description::decimal_text(k * 0.0007) : "0.01");
     std::istringstream cells(line);
     for (std::string cell; std::getline(cells, cell, ',');)
-      EXPECT_EQ(cell, decimal_text(std::strtod(cell.c_str(), nullptr)));
+      EXPECT_EQ(cell, description::decimal_text(std::strtod(cell.c_str(), nullptr)));
   }
 }
 
@@ -175,4 +175,4 @@ TEST_F(Command, fault_of_the_assembled_cloth_has_its_line) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::command

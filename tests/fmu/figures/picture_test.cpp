@@ -11,7 +11,7 @@
 #include "piece/grid/grid.h"
 #include "validation/load.h"
 
-namespace drape {
+namespace drape::figures {
 namespace {
 
 // Elements by their class.
@@ -64,7 +64,7 @@ bool has(const std::vector<std::string>& texts, const std::string& text) {
 // Concave, with a curved edge, a dart and a hole, at a grain of 20 degrees; held in all ways.
 Scene bodice() {
   Scene scene;
-  PieceSpec piece;
+  scene::PieceSpec piece;
   piece.name = "front";
   piece.cell = 0.01;
   piece.grain = 20 * std::numbers::pi / 180;
@@ -73,16 +73,16 @@ Scene bodice() {
   piece.curves.push_back({1, {{0.17, 0.08}}});
   piece.holes = {{{0.04, 0.04}, {0.06, 0.03}, {0.08, 0.05}, {0.05, 0.07}}};
   scene.pieces = {piece};
-  scene.pins = {{"bar", 0, {}, {0}, {}, true, Drive::kNone},
-                {"peg", 0, {{0, 0.15}, {0.07, 0.1}}, {}, {}, false, Drive::kVelocity},
-                {"palm", 0, {}, {}, {{0.15, 0.1}, {0.18, 0.1}, {0.18, 0.13}}, false, Drive::kNone}};
+  scene.pins = {{"bar", 0, {}, {0}, {}, true, scene::Drive::kNone},
+                {"peg", 0, {{0, 0.15}, {0.07, 0.1}}, {}, {}, false, scene::Drive::kVelocity},
+                {"palm", 0, {}, {}, {{0.15, 0.1}, {0.18, 0.1}, {0.18, 0.13}}, false, scene::Drive::kNone}};
   scene.probes = {{"hem", 0, {0.1, 0.02}}};
   return scene;
 }
 
 TEST(Picture, shows_what_the_grid_makes_of_a_piece) {
   const Scene scene = bodice();
-  const Grid grid = grid_make(scene, 0);
+  const piece::Grid grid = piece::grid_make(scene, 0);
   const pugi::xml_document document = picture_of(scene);
   auto elements = elements_of(document);
   EXPECT_EQ(elements["part"].size(), grid.parts.size());
@@ -90,9 +90,9 @@ TEST(Picture, shows_what_the_grid_makes_of_a_piece) {
   EXPECT_EQ(elements["twin"].size(), grid.twin.size() + 1);  // one more in the legend
   std::size_t particles = 0, whole = 0, takers = 0;
   for (const double a : grid.area) particles += a > 0;
-  for (const GridCell& c : grid.cells) {
-    whole += !grid_is_cut(grid, c.i, c.j);
-    takers += !grid_is_cut(grid, c.i, c.j) && c.share > 1;
+  for (const piece::GridCell& c : grid.cells) {
+    whole += !piece::grid_is_cut(grid, c.i, c.j);
+    takers += !piece::grid_is_cut(grid, c.i, c.j) && c.share > 1;
   }
   EXPECT_EQ(elements["taker"].size(), takers);
   const std::vector<std::string> texts = texts_of(document);
@@ -159,8 +159,8 @@ TEST(Picture, places_pieces_in_rows) {
 // Whole cells only: the strip outside them is mass; no share is told.
 TEST(Picture, shows_the_strip_of_the_paper) {
   Scene scene = bodice();
-  scene.outline = OutlineModel::kPaper;
-  const Grid grid = grid_make(scene, 0);
+  scene.outline = scene::OutlineModel::kPaper;
+  const piece::Grid grid = piece::grid_make(scene, 0);
   const pugi::xml_document document = picture_of(scene);
   auto elements = elements_of(document);
   ASSERT_EQ(elements["part"].size(), grid.parts.size());
@@ -172,7 +172,8 @@ TEST(Picture, shows_the_strip_of_the_paper) {
 // The swatch is pinned along an edge and has one probe.
 TEST(Picture, of_a_scene_file) {
   std::vector<Problem> problems;
-  const pugi::xml_document document = picture_of(scene_load(DRAPE_SAMPLES "/swatch.toml", problems));
+  const pugi::xml_document document =
+      picture_of(validation::scene_load(DRAPE_SAMPLES "/swatch.toml", problems));
   ASSERT_TRUE(problems.empty());
   EXPECT_TRUE(has(texts_of(document), "sheet"));
   EXPECT_TRUE(has(texts_of(document), "cell 10 mm, 54 particles"));
@@ -181,4 +182,4 @@ TEST(Picture, of_a_scene_file) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::figures

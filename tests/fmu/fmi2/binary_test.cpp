@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::fmi2 {
 namespace {
 
 std::vector<std::string> lines_of(const std::string& command) {
@@ -42,4 +42,4 @@ TEST(Binary, needs_the_c_library_only) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::fmi2

@@ -4,7 +4,7 @@
 
 #include "fmi2/slave.h"
 
-namespace drape {
+namespace drape::fmi2 {
 namespace {
 
 constexpr double kQ = 1.0 / 1024;
@@ -214,4 +214,4 @@ TEST(Inputs, a_saved_state_keeps_them_and_a_reset_forgets_them) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::fmi2

@@ -4,7 +4,7 @@
 
 #include "fmi2/slave.h"
 
-namespace drape {
+namespace drape::fmi2 {
 namespace {
 
 void expect_refused(Slave& slave, const std::vector<std::string>& words) {
@@ -20,7 +20,8 @@ TEST(Instantiate, says_its_version_and_platform) {
 TEST(Instantiate, wrong_guid) {
   Slave slave("{00000000-0000-0000-0000-000000000000}", swatch().resources);
   expect_refused(slave, {"guid is {00000000-0000-0000-0000-000000000000}", "none, outline, all",
-                         swatch(Nodes::kNone).guid, swatch(Nodes::kOutline).guid, swatch(Nodes::kAll).guid});
+                         swatch(description::Nodes::kNone).guid, swatch(description::Nodes::kOutline).guid,
+                         swatch(description::Nodes::kAll).guid});
 }
 
 TEST(Instantiate, missing_resources) {
@@ -75,4 +76,4 @@ TEST(Instantiate, without_a_logger) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::fmi2

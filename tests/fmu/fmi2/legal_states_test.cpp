@@ -4,7 +4,7 @@
 
 #include "fmi2/slave.h"
 
-namespace drape {
+namespace drape::fmi2 {
 namespace {
 
 // Phases: I instantiated, N initialization mode, S step complete, T terminated, E error.
@@ -191,4 +191,4 @@ TEST(Legal, after_an_error_the_last_good_state_can_be_read) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::fmi2

@@ -3,7 +3,7 @@
 
 #include "fmi2/slave.h"
 
-namespace drape {
+namespace drape::fmi2 {
 namespace {
 
 TEST(Logging, unknown_category_is_refused) {
@@ -51,4 +51,4 @@ TEST(Logging, categories_are_obeyed) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::fmi2

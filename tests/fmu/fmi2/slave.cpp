@@ -12,7 +12,7 @@
 
 #include "description.h"
 
-namespace drape {
+namespace drape::fmi2 {
 namespace {
 
 Fmi2 load() {
@@ -44,11 +44,11 @@ Fmi2 load() {
   return f;
 }
 
-Swatch make_swatch(Nodes nodes, const std::string& file = DRAPE_SAMPLES "/swatch.toml") {
+Swatch make_swatch(description::Nodes nodes, const std::string& file = DRAPE_SAMPLES "/swatch.toml") {
   namespace fs = std::filesystem;
   drape_cloth* cloth = drape_open(file.c_str(), nullptr, nullptr);
   if (!cloth) std::fprintf(stderr, "cannot open %s\n", file.c_str()), std::abort();
-  const Description d = description_of(cloth, nodes);
+  const description::Description d = description::description_of(cloth, nodes);
   const fs::path folder =
       fs::path(testing::TempDir()) / ("drape swatch " + d.guid);  // a space, to be percent-encoded
   fs::create_directories(folder);
@@ -60,7 +60,7 @@ Swatch make_swatch(Nodes nodes, const std::string& file = DRAPE_SAMPLES "/swatch
   s.guid = d.guid;
   s.resources = "file://";
   for (const char c : folder.string()) s.resources += c == ' ' ? "%20" : std::string(1, c);
-  for (const Variable& v : d.table) s.names.push_back(v.name());
+  for (const description::Variable& v : d.table) s.names.push_back(v.name());
   return s;
 }
 
@@ -81,10 +81,11 @@ const Fmi2& fmi2() {
   return functions;
 }
 
-const Swatch& swatch(Nodes nodes) {
-  static const Swatch none = make_swatch(Nodes::kNone), outline = make_swatch(Nodes::kOutline),
-                      all = make_swatch(Nodes::kAll);
-  return nodes == Nodes::kNone ? none : nodes == Nodes::kOutline ? outline : all;
+const Swatch& swatch(description::Nodes nodes) {
+  static const Swatch none = make_swatch(description::Nodes::kNone),
+                      outline = make_swatch(description::Nodes::kOutline),
+                      all = make_swatch(description::Nodes::kAll);
+  return nodes == description::Nodes::kNone ? none : nodes == description::Nodes::kOutline ? outline : all;
 }
 
 fmi2ValueReference Swatch::reference(const std::string& name) const {
@@ -94,7 +95,7 @@ fmi2ValueReference Swatch::reference(const std::string& name) const {
 }
 
 const Swatch& flag() {
-  static const Swatch made = make_swatch(Nodes::kAll, DRAPE_SAMPLES "/flag.toml");
+  static const Swatch made = make_swatch(description::Nodes::kAll, DRAPE_SAMPLES "/flag.toml");
   return made;
 }
 
@@ -105,7 +106,7 @@ Swatch swatch_with(const std::string& from, const std::string& to) {
   scene.replace(scene.find(from), from.size(), to);
   const std::string file = testing::TempDir() + "drape_swatch_" + std::to_string(getpid()) + ".toml";
   std::ofstream(file) << scene;
-  Swatch made = make_swatch(Nodes::kNone, file);
+  Swatch made = make_swatch(description::Nodes::kNone, file);
   std::filesystem::remove(file);
   return made;
 }
@@ -177,4 +178,4 @@ void expect_sentence(Slave& slave, fmi2Status status, const std::vector<std::str
   slave.log.clear();
 }
 
-}  // namespace drape
+}  // namespace drape::fmi2

@@ -9,7 +9,7 @@
 #include "fmi2Functions.h"
 #include "variables.h"
 
-namespace drape {
+namespace drape::fmi2 {
 
 // Every function of FMI 2.0, by its own name.
 struct Fmi2 {
@@ -72,7 +72,7 @@ struct Swatch {
 
   fmi2ValueReference reference(const std::string& name) const;
 };
-const Swatch& swatch(Nodes nodes = Nodes::kNone);
+const Swatch& swatch(description::Nodes nodes = description::Nodes::kNone);
 
 // The sample with inputs: a clamp and a point that are driven, and wind.
 const Swatch& flag();
@@ -107,4 +107,4 @@ struct Slave {
 // A refused call leaves one sentence, in which these words stand.
 void expect_sentence(Slave& slave, fmi2Status status, const std::vector<std::string>& words);
 
-}  // namespace drape
+}  // namespace drape::fmi2

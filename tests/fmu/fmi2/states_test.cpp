@@ -1,7 +1,7 @@
 // Saved states, reset, several instances: the same bits again.
 #include "fmi2/slave.h"
 
-namespace drape {
+namespace drape::fmi2 {
 namespace {
 
 void advance(Slave& slave, double from, double to) {
@@ -102,4 +102,4 @@ TEST(States, two_instances_at_once_do_not_meet) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::fmi2

@@ -4,7 +4,7 @@
 
 #include "fmi2/slave.h"
 
-namespace drape {
+namespace drape::fmi2 {
 namespace {
 
 const double kNan = std::numeric_limits<double>::quiet_NaN(),
@@ -157,4 +157,4 @@ TEST(Step, asks_for_the_end_only_where_every_retry_would_be_discarded) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::fmi2

@@ -4,7 +4,7 @@
 
 #include "fmi2/slave.h"
 
-namespace drape {
+namespace drape::fmi2 {
 namespace {
 
 const double kNan = std::numeric_limits<double>::quiet_NaN(),
@@ -157,4 +157,4 @@ TEST(Values, tuned_gravity_acts) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::fmi2

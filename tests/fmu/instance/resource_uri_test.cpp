@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::instance {
 namespace {
 
 TEST(ResourceUri, allowed_forms) {
@@ -36,4 +36,4 @@ TEST(ResourceUri, refused_forms) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::instance

@@ -11,7 +11,7 @@
 
 #include "description.h"
 
-namespace drape {
+namespace drape::package {
 namespace {
 
 using Cloth = std::unique_ptr<drape_cloth, void (*)(drape_cloth*)>;
@@ -39,7 +39,7 @@ std::map<std::string, std::string> entries_of(const std::string& file) {
   return entries;
 }
 
-std::string pack_swatch(const std::string& name, Nodes nodes) {
+std::string pack_swatch(const std::string& name, description::Nodes nodes) {
   const Cloth cloth = open_swatch();
   const std::string file = testing::TempDir() + name;
   std::string problem;
@@ -49,10 +49,11 @@ std::string pack_swatch(const std::string& name, Nodes nodes) {
 
 TEST(Pack, holds_description_binary_scene_and_documentation) {
   const Cloth cloth = open_swatch();
-  std::map<std::string, std::string> entries = entries_of(pack_swatch("drape_pack.fmu", Nodes::kOutline));
+  std::map<std::string, std::string> entries =
+      entries_of(pack_swatch("drape_pack.fmu", description::Nodes::kOutline));
   EXPECT_EQ(entries.size(), 7u);
-  EXPECT_EQ(entries["modelDescription.xml"],
-            description_xml_fmi2(description_of(cloth.get(), Nodes::kOutline)));
+  EXPECT_EQ(entries["modelDescription.xml"], description::description_xml_fmi2(description::description_of(
+                                                 cloth.get(), description::Nodes::kOutline)));
   EXPECT_EQ(entries["binaries/linux64/swatch.so"], bytes_of(DRAPE_FMI2_BINARY));
   EXPECT_EQ(entries["resources/scene.toml"], drape_scene_text(cloth.get()));
   EXPECT_NE(entries["documentation/index.html"].find("<title>here</title>"), std::string::npos);
@@ -61,7 +62,8 @@ TEST(Pack, holds_description_binary_scene_and_documentation) {
 
 // What is compiled into the binary asks for its notice to travel with it.
 TEST(Pack, carries_the_licences_of_what_it_holds) {
-  std::map<std::string, std::string> entries = entries_of(pack_swatch("drape_licences.fmu", Nodes::kNone));
+  std::map<std::string, std::string> entries =
+      entries_of(pack_swatch("drape_licences.fmu", description::Nodes::kNone));
   const std::string permission = "Permission is hereby granted, free of charge",
                     folder = "documentation/licenses/";
   EXPECT_EQ(entries[folder + "drape.txt"], bytes_of(DRAPE_LICENSE));
@@ -71,18 +73,19 @@ TEST(Pack, carries_the_licences_of_what_it_holds) {
 }
 
 TEST(Pack, same_scene_same_bytes) {
-  const std::string once = bytes_of(pack_swatch("drape_once.fmu", Nodes::kNone));
+  const std::string once = bytes_of(pack_swatch("drape_once.fmu", description::Nodes::kNone));
   EXPECT_FALSE(once.empty());
-  EXPECT_EQ(once, bytes_of(pack_swatch("drape_again.fmu", Nodes::kNone)));
-  EXPECT_NE(once, bytes_of(pack_swatch("drape_nodes.fmu", Nodes::kAll)));
+  EXPECT_EQ(once, bytes_of(pack_swatch("drape_again.fmu", description::Nodes::kNone)));
+  EXPECT_NE(once, bytes_of(pack_swatch("drape_nodes.fmu", description::Nodes::kAll)));
 }
 
 TEST(Pack, names_the_file_it_cannot_write) {
   const Cloth cloth = open_swatch();
   std::string problem;
-  EXPECT_FALSE(fmu_pack(cloth.get(), Nodes::kNone, "<svg/>", "/no/such/folder/cloth.fmu", problem));
+  EXPECT_FALSE(
+      fmu_pack(cloth.get(), description::Nodes::kNone, "<svg/>", "/no/such/folder/cloth.fmu", problem));
   EXPECT_NE(problem.find("/no/such/folder/cloth.fmu"), std::string::npos) << problem;
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::package

@@ -4,15 +4,17 @@
 #include <gtest/gtest.h>
 
 #include "body_fixture.h"
-#include "seam_fixture.h"
-#include "math/vector3.h"
-#include "contact/particle/contact_pass.h"
 #include "contact/particle/contact.h"
+#include "contact/particle/contact_pass.h"
+#include "math/vector3.h"
+#include "seam_fixture.h"
 
-namespace drape {
+namespace drape::contact {
+
+using namespace tests;
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
 constexpr double kPi = std::numbers::pi;
 
@@ -49,25 +51,25 @@ struct Strip {
 constexpr double kSlope = 2000;  // N/m per width
 
 Strip strip_over_roof(const SceneFolder& folder, int links, double cell, double shift, double mu, bool fit) {
-  FabricSpec fabric = linen();
+  scene::FabricSpec fabric = linen();
   fabric.bias = {};
   fabric.bending_warp = fabric.bending_weft = 0;
   fabric.friction = {mu, mu};
   Scene scene = reference::rectangle(fabric, links * cell, cell, cell);
   scene.gravity = {0, 0, 0};
   scene.damping = fit ? 0 : 200;
-  if (fit) scene.mode = Mode::kFit;
-  scene.bias_model = BiasModel::kOdd;
+  if (fit) scene.mode = scene::Mode::kFit;
+  scene.bias_model = scene::BiasModel::kOdd;
   scene.pieces[0].place.origin = {-links * cell / 2 + shift, -0.0437 * cell, 0.0008};
   scene.pins = {reference::pin_edges("left", {3}), reference::pin_edges("right", {1})};
-  for (PinSpec& pin : scene.pins) pin.drive = Drive::kPosition;
+  for (scene::PinSpec& pin : scene.pins) pin.drive = scene::Drive::kPosition;
   body_add(scene, folder, "roof", roof(kPi / 4));
   return {assemble(scene), cell};
 }
 
 // Pulls the ends to angles below the horizontal, at `stretch` times the length from the ridge.
 void strip_pull(Strip& s, double left, double right, double stretch, double time) {
-  Inputs& to = s.a.motion.inputs;
+  dynamics::Inputs& to = s.a.motion.inputs;
   const double was[2] = {norm(Vec3{to.pin[0].position[0], 0, 0}), norm(Vec3{to.pin[1].position[0], 0, 0})};
   to.pin[0].position[0] = -stretch * was[0] * std::cos(left);
   to.pin[0].position[2] = -stretch * was[0] * std::sin(left);
@@ -155,25 +157,26 @@ TEST(Ridge, MomentumIsBalancedOverEveryAdvance) {
   for (std::size_t n : a.system.particle) mass += a.system.mass[n];
   Array v[3];
   for (Array& of : v) of.assign(a.system.nodes, 0.0);
-  std::vector<PinLoad> pins;
+  std::vector<math::PinLoad> pins;
   const auto now = [&] {
-    leapfrog_synchronous(a.system, a.motion, a.state, v[0].data(), v[1].data(), v[2].data(), pins);
+    dynamics::leapfrog_synchronous(a.system, a.motion, a.state, v[0].data(), v[1].data(), v[2].data(), pins);
     return momentum(a, v);
   };
   Vec3 before = now();
   std::size_t on_ridges = 0;
   for (int k = 1; k <= 60; ++k) {
-    Frame& to = a.motion.inputs.body[0];
+    math::Frame& to = a.motion.inputs.body[0];
     to.position = {0, 0, 0.02 * std::sin(0.05 * k)};
     to.velocity = {0, 0, 0.02 * 50 * std::cos(0.05 * k)};
     to.spin = {0, 3, 0};
-    to.turn = rotation_exp({0, 3 * 1e-3 * k, 0});
+    to.turn = math::rotation_exp({0, 3 * 1e-3 * k, 0});
     std::string event;  // every other advance begins anew from the synchronous velocities, as with a tuning
     const auto anew = [&](double) {
-      if (k % 2 == 0) leapfrog_complete(a.system, a.motion, a.state);
+      if (k % 2 == 0) dynamics::leapfrog_complete(a.system, a.motion, a.state);
       return k % 2 == 0;
     };
-    ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 1e-3, event, anew), Advance::kDone);
+    ASSERT_EQ(dynamics::leapfrog_advance(a.system, a.motion, a.state, 1e-3, event, anew),
+              dynamics::Advance::kDone);
     on_ridges += a.motion.touch.ridge.size();
     const Vec3 after = now(), gained = after - before;
     const Vec3 told = a.state.body[0].impulse.force + a.motion.touch.load[0].force;
@@ -189,7 +192,7 @@ TEST(Ridge, MomentumIsBalancedOverEveryAdvance) {
 
 // Where a line through x = y = 0 along z meets the cloth, if it does: the height there of its bilinear cells.
 bool height_over_tip(const Assembled& a, double& height) {
-  const Lattice& l = a.system.lattices[0];
+  const model::Lattice& l = a.system.lattices[0];
   bool met = false;
   for (int j = 0; j + 1 < l.rows; ++j)
     for (int i = 0; i + 1 < l.columns; ++i) {
@@ -243,7 +246,7 @@ TEST(Ridge, NoTipOrEdgeGetsThroughAtFiftyMetresPerSecond) {
           if (height_over_tip(a, height)) least = std::min(least, height);
           continue;
         }
-        const Lattice& l = a.system.lattices[0];
+        const model::Lattice& l = a.system.lattices[0];
         for (int j = 0; j < l.rows; ++j)
           for (int i = 0; i + 1 < l.columns; ++i) {
             const std::size_t n = l.node(i, j);
@@ -267,7 +270,7 @@ TEST(Ridge, AClothRestsOnRoofAndTip) {
     Scene scene = over_roof(0.1, 0.01, 0.0009, 0.55, folder);
     if (tip) scene.bodies.clear(), body_add(scene, folder, "pyramid", pyramid(0.72));
     scene.fabrics[0].friction = {0.8, 0.8};
-    scene.mode = Mode::kFit;
+    scene.mode = scene::Mode::kFit;
     Assembled a = assemble(scene);
     for (double t = 0; t < 20 && !a.state.fit.at_rest; t += 0.1) advance(a, 0.1);
     EXPECT_TRUE(a.state.fit.at_rest) << "residual " << a.state.fit.residual;
@@ -282,7 +285,7 @@ TEST(Ridge, BitsAreThoseOfEveryKernelAndGrouping) {
   const Scene scene = over_roof(0.1, 0.01, 0.0009, 0.6, folder);
   const auto run = [&](const char* kernel, int advances) {
     Assembled a = assemble(scene);
-    if (kernel) a.motion.kernel = kernel_named(kernel);
+    if (kernel) a.motion.kernel = dynamics::kernel_named(kernel);
     if (!a.motion.kernel) return Eigen::VectorXd();
     for (int k = 0; k < advances; ++k) advance(a, 0.06 / advances);
     EXPECT_TRUE(ridge_any(a.state));
@@ -325,15 +328,15 @@ TEST(Ridge, EnergyIsBalanced) {
 }
 
 // A sheet folded along y at x = z = 0, which falls to both sides by 45 degrees.
-Mesh fold() {
-  Mesh m = roof(kPi / 4);
+command::Mesh fold() {
+  command::Mesh m = roof(kPi / 4);
   m.corner.resize(4);
   return m;
 }
 
 // A strip of `links` links along x, one cell wide, at a height over the fold; nothing weighs.
 Scene over_fold(const SceneFolder& folder, int links, double left, double height) {
-  FabricSpec fabric = linen();
+  scene::FabricSpec fabric = linen();
   fabric.bending_warp = fabric.bending_weft = 0;
   Scene scene = reference::rectangle(fabric, links * 0.01, 0.01, 0.01);
   scene.gravity = {0, 0, 0};
@@ -346,7 +349,7 @@ Scene over_fold(const SceneFolder& folder, int links, double left, double height
 
 // How high the links across it are over the fold.
 double over_fold_height(const Assembled& a) {
-  const Lattice& l = a.system.lattices[0];
+  const model::Lattice& l = a.system.lattices[0];
   const std::size_t n = l.node(0, 0), m = l.node(1, 0);
   const double t = a.state.x[n] / (a.state.x[n] - a.state.x[m]);
   return (1 - t) * a.state.z[n] + t * a.state.z[m];
@@ -370,7 +373,7 @@ TEST(Ridge, AJumpTakesNoLinkThroughUnseen) {
       scene.pins = {{"held", 1, {}, {3}}};
     } else {
       scene.pins = {reference::pin_edges("left", {3}), reference::pin_edges("right", {1})};
-      scene.pins[0].drive = Drive::kPosition;
+      scene.pins[0].drive = scene::Drive::kPosition;
     }
     Assembled a = assemble(scene);
     if (!weld) {
@@ -395,7 +398,7 @@ TEST(Ridge, PenaltyStaysWithinTheBoundOfTheStep) {
   scene.pieces[0].place.origin = {0.1, 0, 0.1};
   body_add(scene, folder, "knife", roof(1.3));
   Assembled a = assemble(scene);
-  const Lattice& l = a.system.lattices[0];
+  const model::Lattice& l = a.system.lattices[0];
   const double sum = l.touch.omega2 / 2;
   double least = INFINITY, most = -INFINITY, largest = 0;
   std::vector<RidgeTouch> touches;
@@ -458,10 +461,11 @@ TEST(Ridge, AStartThroughItIsOneFault) {
       continue;
     }
     ASSERT_EQ(problems.size(), 1u);
-    EXPECT_NE(problem_text(problems[0]).find("puts 6 links or cells through sharp edges"), std::string::npos)
-        << problem_text(problems[0]);
+    EXPECT_NE(scene::problem_text(problems[0]).find("puts 6 links or cells through sharp edges"),
+              std::string::npos)
+        << scene::problem_text(problems[0]);
   }
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::contact

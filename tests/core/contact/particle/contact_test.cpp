@@ -6,19 +6,21 @@
 #include <random>
 
 #include "body_fixture.h"
-#include "math/vector3.h"
 #include "contact/particle/contact_pass.h"
+#include "math/vector3.h"
 #include "outputs/energy.h"
 #include "outputs/outputs.h"
 #include "reference/run.h"
 
-namespace drape {
+namespace drape::contact {
+
+using namespace tests;
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
 // The depth at which the penalty holds the acceleration g: omega^2 phi(e) = g.
-double depth_under(const ContactLaw& law, double g) {
+double depth_under(const model::ContactLaw& law, double g) {
   const double blend = kContactBlend * law.layer;
   double low = 0, high = law.layer;
   for (int k = 0; k < 200; ++k) {
@@ -38,7 +40,7 @@ Assembled on_incline(const SceneFolder& folder, double mu, double angle) {
   body_add(scene, folder, "table", box(2, 2, 0.1)).position = {0, 0, -0.05};
   State state;
   std::vector<Problem> problems;
-  const System system = system_assemble(scene, state, problems);
+  const System system = assembly::system_assemble(scene, state, problems);
   scene.pieces[0].place.origin[2] -= depth_under(system.lattices[0].touch, 9.81 * std::cos(angle));
   return assemble(scene);
 }
@@ -83,7 +85,7 @@ TEST(Touch, SticksForTenSeconds) {
 TEST(Touch, KineticFrictionActsOnceItSlides) {
   const SceneFolder folder;
   Assembled cloth = on_incline(folder, 0.5, std::atan(0.4));
-  for (Lattice& l : cloth.system.lattices) l.touch.friction = {0.5, 0.3};
+  for (model::Lattice& l : cloth.system.lattices) l.touch.friction = {0.5, 0.3};
   const Eigen::VectorXd start = positions(cloth);
   advance(cloth, 0.2);
   EXPECT_LT((positions(cloth) - start).cwiseAbs().maxCoeff(), 1e-9);
@@ -99,22 +101,22 @@ TEST(Touch, KineticFrictionActsOnceItSlides) {
 TEST(Touch, TensionGrowsRoundACapstan) {
   const SceneFolder folder;
   const double mu = 0.3, radius = 0.05, cell = 0.005;
-  FabricSpec fabric = linen();
+  scene::FabricSpec fabric = linen();
   fabric.bias = {};
   fabric.bending_warp = fabric.bending_weft = 0;
   fabric.friction = {mu, mu};
   Scene scene = reference::rectangle(fabric, 16 * cell, cell, cell);
   scene.gravity = {0, 0, 0};
   scene.damping = 200;
-  scene.bias_model = BiasModel::kOdd;
+  scene.bias_model = scene::BiasModel::kOdd;
   const double layer = fabric.thickness / 2, r = radius + layer;
-  PlaceSpec& place = scene.pieces[0].place;
+  scene::PlaceSpec& place = scene.pieces[0].place;
   place.origin = {-8 * cell, 0, r};
   place.radius = {r, r};
   place.axis_point = {0, 0, 0};
   place.axis = {0, 1, 0};
-  PinSpec first = reference::pin_edges("first", {3}), last = reference::pin_edges("last", {1});
-  last.drive = Drive::kPosition;
+  scene::PinSpec first = reference::pin_edges("first", {3}), last = reference::pin_edges("last", {1});
+  last.drive = scene::Drive::kPosition;
   scene.pins = {first, last};
   body_add(scene, folder, "capstan", cylinder(radius, 0.1, 720));
   Assembled a = assemble(scene);
@@ -147,12 +149,13 @@ TEST(Touch, TensionGrowsRoundACapstan) {
 
 struct Synchronous {
   Array v[3];
-  std::vector<PinLoad> pins;
+  std::vector<math::PinLoad> pins;
 };
 Synchronous synchronous(Assembled& a) {
   Synchronous s;
   for (Array& v : s.v) v.assign(a.system.nodes, 0.0);
-  leapfrog_synchronous(a.system, a.motion, a.state, s.v[0].data(), s.v[1].data(), s.v[2].data(), s.pins);
+  dynamics::leapfrog_synchronous(a.system, a.motion, a.state, s.v[0].data(), s.v[1].data(), s.v[2].data(),
+                                 s.pins);
   return s;
 }
 
@@ -163,7 +166,7 @@ TEST(Touch, MomentumIsBalancedOverEveryAdvance) {
   Scene scene = reference::rectangle(linen(), 0.2, 0.2, 0.01);
   scene.pieces[0].place.origin = {-0.07, -0.1, 0.052};
   scene.pieces[0].velocity = {0.1, 0, -1};
-  BodySpec& spec = body_add(scene, folder, "ball", ball(0.05, 40));
+  scene::BodySpec& spec = body_add(scene, folder, "ball", ball(0.05, 40));
   spec.moves = true;
   Assembled a = assemble(scene);
   double worst = 0, most = 0, mass = 0;
@@ -171,11 +174,11 @@ TEST(Touch, MomentumIsBalancedOverEveryAdvance) {
   Synchronous at_start = synchronous(a);
   Vec3 before = momentum(a, at_start.v);
   for (int k = 1; k <= 60; ++k) {
-    Frame& to = a.motion.inputs.body[0];
+    math::Frame& to = a.motion.inputs.body[0];
     to.position = {0, 0, 0.02 * std::sin(0.05 * k)};
     to.velocity = {0, 0, 0.02 * 50 * std::cos(0.05 * k)};
     to.spin = {0, 3, 0};
-    to.turn = rotation_exp({0, 3 * 1e-3 * k, 0});
+    to.turn = math::rotation_exp({0, 3 * 1e-3 * k, 0});
     advance(a, 1e-3);
     Synchronous now = synchronous(a);
     const Vec3 after = momentum(a, now.v), gained = after - before;
@@ -193,14 +196,14 @@ TEST(Touch, MomentumIsBalancedOverEveryAdvance) {
 // At 50 m/s against a thin plate and against a sharp ridge, at the automatic step.
 TEST(Touch, NothingGetsThroughAtFiftyMetresPerSecond) {
   const SceneFolder folder;
-  Mesh ridge;  // a roof of 20 degrees, closed below
+  command::Mesh ridge;  // a roof of 20 degrees, closed below
   ridge.point = {{-1, 0, 0},       {1, 0, 0},        {1, 0.1763, -1},
                  {-1, 0.1763, -1}, {1, -0.1763, -1}, {-1, -0.1763, -1}};
   ridge.corner = {{0, 1, 2}, {0, 2, 3}, {1, 0, 5}, {1, 5, 4}, {3, 2, 4}, {3, 4, 5}, {1, 4, 2}, {0, 3, 5}};
   for (const bool plate : {true, false}) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> shift(-1, 1);
-    FabricSpec dust = linen();
+    scene::FabricSpec dust = linen();
     dust.warp = dust.weft = dust.bias = {};
     dust.bending_warp = dust.bending_weft = 0;
     dust.friction = {0, 0};
@@ -226,7 +229,7 @@ TEST(Touch, NothingGetsThroughAtFiftyMetresPerSecond) {
 // a ball of 0.05 m, whose facets lie within 1e-4 m of it.
 TEST(Touch, NothingGetsThroughFromAfar) {
   const SceneFolder folder;
-  FabricSpec dust = linen();
+  scene::FabricSpec dust = linen();
   dust.warp = dust.weft = dust.bias = {};
   dust.bending_warp = dust.bending_weft = 0;
   dust.friction = {0, 0};
@@ -280,7 +283,7 @@ TEST(Touch, BitsAreThoseOfEveryKernelAndGrouping) {
   body_add(scene, folder, "ball", ball(0.05, 40));
   const auto run = [&](const char* kernel, int advances) {
     Assembled a = assemble(scene);
-    if (kernel) a.motion.kernel = kernel_named(kernel);
+    if (kernel) a.motion.kernel = dynamics::kernel_named(kernel);
     if (!a.motion.kernel) return Eigen::VectorXd();
     for (int k = 0; k < advances; ++k) advance(a, 0.06 / advances);
     return positions(a);
@@ -306,7 +309,7 @@ TEST(Touch, LoadsOfThePastAreNotToldAgain) {
   ASSERT_FALSE(touch_any(a.state));
   a.state.body[0].impulse = {};
   a.state.advance_begins = false;
-  leapfrog_complete(a.system, a.motion, a.state);
+  dynamics::leapfrog_complete(a.system, a.motion, a.state);
   EXPECT_EQ(a.state.body[0].impulse.force, (Vec3{0, 0, 0}));
 }
 
@@ -328,7 +331,7 @@ TEST(Touch, EnergyIsBalanced) {
   scene.energy = true;
   scene.pieces[0].place.origin = {-0.05, -0.05, 0.0005};
   scene.pieces[0].velocity = {1, 0, 0};
-  BodySpec& spec = body_add(scene, folder, "table", box(2, 2, 0.1));
+  scene::BodySpec& spec = body_add(scene, folder, "table", box(2, 2, 0.1));
   spec.position = {0, 0, -0.05};
   Assembled a = assemble(scene);
   const drape_energy e = energies_after(a, 0.2);
@@ -338,4 +341,4 @@ TEST(Touch, EnergyIsBalanced) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::contact

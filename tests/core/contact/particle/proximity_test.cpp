@@ -8,30 +8,30 @@
 #include "dynamics/kernel/kernel.h"
 #include "model/composition.h"
 
-namespace drape {
+namespace drape::contact {
 namespace {
 
 // Particles that go about with velocities that are new in every stage. Due are the blocks with a particle
 // that is past its budget or would be after a step more, |r + h v - from| >= budget, and no others, whichever
 // groups sleep; also where the stages of a step go partly back in time.
 TEST(Watch, FindsWhatEveryComparisonWould) {
-  constexpr std::size_t kNodes = 5 * kWatchGroup + kRowUnit, kBlocks = kNodes / kRowUnit;
+  constexpr std::size_t kNodes = 5 * kWatchGroup + math::kRowUnit, kBlocks = kNodes / math::kRowUnit;
   constexpr double kForward[] = {1}, kStep = 1e-3;
   const auto drifts = [&](int order) {
-    const Composition* of = composition_of(order);
+    const model::Composition* of = model::composition_of(order);
     return of ? std::vector<double>(of->drift, of->drift + of->stages)
               : std::vector<double>(kForward, kForward + 1);
   };
   for (const char* name : {"scalar", "portable", "avx2", "avx512"})
     for (int order : {2, 4, 6}) {
-      const Kernel* kernel = kernel_named(name);
+      const dynamics::Kernel* kernel = dynamics::kernel_named(name);
       if (!kernel) continue;  // not on this processor
       std::mt19937 random(7);
       std::uniform_real_distribution<double> speed(-1, 1), budget(0.002, 0.05);
       Array r[3], v[3];
       for (Array& of : r) of.assign(kNodes, 0.0);
       for (Array& of : v) of.assign(kNodes, 0.0);
-      BodyContact body;
+      model::BodyContact body;
       body.turn = {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
       body.x = body.y = body.z = Array(kNodes, 0.0);
       body.budget2.assign(kNodes, 0.0);
@@ -55,9 +55,9 @@ TEST(Watch, FindsWhatEveryComparisonWould) {
                                    kNodes};
           const std::size_t count = kernel->contact.watch[0](watch, due.data());
           std::vector<std::size_t> wanted;
-          for (std::size_t b = 0; b < kNodes; b += kRowUnit) {
+          for (std::size_t b = 0; b < kNodes; b += math::kRowUnit) {
             bool is = false;
-            for (std::size_t n = b; n < b + kRowUnit; ++n) {
+            for (std::size_t n = b; n < b + math::kRowUnit; ++n) {
               const double x = r[0][n] + kStep * v[0][n] - body.x[n],
                            y = r[1][n] + kStep * v[1][n] - body.y[n],
                            z = r[2][n] + kStep * v[2][n] - body.z[n];
@@ -69,7 +69,7 @@ TEST(Watch, FindsWhatEveryComparisonWould) {
               << name << ", order " << order << ", step " << step;
           (wanted.empty() ? asleep : awake) += 1;
           for (std::size_t b : wanted)
-            for (std::size_t n = b; n < b + kRowUnit; ++n) {
+            for (std::size_t n = b; n < b + math::kRowUnit; ++n) {
               body.x[n] = r[0][n], body.y[n] = r[1][n], body.z[n] = r[2][n];
               body.budget2[n] = budget(random) * budget(random) * 10;
             }
@@ -80,4 +80,4 @@ TEST(Watch, FindsWhatEveryComparisonWould) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::contact

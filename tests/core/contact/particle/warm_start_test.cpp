@@ -3,12 +3,14 @@
 
 #include <algorithm>
 
-#include "seam_fixture.h"
 #include "body_fixture.h"
 #include "math/vector3.h"
 #include "outputs/outputs.h"
+#include "seam_fixture.h"
 
-namespace drape {
+namespace drape::contact {
+
+using namespace tests;
 namespace {
 
 // Two squares of linen side by side, sewn together; the cells of the left one are `ratio` of the right ones.
@@ -76,7 +78,7 @@ bool rests(Assembled& a, double most) {
 TEST(Tied, AHangingHalfRestsByItsSeam) {
   const SceneFolder folder;
   Scene scene = sewn_pair(0.1, 1.6, 0.7, 0.7);
-  scene.mode = Mode::kFit;
+  scene.mode = scene::Mode::kFit;
   scene.pieces[0].place.origin = {-0.1, 0, 0.00049};
   scene.pieces[1].place.origin = {0, 0, 0.00049};
   body_add(scene, folder, "table", box(1, 1, 0.1)).position = {-0.5, 0, -0.05};
@@ -91,25 +93,28 @@ TEST(Tied, AStripRestsInAGroove) {
   Scene scene = reference::rectangle(linen(), 0.1, 0.03, 0.01);
   scene.fabrics[0].friction = {0.2, 0.2};
   scene.fabrics[0].bending_warp = scene.fabrics[0].bending_weft = 1e-7;
-  scene.mode = Mode::kFit;
+  scene.mode = scene::Mode::kFit;
   scene.pieces[0].place.origin = {-0.05, -0.015, 0.055};
-  const Mesh groove{{{-0.2, -1, 0.2}, {0, -1, 0}, {0.2, -1, 0.2}, {-0.2, 1, 0.2}, {0, 1, 0}, {0.2, 1, 0.2}},
-                    {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};
+  const command::Mesh groove{
+      {{-0.2, -1, 0.2}, {0, -1, 0}, {0.2, -1, 0.2}, {-0.2, 1, 0.2}, {0, 1, 0}, {0.2, 1, 0.2}},
+      {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};
   body_add(scene, folder, "groove", groove);
   Assembled a = assemble(scene);
   ASSERT_TRUE(rests(a, 10)) << "residual " << a.state.fit.residual;
-  const ContactBlocks& blocks = a.state.body[0].blocks;
+  const model::ContactBlocks& blocks = a.state.body[0].blocks;
   int both = 0;  // nodes that lie on both sides
   for (std::size_t k = 1; k < blocks.order.size(); ++k) {
     if (blocks.order[k].node != blocks.order[k - 1].node) continue;
-    const ContactBlock &p = blocks.pool[blocks.order[k - 1].block], &q = blocks.pool[blocks.order[k].block];
-    for (std::size_t i = 0; i < std::size_t(kRowUnit); ++i) {
+    const model::ContactBlock &p = blocks.pool[blocks.order[k - 1].block],
+                              &q = blocks.pool[blocks.order[k].block];
+    for (std::size_t i = 0; i < std::size_t(math::kRowUnit); ++i) {
       const std::size_t n = p.node + i;
-      const auto height = [&](const ContactBlock& b) {
+      const auto height = [&](const model::ContactBlock& b) {
         return b.side[0][i] * a.state.x[n] + b.side[1][i] * a.state.y[n] + b.side[2][i] * a.state.z[n] -
                b.offset[i];
       };
-      both += p.offset[i] != -kFar && q.offset[i] != -kFar && height(p) < 0.0005 && height(q) < 0.0005;
+      both += p.offset[i] != -model::kFar && q.offset[i] != -model::kFar && height(p) < 0.0005 &&
+              height(q) < 0.0005;
     }
   }
   EXPECT_GT(both, 0);
@@ -132,7 +137,7 @@ TEST(Tied, WeldsLeftAloneAreMetAlready) {
     sewn_advance(a, 1e-3);
     EXPECT_FALSE(a.motion.touch.hit.empty());
     if (all) a.motion.touch.hit.clear();
-    energy_begin(a.system, a.state);
+    outputs::energy_begin(a.system, a.state);
     int met = 0;  // advances whose last step touched a weld
     for (int k = 0; k < 60; ++k) {
       sewn_advance(a, 1e-3);
@@ -154,4 +159,4 @@ TEST(Tied, WeldsLeftAloneAreMetAlready) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::contact

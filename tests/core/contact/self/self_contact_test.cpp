@@ -1,19 +1,21 @@
 // Cloth against cloth within the motion: cases with known answers, momentum, and what must never happen.
 #include <gtest/gtest.h>
 
-#include "math/vector3.h"
-#include "math/smooth_ramp.h"
+#include "contact/self/search.h"
 #include "contact/self/self_contact.h"
+#include "contact/self/self_fixture.h"
 #include "dynamics/seam_welding.h"
+#include "math/smooth_ramp.h"
+#include "math/vector3.h"
 #include "outputs/energy.h"
 #include "outputs/outputs.h"
-#include "contact/self/search.h"
-#include "contact/self/self_fixture.h"
 
-namespace drape {
+namespace drape::contact {
+
+using namespace tests;
 namespace {
 
-using namespace vector3;
+using namespace math::vector3;
 
 // A held sheet, and a smaller one above it at the height z, whose nodes lie over no nodes.
 Scene on_a_sheet(double z, double mu = 0.3) {
@@ -27,7 +29,7 @@ Scene on_a_sheet(double z, double mu = 0.3) {
 
 // Nodes of a piece.
 std::vector<std::size_t> nodes_of(const System& system, int piece) {
-  const Lattice& l = system.lattices[std::size_t(piece)];
+  const model::Lattice& l = system.lattices[std::size_t(piece)];
   std::vector<std::size_t> nodes;
   for (std::size_t n : system.particle)
     if (l.owns(n)) nodes.push_back(n);
@@ -48,18 +50,18 @@ TEST(SelfContact, RestsAtTheThickness) {
   scene.damping = 30;
   Assembled a = assemble(scene);
   advance(a, 1);
-  const ContactLaw& law = a.system.lattices[1].touch;
+  const model::ContactLaw& law = a.system.lattices[1].touch;
   const double layer = scene.fabrics[0].thickness;
   double deepest = 0;
-  while (law.omega2 * contact_penalty(kSelfBlend * layer, deepest) < 8 * 9.81) deepest += 1e-8;
+  while (law.omega2 * math::contact_penalty(kSelfBlend * layer, deepest) < 8 * 9.81) deepest += 1e-8;
   double mean = 0;
   for (std::size_t n : nodes_of(a.system, 1)) mean += a.state.z[n] / double(nodes_of(a.system, 1).size());
   EXPECT_LT(mean, layer);
   EXPECT_GT(mean, layer - deepest);
   advance(a, 0.05);
-  Outputs outputs;
-  outputs_make(outputs, a.scene, a.system);
-  outputs_fill(outputs, a.system, a.motion, a.state, DRAPE_MOTION | DRAPE_STRAIN);
+  outputs::Outputs outputs;
+  outputs::outputs_make(outputs, a.scene, a.system);
+  outputs::outputs_fill(outputs, a.system, a.motion, a.state, DRAPE_MOTION | DRAPE_STRAIN);
   const double weight = 9.81 * (mass_of(a.system, 0) + mass_of(a.system, 1));
   EXPECT_NEAR(outputs.pins[0].force[2], -weight, 1e-6 * weight);
   EXPECT_GE(outputs.shown.contact_count, 36);
@@ -89,7 +91,7 @@ TEST(SelfContact, KeepsMomentumAndAngularMomentum) {
   scene.self_contact = true;
   scene.gravity = {0, 0, 0};
   scene.fabrics[0].friction = {0.5, 0.4};
-  PieceSpec& upper = sheet_add(scene, "upper", 0.08, 0.08, 0.008, {0.04, 0.031, 0.012});
+  scene::PieceSpec& upper = sheet_add(scene, "upper", 0.08, 0.08, 0.008, {0.04, 0.031, 0.012});
   upper.place.axis_x = {std::cos(0.1), 0, std::sin(0.1)};
   upper.velocity = {-0.3, 0.2, -1};
   Assembled a = assemble(scene);
@@ -112,7 +114,7 @@ Assembled leaning(double mu, double angle) {
   Assembled a = assemble(scene);
   a.system.damping = 200;
   advance(a, 0.2);
-  leapfrog_complete(a.system, a.motion, a.state);
+  dynamics::leapfrog_complete(a.system, a.motion, a.state);
   a.system.damping = 0;
   for (std::size_t n : a.system.particle) a.state.vx[n] = a.state.vy[n] = a.state.vz[n] = 0;
   a.system.gravity = {9.81 * std::sin(angle), 0, -9.81 * std::cos(angle)};
@@ -168,7 +170,7 @@ Scene loop() {
   scene.damping = 5;
   scene.fabrics[0].bending_warp = scene.fabrics[0].bending_weft = 5e-7;
   scene.pins = {hold_all(0.14, 0.06)};
-  PlaceSpec& place = sheet_add(scene, "loop", 0.12, 0.03, 0.005, {0.009, 0.0131, 0.7e-3}).place;
+  scene::PlaceSpec& place = sheet_add(scene, "loop", 0.12, 0.03, 0.005, {0.009, 0.0131, 0.7e-3}).place;
   place.axis_point = {0.069, 0.0131, 0.0217};
   place.axis = {0, 1, 0};
   place.radius = {0.021, 0.021};
@@ -177,8 +179,8 @@ Scene loop() {
 
 double least_distance(const Assembled& a) {
   double least = INFINITY;
-  const SelfPairs pairs = self_search(a.system, a.system.self, a.state, 1e-3);
-  for (const SelfPoint& p : pairs.point) {
+  const model::SelfPairs pairs = self_search(a.system, a.system.self, a.state, 1e-3);
+  for (const model::SelfPoint& p : pairs.point) {
     const auto at = [&](int k) { return at_node(a.state, p.node[k]); };
     const Vec3 e = at(2) - at(1), f = at(3) - at(1), q = at(0) - at(1), n = cross(e, f);
     const double inside = dot(cross(q, f), n), beside = dot(cross(e, q), n), all = dot(n, n);
@@ -207,7 +209,7 @@ TEST(SelfContact, BitsAreThoseOfEveryKernelAndGrouping) {
   const Scene scene = loop();
   const auto run = [&](const char* kernel, int advances) {
     Assembled a = assemble(scene);
-    a.motion.kernel = kernel_named(kernel);
+    a.motion.kernel = dynamics::kernel_named(kernel);
     if (!a.motion.kernel) return Eigen::VectorXd();
     for (int k = 0; k < advances; ++k) advance(a, 0.12 / advances);
     if (advances == 1) {
@@ -256,7 +258,7 @@ TEST(SelfContact, EnergyIsBalanced) {
 // A fit comes to rest where the motion does.
 TEST(SelfContact, AFitRestsOnTheSheetBelow) {
   Scene scene = on_a_sheet(1.2e-3);
-  scene.mode = Mode::kFit;
+  scene.mode = scene::Mode::kFit;
   Assembled a = assemble(scene);
   for (int k = 0; k < 2000 && !a.state.fit.at_rest; ++k) advance(a, 1e-3);
   EXPECT_TRUE(a.state.fit.at_rest) << a.state.fit.residual;
@@ -282,21 +284,22 @@ TEST(SelfContact, OffCostsNothing) {
 TEST(SelfContact, SeamsCloseThroughIt) {
   Scene scene = loop();
   scene.gravity = {0, 0, 0};
-  SeamSpec seam;
+  scene::SeamSpec seam;
   seam.name = "side";
   seam.side[0] = {1, {3}, false};
   seam.side[1] = {1, {1}, true};
   scene.seams = {seam};
   Assembled a = assemble(scene);
   for (int k = 0; k < 300; ++k) {
-    if (seams_pull_begin(a.system, a.state)) leapfrog_retuned(a.system, a.motion, a.state);
-    if (const auto due = seams_due(a.system, a.state); !due.empty()) {
-      seams_weld(a.system, a.motion, a.state, due);
-      leapfrog_retuned(a.system, a.motion, a.state);
+    if (dynamics::seams_pull_begin(a.system, a.state))
+      dynamics::leapfrog_retuned(a.system, a.motion, a.state);
+    if (const auto due = dynamics::seams_due(a.system, a.state); !due.empty()) {
+      dynamics::seams_weld(a.system, a.motion, a.state, due);
+      dynamics::leapfrog_retuned(a.system, a.motion, a.state);
     }
     advance(a, 1e-3);
   }
-  for (Sewn s : a.state.sewn) EXPECT_EQ(s, Sewn::kWelded);
+  for (model::Sewn s : a.state.sewn) EXPECT_EQ(s, model::Sewn::kWelded);
 }
 
 // A hanging sheet dropped on a held one crumples there: no edge of it goes through cloth.
@@ -306,7 +309,7 @@ TEST(SelfContact, ACrumpledDropDoesNotTunnel) {
   scene.damping = 2;
   scene.fabrics[0].bending_warp = scene.fabrics[0].bending_weft = 2e-7;
   scene.pins = {hold_all(0.3, 0.3)};
-  PieceSpec& upper = sheet_add(scene, "upper", 0.12, 0.12, 0.01, {0.09, 0.14, 0.002});
+  scene::PieceSpec& upper = sheet_add(scene, "upper", 0.12, 0.12, 0.01, {0.09, 0.14, 0.002});
   upper.place.axis_x = {std::cos(0.3), std::sin(0.3), 0};
   upper.place.axis_y = {-0.1 * std::sin(0.3), 0.1 * std::cos(0.3), std::sqrt(0.99)};
   upper.velocity = {0, 0, -2};
@@ -325,4 +328,4 @@ TEST(SelfContact, ACrumpledDropDoesNotTunnel) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::contact

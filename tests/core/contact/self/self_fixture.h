@@ -5,24 +5,26 @@
 #include "math/vector3.h"
 #include "model/elements.h"
 
-namespace drape {
+namespace drape::contact {
+
+using namespace tests;
 
 // A second rectangle of the same fabric.
-inline PieceSpec& sheet_add(Scene& scene, const std::string& name, double width, double height, double cell,
-                            const Vec3& origin) {
-  PieceSpec piece = scene.pieces[0];
+inline scene::PieceSpec& sheet_add(Scene& scene, const std::string& name, double width, double height,
+                                   double cell, const Vec3& origin) {
+  scene::PieceSpec piece = scene.pieces[0];
   piece.name = name;
   piece.cell = cell;
   piece.outline = {{0, 0}, {width, 0}, {width, height}, {0, height}};
-  piece.place = PlaceSpec{};
+  piece.place = scene::PlaceSpec{};
   piece.place.origin = origin;
   scene.pieces.push_back(piece);
   return scene.pieces.back();
 }
 
 // All of the first piece is held.
-inline PinSpec hold_all(double width, double height) {
-  PinSpec pin;
+inline scene::PinSpec hold_all(double width, double height) {
+  scene::PinSpec pin;
   pin.name = "hold";
   pin.piece = 0;
   const double e = 1e-3;
@@ -37,8 +39,8 @@ struct PlainTriangle {
 
 inline std::vector<PlainTriangle> triangles_of(const System& system) {
   std::vector<PlainTriangle> all;
-  for (const Lattice& l : system.lattices)
-    each_cell(system, l, [&](const std::size_t* c, double) {
+  for (const model::Lattice& l : system.lattices)
+    model::each_cell(system, l, [&](const std::size_t* c, double) {
       const auto [i, j] = l.place_of(c[0]);
       all.push_back({{c[0], c[1], c[3]}, l.piece, i, j});
       all.push_back({{c[0], c[3], c[2]}, l.piece, i, j});
@@ -50,7 +52,7 @@ inline Vec3 at_node(const State& s, std::size_t n) { return {s.x[n], s.y[n], s.z
 
 // Sides of triangles that go through triangles of cells that do not adjoin theirs.
 inline int crossings(const Assembled& a) {
-  using namespace vector3;
+  using namespace math::vector3;
   const std::vector<PlainTriangle> all = triangles_of(a.system);
   std::vector<Vec3> low, high;
   for (const PlainTriangle& t : all) {
@@ -86,4 +88,4 @@ inline int crossings(const Assembled& a) {
   return count;
 }
 
-}  // namespace drape
+}  // namespace drape::contact

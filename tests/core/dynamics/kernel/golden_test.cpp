@@ -10,7 +10,9 @@
 #include "cloth_fixture.h"
 #include "cut_pieces.h"
 
-namespace drape {
+namespace drape::dynamics {
+
+using namespace tests;
 namespace {
 
 constexpr int kSteps = 200;
@@ -20,7 +22,7 @@ constexpr std::uint64_t kGolden = 1263720844775631442;
 // Curved laws, different rigidities, slits, air, damping along the springs: every stage of the kernel. No
 // sine and no power on the way, which libraries round differently.
 Assembled cloth_of(const char* kernel, int threads) {
-  FabricSpec fabric = reference::curved_fabric();
+  scene::FabricSpec fabric = reference::curved_fabric();
   fabric.damping = 1e-5;
   Scene scene = cut_piece(fabric, Shape::kSlits);
   scene.clamp_correction = false;
@@ -91,4 +93,4 @@ TEST(Golden, the_portable_kernel_is_within_rounding) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::dynamics

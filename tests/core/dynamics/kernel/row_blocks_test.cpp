@@ -6,7 +6,9 @@
 #include "cloth_fixture.h"
 #include "cut_pieces.h"
 
-namespace drape {
+namespace drape::dynamics {
+
+using namespace tests;
 namespace {
 
 struct Cloth {
@@ -22,14 +24,14 @@ const Cloth kCloths[] = {{"plain", false, false, false, 0},
 
 // Two pieces, one of them with twins.
 Scene scene_of(const Cloth& cloth, Shape shape) {
-  FabricSpec fabric = reference::curved_fabric();
+  scene::FabricSpec fabric = reference::curved_fabric();
   if (!cloth.curved) fabric.warp = fabric.weft = fabric.bias = reference::diagram({0, 0.1}, {0, 0.5});
   if (!cloth.bending) fabric.bending_warp = fabric.bending_weft = 0;
   fabric.damping = cloth.springs;
   Scene scene = cut_piece(fabric, shape);
   scene.has_air = cloth.air;
   scene.air_normal = cloth.air ? 1.2 : 0;
-  PieceSpec second = cut_piece(fabric, Shape::kRectangle).pieces[0];
+  scene::PieceSpec second = cut_piece(fabric, Shape::kRectangle).pieces[0];
   second.name = "second";
   scene.pieces.push_back(second);
   return scene;
@@ -64,7 +66,7 @@ TEST(Blocks, CoverEveryRowOnce) {
   Assembled a = assemble(scene_of(kCloths[0], Shape::kSlits));
   for (int threads = 1; threads <= 40; ++threads) {
     std::vector<std::vector<int>> times;
-    for (const Lattice& l : a.system.lattices) times.emplace_back(l.rows, 0);
+    for (const model::Lattice& l : a.system.lattices) times.emplace_back(l.rows, 0);
     for (const ThreadRoom& room : workspace_make(a.system, threads).threads)
       for (const RowBlock& block : room.blocks)
         for (int j = block.begin; j < block.end; ++j) ++times[std::size_t(block.lattice)][std::size_t(j)];
@@ -86,4 +88,4 @@ TEST(Blocks, AreNoMoreThanAreWorthIt) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace drape {
+namespace drape::dynamics {
 namespace {
 
 using Counts = std::array<int, 4>;
@@ -47,4 +47,4 @@ TEST(Workers, AreNotMissedInAFork) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -5,7 +5,9 @@
 #include "cut_pieces.h"
 #include "reference/forces.h"
 
-namespace drape {
+namespace drape::dynamics {
+
+using namespace tests;
 namespace {
 
 // The largest eigenvalue of M^-1/2 K M^-1/2, K the judge's stiffness by central differences.
@@ -32,10 +34,10 @@ double omega2_true(const Assembled& a) {
 TEST(StepLimit, BoundsEveryCrumpledLatticeWithoutBending) {
   double closest = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
-    FabricSpec fabric = reference::curved_fabric();
+    scene::FabricSpec fabric = reference::curved_fabric();
     fabric.bending_warp = fabric.bending_weft = 0;
     Scene scene = reference::rectangle(fabric, 0.064, 0.05, 0.01);
-    scene.bias_model = seed % 2 ? BiasModel::kOdd : BiasModel::kTension;
+    scene.bias_model = seed % 2 ? scene::BiasModel::kOdd : scene::BiasModel::kTension;
     Assembled a = assemble(scene);
     crumple(a, 0.0002 * seed, seed);
     const double ratio = omega2_true(a) / step_limit_omega2(a.system, *a.motion.kernel, a.state);
@@ -50,7 +52,7 @@ TEST(StepLimit, BoundsEveryCrumpledLatticeWithoutBending) {
 TEST(StepLimit, BoundsCrumpledLatticesWithBendingWithinTheSafetyFactor) {
   double closest = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
-    FabricSpec fabric = reference::curved_fabric();
+    scene::FabricSpec fabric = reference::curved_fabric();
     fabric.bending_warp *= seed % 4 ? 1 : 1000;
     Assembled a = assemble(reference::rectangle(fabric, 0.064, 0.05, 0.01));
     crumple(a, 0.0001 * seed, seed);
@@ -68,7 +70,7 @@ TEST(StepLimit, BoundsCrumpledCutPieces) {
   for (const bool bending : {false, true}) {
     double closest = 0;
     for (unsigned seed = 1; seed <= 24; ++seed) {
-      FabricSpec fabric = reference::curved_fabric();
+      scene::FabricSpec fabric = reference::curved_fabric();
       if (!bending) fabric.bending_warp = fabric.bending_weft = 0;
       else if (seed % 3 == 0) fabric.bending_warp *= 1000;
       Assembled a = assemble(cut_piece(fabric, kCutShapes[seed % 4]));
@@ -88,11 +90,11 @@ TEST(StepLimit, BoundsClampedPieces) {
   double closest = 0, unaided = 0;
   for (const bool region : {false, true})
     for (double s = 0.1; s <= 1; s += 0.1) {
-      FabricSpec fabric = reference::curved_fabric();
+      scene::FabricSpec fabric = reference::curved_fabric();
       fabric.bending_warp *= 1e4;
       fabric.bending_weft *= 1e4;
       Scene scene = cut_piece(fabric, Shape::kRectangle);
-      PinSpec pin;
+      scene::PinSpec pin;
       pin.name = "clamp";
       pin.piece = 0;
       pin.clamp = true;
@@ -105,7 +107,7 @@ TEST(StepLimit, BoundsClampedPieces) {
       const double truth = omega2_true(a);
       closest = std::max(closest, truth / a.state.omega2);
       EXPECT_LE(truth, a.state.omega2 * (1 + 1e-5)) << "s = " << s;
-      for (SideClamp& c : a.system.side.clamps) c.excess = 0;
+      for (model::SideClamp& c : a.system.side.clamps) c.excess = 0;
       unaided = std::max(unaided, truth / step_limit_omega2(a.system, *a.motion.kernel, a.state));
     }
   std::printf("clamps at rest: the true omega reaches %.4f of the bound, %.4f without their term\n",
@@ -115,7 +117,7 @@ TEST(StepLimit, BoundsClampedPieces) {
 // At rest mass and stiffness of a cut cell shrink together: the outline lowers neither the bound nor the true
 // limit.
 TEST(StepLimit, IsNotLoweredByTheOutline) {
-  FabricSpec fabric = reference::curved_fabric();
+  scene::FabricSpec fabric = reference::curved_fabric();
   fabric.bending_warp *= 100;
   const Assembled whole = assemble(reference::rectangle(fabric, 0.08, 0.06, 0.01));
   const double bound = whole.state.omega2, most = omega2_true(whole);
@@ -130,7 +132,7 @@ TEST(StepLimit, IsNotLoweredByTheOutline) {
 
 // At rest: [4 max k + 8 k_d + 16 (B1 + B2)/b^2]/(rho b^2), and the worst link has a name.
 TEST(StepLimit, AtRestIsTheFormulaOfAFlatLattice) {
-  FabricSpec fabric;
+  scene::FabricSpec fabric;
   fabric.name = "linear";
   fabric.areal_density = 0.2;
   fabric.warp = reference::straight(300);
@@ -139,7 +141,7 @@ TEST(StepLimit, AtRestIsTheFormulaOfAFlatLattice) {
   fabric.bending_warp = 3e-5;
   fabric.bending_weft = 1e-5;
   Scene scene = reference::rectangle(fabric, 0.1, 0.1, 0.01);
-  scene.bias_model = BiasModel::kTension;
+  scene.bias_model = scene::BiasModel::kTension;
   scene.clamp_correction = false;
   const Assembled a = assemble(scene);
   const double expected = (4 * 300 + 8 * 40 / 2.0 + 16 * 4e-5 / 1e-4) / (0.2 * 1e-4);
@@ -150,4 +152,4 @@ TEST(StepLimit, AtRestIsTheFormulaOfAFlatLattice) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::dynamics

@@ -5,10 +5,12 @@
 
 #include "piece_fixture.h"
 
-namespace drape {
+namespace drape::piece {
+
+using namespace tests;
 namespace {
 
-Grid grid_of(const PieceSpec& piece, const std::vector<int>& pinned_edges = {}) {
+Grid grid_of(const scene::PieceSpec& piece, const std::vector<int>& pinned_edges = {}) {
   return grid_make(scene_of(piece, pinned_edges), 0);
 }
 
@@ -51,7 +53,7 @@ TEST(Grid, WholeCells) {
 }
 
 TEST(Grid, CutCellLiesAwayFromTheFirstVertex) {
-  PieceSpec piece = rectangle(0, 0, 2.5, 3.75, 1);
+  scene::PieceSpec piece = rectangle(0, 0, 2.5, 3.75, 1);
   Grid g = grid_of(piece);
   EXPECT_EQ(shares_along(g, 0), (Shares{1, 1, 0.5}));
   EXPECT_EQ(shares_along(g, 1), (Shares{1, 1, 1, 0.75}));
@@ -71,7 +73,8 @@ TEST(Grid, CutCellLiesAwayFromTheFirstVertex) {
 }
 
 TEST(Grid, GridLinesPassThroughTheFirstPinnedEdgeAlongEachAxis) {
-  const PieceSpec piece = rectangle(0, 0, 2.5, 3.75, 1);  // edges: 0 low y, 1 high x, 2 high y, 3 low x
+  const scene::PieceSpec piece =
+      rectangle(0, 0, 2.5, 3.75, 1);  // edges: 0 low y, 1 high x, 2 high y, 3 low x
   EXPECT_EQ(shares_along(grid_of(piece, {2}), 1), (Shares{0.75, 1, 1, 1}));
   EXPECT_EQ(shares_along(grid_of(piece, {2}), 0), (Shares{1, 1, 0.5}));
   EXPECT_EQ(shares_along(grid_of(piece, {1}), 0), (Shares{0.5, 1, 1}));
@@ -83,13 +86,13 @@ TEST(Grid, GridLinesPassThroughTheFirstPinnedEdgeAlongEachAxis) {
   two.pieces.push_back(piece);
   EXPECT_EQ(shares_along(grid_make(two, 1), 1), (Shares{1, 1, 1, 0.75}));
   Scene points = scene_of(piece);
-  points.pins = {PinSpec{"p", 0, {{0, 3.75}, {2.5, 3.75}}, {}}};
+  points.pins = {scene::PinSpec{"p", 0, {{0, 3.75}, {2.5, 3.75}}, {}}};
   EXPECT_EQ(shares_along(grid_make(points, 0), 1), (Shares{1, 1, 1, 0.75}));
-  PieceSpec curved = piece;
+  scene::PieceSpec curved = piece;
   curved.curves = {{2, {{1.25, 3.5}}}};
   EXPECT_EQ(grid_of(curved, {2}).y0, 0);
   // turned with its grain a piece has the same cells
-  PieceSpec turned = piece;
+  scene::PieceSpec turned = piece;
   turned.grain = 0.7;
   for (Vec2& p : turned.outline)
     p = {p[0] * std::cos(0.7) - p[1] * std::sin(0.7), p[0] * std::sin(0.7) + p[1] * std::cos(0.7)};
@@ -97,7 +100,7 @@ TEST(Grid, GridLinesPassThroughTheFirstPinnedEdgeAlongEachAxis) {
   ASSERT_EQ(a.cells.size(), b.cells.size());
   for (std::size_t c = 0; c < a.cells.size(); ++c) EXPECT_NEAR(a.cells[c].share, b.cells[c].share, 1e-14);
   // and an origin given far away shifts it by whole cells
-  PieceSpec far = piece;
+  scene::PieceSpec far = piece;
   far.grid_origin = Vec2{-1e4 + 0.25, 0.5};
   EXPECT_EQ(grid_of(far).x0, -0.75);
   EXPECT_EQ(grid_of(far).y0, -0.5);
@@ -128,7 +131,7 @@ TEST(Grid, AreasOfNodesAddUpToThePolygon) {
   RandomPiece random(2015);
   double worst = 0;
   for (int trial = 0; trial < 1000; ++trial) {
-    const PieceSpec piece = random.piece();
+    const scene::PieceSpec piece = random.piece();
     const Grid g = grid_of(piece);
     const double error = std::abs(grid_area(g) / outline_area(outline_flatten(piece)) - 1);
     ASSERT_LE(error, 1e-12) << "trial " << trial;
@@ -137,7 +140,7 @@ TEST(Grid, AreasOfNodesAddUpToThePolygon) {
     for (const GridCell& c : g.cells) ASSERT_GT(c.share, 0);
     for (const GridPart& p : g.parts) ASSERT_TRUE(p.cell >= 0 && p.cell < int(g.cells.size()));
     Scene paper = scene_of(piece);
-    paper.outline = OutlineModel::kPaper;
+    paper.outline = scene::OutlineModel::kPaper;
     const Grid whole = grid_make(paper, 0);
     if (whole.cells.empty()) continue;
     ASSERT_NEAR(grid_area(whole) / outline_area(outline_flatten(piece)), 1, 1e-12)
@@ -151,7 +154,7 @@ TEST(Grid, AreasOfNodesAddUpToThePolygon) {
 TEST(Grid, CornersOnGridLinesLoseNoArea) {
   RandomPiece random(7);
   for (int trial = 0; trial < 20000; ++trial) {
-    const PieceSpec piece = random.snapped_piece();
+    const scene::PieceSpec piece = random.snapped_piece();
     const Grid g = grid_of(piece);
     ASSERT_NEAR(grid_area(g) / outline_area(outline_flatten(piece)), 1, 1e-13) << "trial " << trial;
     ASSERT_EQ(shape_of(g).pieces, 1) << "trial " << trial;
@@ -163,7 +166,7 @@ TEST(Grid, CornersOnGridLinesLoseNoArea) {
 TEST(Grid, CellsHangTogetherAsThePieceDoes) {
   RandomPiece random(11);
   for (int trial = 0; trial < 300; ++trial) {
-    PieceSpec piece = piece_of(random.star({0, 0}, 0.5, 1, random.count(6, 30)), random(0.01, 0.02));
+    scene::PieceSpec piece = piece_of(random.star({0, 0}, 0.5, 1, random.count(6, 30)), random(0.01, 0.02));
     piece.grain = random(-4, 4);
     for (int k = random.count(0, 3); k > 0; --k) {
       const double f = 2.0 * k;
@@ -182,7 +185,7 @@ TEST(Grid, CellsHangTogetherAsThePieceDoes) {
 TEST(Grid, SlitPartsTheClothUpToItsEnd) {
   for (const double x : {2.5, 2.0, 2.0 - 1e-4}) {
     const double w = 1e-4;
-    PieceSpec piece = piece_of({{0, 0}, {x - w, 0}, {x, 2.5}, {x + w, 0}, {5, 0}, {5, 5}, {0, 5}}, 1);
+    scene::PieceSpec piece = piece_of({{0, 0}, {x - w, 0}, {x, 2.5}, {x + w, 0}, {5, 0}, {5, 5}, {0, 5}}, 1);
     ASSERT_TRUE(is_sound(piece));
     const Grid g = grid_of(piece);
     EXPECT_NEAR(grid_area(g), 25 - 2.5 * w, 1e-13);
@@ -207,7 +210,8 @@ TEST(Grid, SlitPartsTheClothUpToItsEnd) {
 
 TEST(Grid, NotchDartAndComb) {
   // a notch of 0.4 cells between two legs, which share column 1
-  PieceSpec notch = piece_of({{0, 0}, {1.3, 0}, {1.3, 3.5}, {1.7, 3.5}, {1.7, 0}, {3, 0}, {3, 5}, {0, 5}}, 1);
+  scene::PieceSpec notch =
+      piece_of({{0, 0}, {1.3, 0}, {1.3, 3.5}, {1.7, 3.5}, {1.7, 0}, {3, 0}, {3, 5}, {0, 5}}, 1);
   Grid g = grid_of(notch);
   EXPECT_NEAR(grid_area(g), 15 - 0.4 * 3.5, 1e-13);
   EXPECT_EQ(shape_of(g).pieces, 1);
@@ -215,7 +219,7 @@ TEST(Grid, NotchDartAndComb) {
   EXPECT_EQ(twins_per_place(g), (std::vector<int>{6}));  // nodes (1,0..2) and (2,0..2)
 
   // a dart narrows from 1.5 cells to a point
-  PieceSpec dart = piece_of({{0, 0}, {2, 0}, {2.75, 4.5}, {3.5, 0}, {6, 0}, {6, 6}, {0, 6}}, 1);
+  scene::PieceSpec dart = piece_of({{0, 0}, {2, 0}, {2.75, 4.5}, {3.5, 0}, {6, 0}, {6, 6}, {0, 6}}, 1);
   g = grid_of(dart);
   EXPECT_NEAR(grid_area(g), 36 - 1.5 * 4.5 / 2, 1e-13);
   EXPECT_EQ(shape_of(g).pieces, 1);
@@ -237,19 +241,19 @@ TEST(Grid, NotchDartAndComb) {
 TEST(Grid, NarrowPiecesStayWhole) {
   // a neck 0.05 cells wide between two squares, along a grid line and across it
   for (const double y : {0.5, 1.0, 1.03}) {
-    const PieceSpec neck = piece_of({{0, 0},
-                                     {2, 0},
-                                     {2, y},
-                                     {6, y},
-                                     {6, 0},
-                                     {8, 0},
-                                     {8, 2},
-                                     {6, 2},
-                                     {6, y + 0.05},
-                                     {2, y + 0.05},
-                                     {2, 2},
-                                     {0, 2}},
-                                    1);
+    const scene::PieceSpec neck = piece_of({{0, 0},
+                                            {2, 0},
+                                            {2, y},
+                                            {6, y},
+                                            {6, 0},
+                                            {8, 0},
+                                            {8, 2},
+                                            {6, 2},
+                                            {6, y + 0.05},
+                                            {2, y + 0.05},
+                                            {2, 2},
+                                            {0, 2}},
+                                           1);
     ASSERT_TRUE(is_sound(neck));
     const Grid g = grid_of(neck);
     EXPECT_NEAR(grid_area(g), 8.2, 1e-13);
@@ -269,7 +273,7 @@ TEST(Grid, NarrowPiecesStayWhole) {
     in.push_back({r * std::cos(f), r * std::sin(f)});
   }
   out.insert(out.end(), in.rbegin(), in.rend());
-  const PieceSpec spiral = piece_of(out, 1);
+  const scene::PieceSpec spiral = piece_of(out, 1);
   ASSERT_TRUE(is_sound(spiral));
   g = grid_of(spiral);
   EXPECT_NEAR(grid_area(g) / outline_area(outline_flatten(spiral)), 1, 1e-13);
@@ -278,30 +282,31 @@ TEST(Grid, NarrowPiecesStayWhole) {
 }
 
 TEST(Grid, PiecesOfOneCell) {
-  const auto check = [](const PieceSpec& piece, std::size_t cells, double area) {
+  const auto check = [](const scene::PieceSpec& piece, std::size_t cells, double area) {
     const Grid g = grid_of(piece);
     EXPECT_EQ(g.cells.size(), cells);
     EXPECT_NEAR(grid_area(g), area, 1e-14);
     EXPECT_EQ(shape_of(g).pieces, 1);
   };
   check(rectangle(0, 0, 1, 1, 1), 1, 1);
-  PieceSpec inside = rectangle(0.25, 0.25, 0.5, 0.5, 0.5);
+  scene::PieceSpec inside = rectangle(0.25, 0.25, 0.5, 0.5, 0.5);
   inside.cell = 1;
   inside.grid_origin = Vec2{0, 0};
   check(inside, 1, 0.25);
   inside.holes = {{{0.3, 0.3}, {0.5, 0.3}, {0.5, 0.5}}};
   check(inside, 1, 0.23);
-  PieceSpec touching =
+  scene::PieceSpec touching =
       piece_of({{0.5, 0}, {1, 0.5}, {0.5, 1}, {0, 0.5}}, 1);  // corners on the sides of its cell
   touching.grid_origin = Vec2{0, 0};
   check(touching, 1, 0.5);
-  PieceSpec diamond = piece_of({{1, 0}, {2, 1}, {1, 2}, {0, 1}}, 1);  // through the corners of four cells
+  scene::PieceSpec diamond =
+      piece_of({{1, 0}, {2, 1}, {1, 2}, {0, 1}}, 1);  // through the corners of four cells
   check(diamond, 4, 2);
-  PieceSpec frame = rectangle(0, 0, 3, 3, 1);  // one cell left out
+  scene::PieceSpec frame = rectangle(0, 0, 3, 3, 1);  // one cell left out
   frame.holes = {{{1, 1}, {2, 1}, {2, 2}, {1, 2}}};
   check(frame, 8, 8);
   EXPECT_EQ(shape_of(grid_of(frame)).euler, 0);
-  PieceSpec small = rectangle(0, 0, 3, 3, 1);  // a hole within one cell
+  scene::PieceSpec small = rectangle(0, 0, 3, 3, 1);  // a hole within one cell
   small.holes = {{{1.25, 1.25}, {1.75, 1.25}, {1.75, 1.75}, {1.25, 1.75}}};
   check(small, 9, 8.75);
   EXPECT_EQ(share_at(grid_of(small), 1, 1), 0.75);
@@ -311,7 +316,7 @@ TEST(Grid, PiecesOfOneCell) {
 TEST(Grid, NoSmallPartIsLeftAtASmoothRim) {
   RandomPiece random(5);
   for (int trial = 0; trial < 200; ++trial) {
-    PieceSpec piece = piece_of({{-1, 0}, {0, -1}, {1, 0}, {0, 1}}, random(0.02, 0.1));
+    scene::PieceSpec piece = piece_of({{-1, 0}, {0, -1}, {1, 0}, {0, 1}}, random(0.02, 0.1));
     for (int e = 0; e < 4; ++e) piece.curves.push_back({e, {}, random(1, 3), false, true});
     piece.grain = random(-4, 4);
     const Grid g = grid_of(piece);
@@ -326,7 +331,7 @@ TEST(Grid, NoSmallPartIsLeftAtASmoothRim) {
 TEST(Grid, WidthsCarryTheAreaOnce) {
   RandomPiece random(3);
   for (int trial = 0; trial < 200; ++trial) {
-    const PieceSpec piece = random.piece();
+    const scene::PieceSpec piece = random.piece();
     const Grid g = grid_of(piece);
     const double area = outline_area(outline_flatten(piece));
     std::map<std::pair<int, int>, double> width;
@@ -354,7 +359,7 @@ TEST(Grid, CentroidIsOffBySecondOrder) {
     double square = 0;
     const int trials = 200;
     for (int trial = 0; trial < trials; ++trial) {
-      const PieceSpec piece = piece_of(random.star({0, 0}, 0.5, 1, 20), cell);
+      const scene::PieceSpec piece = piece_of(random.star({0, 0}, 0.5, 1, 20), cell);
       const Grid g = grid_of(piece);
       Vec2 centre{0, 0};
       for (int n = 0; n < g.nodes(); ++n)
@@ -377,7 +382,7 @@ TEST(Grid, CentroidIsOffBySecondOrder) {
 
 TEST(Grid, PaperKeepsWholeCells) {
   Scene scene = scene_of(rectangle(0, 0, 2.5, 3.75, 1));
-  scene.outline = OutlineModel::kPaper;
+  scene.outline = scene::OutlineModel::kPaper;
   const Grid g = grid_make(scene, 0);
   EXPECT_EQ(g.columns, 3);
   EXPECT_EQ(g.rows, 4);
@@ -392,7 +397,7 @@ TEST(Grid, PaperKeepsWholeCells) {
 }
 
 TEST(Grid, AMillionNodes) {
-  PieceSpec piece = rectangle(0, 0, 1, 1, 0.001);
+  scene::PieceSpec piece = rectangle(0, 0, 1, 1, 0.001);
   piece.curves = {{1, {{1.3, 0.5}}}};
   piece.grain = 0.1;
   const auto start = std::chrono::steady_clock::now();
@@ -404,4 +409,4 @@ TEST(Grid, AMillionNodes) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::piece

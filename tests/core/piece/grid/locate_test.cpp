@@ -1,7 +1,9 @@
 // Points in their cells: core/README.md, section 1.
 #include "piece_fixture.h"
 
-namespace drape {
+namespace drape::piece {
+
+using namespace tests;
 namespace {
 
 // sum w = 1 and sum w X = X: bilinear weights reproduce linear functions, inside a piece, on its rim and
@@ -9,10 +11,10 @@ namespace {
 TEST(Locate, PointsAreReproduced) {
   RandomPiece random(1);
   for (int trial = 0; trial < 500; ++trial) {
-    const PieceSpec piece = random.piece();
+    const scene::PieceSpec piece = random.piece();
     const std::vector<OutlineLoop> loops = outline_flatten(piece);
     Scene scene = scene_of(piece);
-    if (trial % 5 == 0) scene.outline = OutlineModel::kPaper;
+    if (trial % 5 == 0) scene.outline = scene::OutlineModel::kPaper;
     const Grid g = grid_make(scene, 0);
     if (g.cells.empty()) continue;
     std::vector<Vec2> points = loops[0].points;
@@ -81,4 +83,4 @@ TEST(Locate, PointsOffThePiece) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::piece

@@ -3,10 +3,12 @@
 
 #include "piece_fixture.h"
 
-namespace drape {
+namespace drape::piece {
+
+using namespace tests;
 namespace {
 
-Cut cut_of(const PieceSpec& piece) {
+Cut cut_of(const scene::PieceSpec& piece) {
   std::vector<std::vector<Vec2>> loops;
   const double c = std::cos(piece.grain), s = std::sin(piece.grain);
   for (const OutlineLoop& loop : outline_flatten(piece)) {
@@ -44,7 +46,7 @@ TEST(Merge, KeepsTheShape) {
   RandomPiece random(1);
   int small = 0, kept = 0;
   for (int trial = 0; trial < 1000; ++trial) {
-    PieceSpec piece = trial % 2 ? random.snapped_piece() : random.piece();
+    scene::PieceSpec piece = trial % 2 ? random.snapped_piece() : random.piece();
     if (trial % 2 == 0) piece.cell = random(0.03, 0.2);
     const Cut cut = cut_of(piece);
     const Merged merged = merge_make(cut);
@@ -96,4 +98,4 @@ TEST(Merge, KeepsANeck) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::piece

@@ -5,7 +5,9 @@
 
 #include "piece_fixture.h"
 
-namespace drape {
+namespace drape::piece {
+
+using namespace tests;
 namespace {
 
 // Where a corner lies at rest.
@@ -53,8 +55,8 @@ double area_of(const std::vector<std::vector<Vec2>>& polygons) {
 }
 
 // Concave, with a curved edge, a dart that ends within a cell and a round hole, at a grain of 20 degrees.
-PieceSpec bodice() {
-  PieceSpec piece = piece_of(
+scene::PieceSpec bodice() {
+  scene::PieceSpec piece = piece_of(
       {{0, 0}, {0.2, 0}, {0.2, 0.16}, {0.124, 0.16}, {0.1213, 0.083}, {0.121, 0.16}, {0.07, 0.1}, {0, 0.15}},
       0.01);
   piece.grain = 20 * std::numbers::pi / 180;
@@ -69,7 +71,7 @@ PieceSpec bodice() {
 
 // Coordinates of 0.2 m carry 3e-17 m: over a rim of 1 m that is 1e-15 of the area of 0.03 m2.
 TEST(Surface, is_the_piece_at_rest) {
-  const PieceSpec piece = bodice();
+  const scene::PieceSpec piece = bodice();
   const Grid grid = grid_make(scene_of(piece), 0);
   const Surface surface = surface_make(grid);
   const double area = outline_area(outline_flatten(piece));
@@ -84,9 +86,9 @@ TEST(Surface, is_the_piece_at_rest) {
 TEST(Surface, has_the_area_of_any_piece) {
   RandomPiece random(20);
   for (int k = 0; k < 200; ++k) {
-    const PieceSpec piece = k % 2 ? random.piece() : random.snapped_piece();
+    const scene::PieceSpec piece = k % 2 ? random.piece() : random.snapped_piece();
     Scene scene = scene_of(piece);
-    if (k % 5 == 0) scene.outline = OutlineModel::kPaper;
+    if (k % 5 == 0) scene.outline = scene::OutlineModel::kPaper;
     const Grid grid = grid_make(scene, 0);
     if (grid.cells.empty()) continue;
     double sum = 0;
@@ -98,7 +100,7 @@ TEST(Surface, has_the_area_of_any_piece) {
 
 // Holes that lie within a cell, several in one: their part falls into polygons without holes.
 TEST(Surface, opens_holes_within_a_cell) {
-  PieceSpec piece = rectangle(0, 0, 0.05, 0.04, 0.01);
+  scene::PieceSpec piece = rectangle(0, 0, 0.05, 0.04, 0.01);
   const auto hole = [](double x, double y, double size) {
     return std::vector<Vec2>{{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}};
   };
@@ -120,7 +122,7 @@ TEST(Surface, opens_holes_within_a_cell) {
 TEST(Surface, joins_the_polygons_of_opened_holes) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> at(0.0005, 0.0035), size(0.0003, 0.0006);
-  PieceSpec piece = rectangle(0, 0, 0.2, 0.1, 0.01);
+  scene::PieceSpec piece = rectangle(0, 0, 0.2, 0.1, 0.01);
   for (int k = 0; k < 400; ++k) {
     const double r = size(random), q = size(random);
     const double x = 0.01 * (k / 2 % 20) + 0.005 * (k % 2) + at(random) + 0.0005;
@@ -136,8 +138,8 @@ TEST(Surface, joins_the_polygons_of_opened_holes) {
 // Neighbours share their corners, beside merged parts too: one corner a place, and every side belongs to two
 // polygons or to the rim.
 TEST(Surface, has_no_cracks) {
-  for (const OutlineModel outline : {OutlineModel::kCutCell, OutlineModel::kPaper}) {
-    PieceSpec piece = piece_of({}, 0.01);
+  for (const scene::OutlineModel outline : {scene::OutlineModel::kCutCell, scene::OutlineModel::kPaper}) {
+    scene::PieceSpec piece = piece_of({}, 0.01);
     for (int k = 0; k < 90; ++k)
       piece.outline.push_back(
           {0.1 * std::cos(k * std::numbers::pi / 45), 0.08 * std::sin(k * std::numbers::pi / 45)});
@@ -174,4 +176,4 @@ TEST(Surface, has_no_cracks) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::piece

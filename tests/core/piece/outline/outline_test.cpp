@@ -8,23 +8,23 @@
 #include <numbers>
 #include <random>
 
-namespace drape {
+namespace drape::piece {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-PieceSpec square() {
-  PieceSpec piece;
+scene::PieceSpec square() {
+  scene::PieceSpec piece;
   piece.cell = 0.1;
   piece.outline = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
   return piece;
 }
 
-std::vector<std::string> faults_of(const PieceSpec& piece) {
+std::vector<std::string> faults_of(const scene::PieceSpec& piece) {
   std::vector<Problem> problems;
   outline_problems(piece, "piece.p", problems);
   std::vector<std::string> texts;
-  for (const Problem& p : problems) texts.push_back(problem_text(p));
+  for (const Problem& p : problems) texts.push_back(scene::problem_text(p));
   return texts;
 }
 
@@ -34,8 +34,8 @@ TEST(Outline, ArcsLieOnTheirCircleAndTurnAsTold) {
   for (const double radius : {1.0, 1.2, 7.0, 1e4})
     for (const bool large : {false, true})
       for (const bool right : {false, true}) {
-        PieceSpec piece = square();
-        CurveSpec arc;
+        scene::PieceSpec piece = square();
+        scene::CurveSpec arc;
         arc.edge = 0;
         arc.radius = radius;
         arc.large = large;
@@ -62,11 +62,11 @@ TEST(Outline, ArcsLieOnTheirCircleAndTurnAsTold) {
 
 // Chords stay within b/1000 of the curve: its points at the middle of each chord's parameter.
 TEST(Outline, BezierChordsStayWithinTheirSag) {
-  PieceSpec piece = square();
+  scene::PieceSpec piece = square();
   for (const double cell : {0.5, 0.1, 0.02})
     for (const bool cubic : {false, true}) {
       piece.cell = cell;
-      CurveSpec curve;
+      scene::CurveSpec curve;
       curve.edge = 0;
       curve.bezier = {{0.5, -1.5}};
       if (cubic) curve.bezier.push_back({1.75, -0.25});
@@ -90,7 +90,7 @@ TEST(Outline, BezierChordsStayWithinTheirSag) {
 }
 
 TEST(Outline, LoopsTurnTheRightWayAndRememberTheirEdges) {
-  PieceSpec piece = square();
+  scene::PieceSpec piece = square();
   piece.holes = {{{0.5, 0.5}, {1, 0.5}, {1, 1}}};
   for (int turn = 0; turn < 2; ++turn) {
     const std::vector<OutlineLoop> loops = outline_flatten(piece);
@@ -115,14 +115,14 @@ TEST(Outline, LoopsTurnTheRightWayAndRememberTheirEdges) {
 }
 
 TEST(Outline, EveryFaultIsOneSentence) {
-  const auto told = [](const PieceSpec& piece) {
+  const auto told = [](const scene::PieceSpec& piece) {
     const std::vector<std::string> texts = faults_of(piece);
     std::string all;
     for (const std::string& t : texts) all += t + "\n";
     return all;
   };
   EXPECT_EQ(told(square()), "");
-  PieceSpec p = square();
+  scene::PieceSpec p = square();
   p.outline = {{0, 0}, {1, 0}};
   EXPECT_EQ(told(p), "piece.p.outline has 2 points; allowed: at least 3\n");
   p.outline = {{0, 0}, {1, 0}, {1, 1}, {0, 0}};
@@ -150,13 +150,13 @@ TEST(Outline, EveryFaultIsOneSentence) {
 }
 
 TEST(Outline, FaultsOfCurves) {
-  const auto told = [](const CurveSpec& curve, int times = 1) {
-    PieceSpec piece = square();
+  const auto told = [](const scene::CurveSpec& curve, int times = 1) {
+    scene::PieceSpec piece = square();
     for (int k = 0; k < times; ++k) piece.curves.push_back(curve);
     const std::vector<std::string> texts = faults_of(piece);
     return texts.size() == 1 ? texts[0] : std::to_string(texts.size()) + " faults";
   };
-  CurveSpec c;
+  scene::CurveSpec c;
   c.edge = 4;
   c.radius = 1;
   EXPECT_EQ(
@@ -179,7 +179,7 @@ TEST(Outline, FaultsOfCurves) {
 
 TEST(Outline, FaultsOfHoles) {
   const auto told = [](const std::vector<std::vector<Vec2>>& holes) {
-    PieceSpec piece = square();
+    scene::PieceSpec piece = square();
     piece.holes = holes;
     const std::vector<std::string> texts = faults_of(piece);
     return texts.size() == 1 ? texts[0] : std::to_string(texts.size()) + " faults";
@@ -204,7 +204,7 @@ TEST(Outline, CrossingsAreThoseOfAllPairs) {
   std::uniform_real_distribution<> u(0, 1);
   int simple = 0;
   for (int trial = 0; trial < 3000; ++trial) {
-    PieceSpec piece;
+    scene::PieceSpec piece;
     piece.cell = 0.01;
     const int n = 3 + int(random() % 5);
     for (int k = 0; k < n; ++k) piece.outline.push_back({u(random), u(random)});
@@ -226,7 +226,7 @@ TEST(Outline, CrossingsAreThoseOfAllPairs) {
 }
 
 TEST(Outline, TensOfThousandsOfSegments) {
-  PieceSpec piece;
+  scene::PieceSpec piece;
   piece.cell = 0.01;
   const int n = 20000;
   for (int k = 0; k < n; ++k) {
@@ -243,4 +243,4 @@ TEST(Outline, TensOfThousandsOfSegments) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::piece

@@ -3,7 +3,9 @@
 
 #include "piece_fixture.h"
 
-namespace drape {
+namespace drape::piece {
+
+using namespace tests;
 namespace {
 
 using Points = std::vector<Vec2>;
@@ -13,7 +15,7 @@ struct Held {
   Hold hold;
 };
 
-Held held(const PieceSpec& piece, PinSpec pin, bool clamp = false) {
+Held held(const scene::PieceSpec& piece, scene::PinSpec pin, bool clamp = false) {
   pin.piece = 0;
   pin.clamp = clamp;
   Scene scene = scene_of(piece);
@@ -23,20 +25,20 @@ Held held(const PieceSpec& piece, PinSpec pin, bool clamp = false) {
   return h;
 }
 
-PinSpec edges_pin(const std::vector<int>& edges) {
-  PinSpec pin;
+scene::PinSpec edges_pin(const std::vector<int>& edges) {
+  scene::PinSpec pin;
   pin.edges = edges;
   return pin;
 }
 
-PinSpec points_pin(const Points& points) {
-  PinSpec pin;
+scene::PinSpec points_pin(const Points& points) {
+  scene::PinSpec pin;
   pin.at = points;
   return pin;
 }
 
-PinSpec region_pin(const Points& region) {
-  PinSpec pin;
+scene::PinSpec region_pin(const Points& region) {
+  scene::PinSpec pin;
   pin.region = region;
   return pin;
 }
@@ -61,8 +63,8 @@ TEST(Hold, EdgeIsHeldAtItsCornersAndCrossings) {
   EXPECT_EQ(held(rectangle(0, 0, 2.125, 2, 1), edges_pin({2})).hold.points,
             (Points{{0, 2}, {1, 2}, {2, 2}, {2.125, 2}}));
   // edges that meet share their corner; the edge across the cut row crosses the threads between nodes
-  const PieceSpec piece = rectangle(0, 0, 2.125, 2, 1);
-  PieceSpec fixed = piece;
+  const scene::PieceSpec piece = rectangle(0, 0, 2.125, 2, 1);
+  scene::PieceSpec fixed = piece;
   fixed.grid_origin = Vec2{0, 0};
   EXPECT_EQ(held(fixed, edges_pin({2, 1})).hold.points,
             (Points{{2.125, 0}, {2.125, 1}, {0, 2}, {1, 2}, {2, 2}, {2.125, 2}}));
@@ -87,7 +89,7 @@ TEST(Hold, PointsAreHeldOnce) {
 // quarter circle the warp at x <= 1/sqrt 2, the weft at y <= 1/sqrt 2.
 TEST(Hold, CurvedEdgeIsHeldWhereItCrossesThreads) {
   for (const double grain : {0.0, 0.4}) {
-    PieceSpec piece = piece_of({{1, 0}, {0, 1}, {0, 0.5}, {0.5, 0}}, 0.1);
+    scene::PieceSpec piece = piece_of({{1, 0}, {0, 1}, {0, 0.5}, {0.5, 0}}, 0.1);
     piece.curves = {{0, {}, 1, false, true}};
     piece.grain = grain;
     piece.grid_origin = Vec2{0, 0};
@@ -117,7 +119,7 @@ TEST(Hold, ObliqueEdgeLeavesOneMotionOfEachThread) {
   for (const double slope : {0.3, 0.7, 1.0, 1.6, 4.0})
     for (const double shift : {0.0, 0.13, 0.61}) {
       const double w = slope < 1 ? 9 : 9 / slope;
-      PieceSpec piece = piece_of({{0.07, 0.11}, {9, -5}, {9, shift}, {9 - w, shift + w * slope}}, 1);
+      scene::PieceSpec piece = piece_of({{0.07, 0.11}, {9, -5}, {9, shift}, {9 - w, shift + w * slope}}, 1);
       piece.grid_origin = Vec2{0, 0};
       const Held h = held(piece, edges_pin({2}));
       const Vec2 ends[] = {piece.outline[2], piece.outline[3]};
@@ -142,7 +144,7 @@ TEST(Hold, ObliqueEdgeLeavesOneMotionOfEachThread) {
 // below 0.2: 0.2 where it is none.
 TEST(Clamp, EdgeAcrossTheThreads) {
   for (const double top : {3.0, 2.5, 2.1}) {
-    PieceSpec piece = rectangle(0, 0, 4, top, 1);
+    scene::PieceSpec piece = rectangle(0, 0, 4, top, 1);
     piece.grid_origin = Vec2{0, 0};
     const Held h = held(piece, edges_pin({2}), true);
     const std::vector<Slope> slopes = slopes_along(h, true);
@@ -166,7 +168,7 @@ TEST(Clamp, EdgeAcrossTheThreads) {
 // the crossing, s = the distance to its next node.
 TEST(Clamp, ObliqueEdge) {
   for (const double shift : {0.0, 0.25, 0.5, 0.9}) {
-    PieceSpec piece = piece_of({{0, 0}, {6 + shift, 0}, {0, 6 + shift}}, 1);
+    scene::PieceSpec piece = piece_of({{0, 0}, {6 + shift, 0}, {0, 6 + shift}}, 1);
     piece.grid_origin = Vec2{0, 0};
     for (const bool reversed : {false, true}) {
       if (reversed) std::reverse(piece.outline.begin(), piece.outline.end());
@@ -224,7 +226,7 @@ TEST(Hold, DiscRegion) {
     const double r = random(1.2, 4);
     const Vec2 c{random(5, 6), random(5, 6)};
     const Points polygon = disc(c, r, 90);
-    PieceSpec piece = rectangle(0, 0, 11, 11, 1);
+    scene::PieceSpec piece = rectangle(0, 0, 11, 11, 1);
     piece.grid_origin = Vec2{0, 0};
     const Held plain = held(piece, region_pin(polygon)), clamped = held(piece, region_pin(polygon), true);
     std::set<std::array<int, 2>> inside, nodes;
@@ -273,7 +275,7 @@ TEST(Hold, DiscRegion) {
 // A region that holds all cloth of a cut cell holds its corners beyond the piece too; one far larger than the
 // piece, all.
 TEST(Hold, RegionHoldsCellsWhoseClothLiesInside) {
-  PieceSpec piece = rectangle(0, 0, 2.5, 2, 1);
+  scene::PieceSpec piece = rectangle(0, 0, 2.5, 2, 1);
   EXPECT_EQ(held(piece, region_pin({{1, -1}, {2.5, -1}, {2.5, 3}, {1, 3}})).hold.points,
             (Points{{1, 0}, {2, 0}, {3, 0}, {1, 1}, {2, 1}, {3, 1}, {1, 2}, {2, 2}, {3, 2}}));
   EXPECT_EQ(held(piece, region_pin({{1, -1}, {2.4, -1}, {2.4, 3}, {1, 3}})).hold.points,
@@ -297,4 +299,4 @@ TEST(Hold, RegionHoldsCellsWhoseClothLiesInside) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::piece

@@ -7,7 +7,9 @@
 #include "fault_case.h"
 #include "standards/cantilever.h"
 
-namespace drape {
+namespace drape::scene {
+
+using namespace tests;
 namespace {
 
 const std::string kOwn = "[fabric.wool]\n";  // the scene's own keys follow
@@ -22,7 +24,7 @@ FabricSpec fabric_of(const std::string& text, const std::string& own = "") {
   const SceneFolder folder;
   folder.write("wool.toml", text);
   std::vector<Problem> problems;
-  const Scene scene = scene_load(folder.write("scene.toml", scene_with(own)), problems);
+  const Scene scene = validation::scene_load(folder.write("scene.toml", scene_with(own)), problems);
   for (const Problem& p : problems) ADD_FAILURE() << problem_text(p);
   return scene.fabrics.empty() ? FabricSpec{} : scene.fabrics[0];
 }
@@ -96,7 +98,7 @@ TEST(Sheet, Bending) {
   EXPECT_NEAR(warp("overhang_mm = [38, 30]"), c, 1e-14 * c);
   const double pt2 =
       warp("gost_10550 = { mass_g = [3.17, 3.15], deflection_mm = [63.5, 65.1] }, poisson = 0.2");
-  EXPECT_NEAR(pt2, gost_10550_rigidity(3.17e-3, 0.0635) / 0.03, 1e-14 * pt2);
+  EXPECT_NEAR(pt2, standards::gost_10550_rigidity(3.17e-3, 0.0635) / 0.03, 1e-14 * pt2);
   EXPECT_NEAR(pt2, 2700e-10 / 0.03, 10e-10 / 0.03);  // the worked example of examples/fabrics
 }
 
@@ -398,4 +400,4 @@ const Case kSheets[] = {
 INSTANTIATE_TEST_SUITE_P(Sheets, SheetFault, testing::ValuesIn(kSheets), name_of);
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::scene

@@ -7,7 +7,9 @@
 
 #include "scene_file.h"
 
-namespace drape {
+namespace drape::scene {
+
+using namespace tests;
 namespace {
 
 // All numbers of a scene in one list, in a fixed order.
@@ -66,9 +68,9 @@ void expect_round_trip(const std::string& scene, const std::string& fabric) {
   folder.write("wool.toml", fabric);
   const std::filesystem::path file = folder.write("scene.toml", scene);
   std::vector<Problem> problems;
-  const Scene first = scene_load(file, problems);
+  const Scene first = validation::scene_load(file, problems);
   const std::string text = scene_resolve(file, problems);
-  const Scene second = scene_load(elsewhere.write("scene.toml", text), problems);
+  const Scene second = validation::scene_load(elsewhere.write("scene.toml", text), problems);
   for (const Problem& p : problems) ADD_FAILURE() << problem_text(p) << '\n' << text;
 
   const std::vector<double> a = numbers_of(first), b = numbers_of(second);
@@ -159,4 +161,4 @@ TEST(SceneRead, DiagramsOfItsOwnDoNotTakeTheFilesCorrections) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::scene

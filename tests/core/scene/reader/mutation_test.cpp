@@ -8,7 +8,9 @@
 #include "piece/support/support.h"
 #include "scene_file.h"
 
-namespace drape {
+namespace drape::scene {
+
+using namespace tests;
 namespace {
 
 // A few random edits: bytes and lines changed, dropped, doubled or swapped, words and numbers from a list put
@@ -84,11 +86,11 @@ std::string mutated(std::string text, std::mt19937_64& random) {
 // Everything that is laid out from a scene stays on its grid.
 void expect_laid_out(const Scene& scene, const std::string& text) {
   for (std::size_t k = 0; k < scene.pieces.size(); ++k) {
-    const Grid grid = grid_make(scene, int(k));
+    const piece::Grid grid = piece::grid_make(scene, int(k));
     std::vector<Vec2> points = scene.pieces[k].outline;
     for (const PinSpec& pin : scene.pins) {
       if (pin.piece != int(k)) continue;
-      const std::vector<Vec2> held = hold_make(grid, scene, pin).points;
+      const std::vector<Vec2> held = piece::hold_make(grid, scene, pin).points;
       EXPECT_FALSE(held.empty()) << text;
       points.insert(points.end(), held.begin(), held.end());
     }
@@ -97,7 +99,7 @@ void expect_laid_out(const Scene& scene, const std::string& text) {
     for (const Vec2& p : points) {
       // sum_k w_k r(node k) = p: to the distance at which points snap to grid lines, and the rounding of
       // coordinates, which weights beyond a merged cell's corners enlarge.
-      const GridPoint g = grid_locate(grid, p);
+      const piece::GridPoint g = piece::grid_locate(grid, p);
       Vec2 off{-p[0], -p[1]};
       double coordinates = grid.cell, weights = 0;
       for (int n = 0; n < 4; ++n) {
@@ -125,7 +127,7 @@ TEST(SceneMutation, EndsInASceneOrInProblems) {
     const std::string scene = in_fabric ? whole : mutated(whole, random);
     folder.write("wool.toml", fabric);
     std::vector<Problem> problems;
-    const Scene read = scene_load(folder.write("scene.toml", scene), problems);
+    const Scene read = validation::scene_load(folder.write("scene.toml", scene), problems);
     for (const Problem& p : problems) {
       EXPECT_FALSE(p.place.empty() || p.message.empty()) << scene << fabric;
       EXPECT_EQ(problem_text(p).find('\n'), std::string::npos) << problem_text(p);
@@ -140,4 +142,4 @@ TEST(SceneMutation, EndsInASceneOrInProblems) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::scene

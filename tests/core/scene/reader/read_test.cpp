@@ -5,13 +5,15 @@
 
 #include "scene_file.h"
 
-namespace drape {
+namespace drape::scene {
+
+using namespace tests;
 namespace {
 
 Scene scene_of(const SceneFolder& folder, const std::string& scene, const std::string& fabric = kFabric) {
   folder.write("wool.toml", fabric);
   std::vector<Problem> problems;
-  const Scene read = scene_load(folder.write("scene.toml", scene), problems);
+  const Scene read = validation::scene_load(folder.write("scene.toml", scene), problems);
   for (const Problem& p : problems) ADD_FAILURE() << problem_text(p);
   return read;
 }
@@ -251,4 +253,4 @@ outline = [[0, 0], [1, 0], [1, 1], [0, 1]]
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::scene

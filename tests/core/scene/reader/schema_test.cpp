@@ -6,7 +6,7 @@
 
 #include "scene/reader/schema.h"
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
 TEST(KeysPage, NamesEveryKey) {
@@ -31,4 +31,4 @@ TEST(KeysPage, NamesEveryKey) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::scene

@@ -1,7 +1,9 @@
 // Bad input that single keys show: unknown and missing keys, kinds, ranges, names, files.
 #include "fault_case.h"
 
-namespace drape {
+namespace drape::scene {
+
+using namespace tests;
 namespace {
 
 class SceneFault : public testing::TestWithParam<Case> {};
@@ -266,4 +268,4 @@ at = [[1, 0]]
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::scene

@@ -8,7 +8,7 @@
 #include "command/command_fixture.h"
 #include "command/dress_form/spline.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 const Measures kBodies[] = {{0.88, 0.68, 0.94, 1.66}, {0.76, 0.56, 0.82, 1.55}, {1.22, 1.06, 1.32, 1.72},
@@ -139,4 +139,4 @@ TEST_F(Command, form_refuses_measures_out_of_range) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::command

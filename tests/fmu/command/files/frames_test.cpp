@@ -8,7 +8,7 @@
 #include "piece/outline/outline.h"
 #include "validation/load.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 // Concave, with a dart and a hole, at a grain of 20 degrees.
@@ -60,8 +60,8 @@ TEST_F(Command, frames_follow_the_outline) {
   const Done done = drape("run bodice.toml -o out --frames --every 0.005");
   ASSERT_EQ(done.code, 0) << done.text;
   std::vector<Problem> problems;
-  const Scene scene = scene_load((folder / "bodice.toml").string().c_str(), problems);
-  const Grid grid = grid_make(scene, 0);
+  const Scene scene = validation::scene_load((folder / "bodice.toml").string().c_str(), problems);
+  const piece::Grid grid = piece::grid_make(scene, 0);
 
   const std::string first = text_of("out/frames/0000.vtp"), last = text_of("out/frames/0002.vtp");
   const auto position = array_of<double>(first, "position");
@@ -83,10 +83,10 @@ TEST_F(Command, frames_follow_the_outline) {
       EXPECT_EQ(p[1], 0);
       polygon.push_back({p[0], p[2] - 1});
     }
-    EXPECT_GT(polygon_area(polygon), 0);
-    area += polygon_area(polygon);
+    EXPECT_GT(piece::polygon_area(polygon), 0);
+    area += piece::polygon_area(polygon);
   }
-  EXPECT_NEAR(area / outline_area(outline_flatten(scene.pieces[0])), 1, 1e-12);
+  EXPECT_NEAR(area / piece::outline_area(piece::outline_flatten(scene.pieces[0])), 1, 1e-12);
 
   // Every corner of the outline is a point; in free fall all points but those near the peg move alike.
   for (const Vec2& p : scene.pieces[0].outline) {
@@ -106,4 +106,4 @@ TEST_F(Command, frames_follow_the_outline) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::command

@@ -8,10 +8,10 @@
 #include "command/command_fixture.h"
 #include "piece/outline/outline.h"
 #include "piece/place.h"
-#include "validation/load.h"
 #include "seam/layout.h"
+#include "validation/load.h"
 
-namespace drape {
+namespace drape::command {
 namespace {
 
 // A tunic, cm: 60 wide and 80 long, front and back in the same axes at z = +20 and -20. The front goes
@@ -82,8 +82,8 @@ class Import : public Command {
   }
   Scene scene_of(const std::string& file = "tunic.toml") const {
     std::vector<Problem> problems;
-    const Scene scene = scene_load(folder / file, problems);
-    for (const Problem& p : problems) ADD_FAILURE() << problem_text(p);
+    const Scene scene = validation::scene_load(folder / file, problems);
+    for (const Problem& p : problems) ADD_FAILURE() << scene::problem_text(p);
     return scene;
   }
   // Refused with these sentences, in this order.
@@ -99,13 +99,13 @@ class Import : public Command {
 
 // Both starts and both ends of every seam lie opposite each other: 0.4 m apart, along z.
 void expect_ends_meet(const Scene& scene) {
-  for (const SeamSpec& seam : scene.seams) {
-    const SeamLayout layout = seam_layout(scene, seam);
+  for (const scene::SeamSpec& seam : scene.seams) {
+    const seam::SeamLayout layout = seam::seam_layout(scene, seam);
     for (const bool end : {false, true}) {
       Vec3 at[2];
       for (std::size_t k = 0; k < 2; ++k)
-        at[k] = place_point(scene.pieces[std::size_t(seam.side[k].piece)].place,
-                            end ? layout.point[k].back() : layout.point[k].front());
+        at[k] = piece::place_point(scene.pieces[std::size_t(seam.side[k].piece)].place,
+                                   end ? layout.point[k].back() : layout.point[k].front());
       EXPECT_NEAR(norm(at[0], at[1]), 0.4, 1e-12) << seam.name;
       EXPECT_NEAR(at[0][0], at[1][0], 1e-12) << seam.name;
     }
@@ -117,7 +117,7 @@ TEST_F(Import, sews_ends_that_meet) {
   const Done done = import(kTunic);
   ASSERT_EQ(done.code, 0) << done.text;
   const Scene scene = scene_of();
-  EXPECT_EQ(scene.mode, Mode::kFit);
+  EXPECT_EQ(scene.mode, scene::Mode::kFit);
   ASSERT_EQ(scene.pieces.size(), 2u);
   EXPECT_EQ(scene.pieces[0].name, "front");  // as panel_order has it
   EXPECT_EQ(scene.pieces[0].cell, 0.01);
@@ -153,7 +153,7 @@ TEST_F(Import, keeps_the_lengths_of_curves) {
   ASSERT_EQ(import(kTunic).code, 0);
   const Scene scene = scene_of();
   const auto length = [&](int piece, int edge) {
-    return seam_length(outline_edge(scene.pieces[std::size_t(piece)], edge));
+    return seam::seam_length(piece::outline_edge(scene.pieces[std::size_t(piece)], edge));
   };
   const double b = 0.01, arc = 2 * 0.5 * std::asin(0.6 / (2 * 0.5));
   for (const auto& [piece, edge] : {std::pair{0, 0}, {1, 7}}) {
@@ -188,8 +188,8 @@ TEST_F(Import, keeps_the_lengths_of_curves) {
   EXPECT_NEAR(length(0, 1), 0.55, 1e-9);
   EXPECT_NEAR(length(0, 3), std::hypot(0.12, 0.02), 1e-8);
   // the hem hangs below the chord, the neck is cut into the cloth
-  EXPECT_LT(outline_edge(scene.pieces[0], 0)[3][1], 0);
-  EXPECT_LT(outline_edge(scene.pieces[0], 4)[3][1], 0.8);
+  EXPECT_LT(piece::outline_edge(scene.pieces[0], 0)[3][1], 0);
+  EXPECT_LT(piece::outline_edge(scene.pieces[0], 4)[3][1], 0.8);
 }
 
 // P = s + p0 (e - s) + p1 perp: the same control points as points of the panel.
@@ -286,7 +286,7 @@ TEST_F(Import, measures_the_body) {
 TEST(ImportPlace, PutsPanelsNearTheBodyAndOutside) {
   for (const double belly : {0.1, 0.23}) {
     Scene scene;
-    PieceSpec front;
+    scene::PieceSpec front;
     front.outline = {{-0.2, 0}, {0.2, 0}, {0.2, 0.5}, {-0.2, 0.5}};
     front.place.origin = {0, 1, 0.2};
     scene.pieces = {front};
@@ -300,8 +300,8 @@ TEST(ImportPlace, PutsPanelsNearTheBodyAndOutside) {
 }
 
 // A panel 0.4 m x 0.5 m across z, its lower edge at y = 1, and a box of points about the axis of y.
-PieceSpec panel_at(double x, double z, double width = 0.4, double height = 0.5) {
-  PieceSpec panel;
+scene::PieceSpec panel_at(double x, double z, double width = 0.4, double height = 0.5) {
+  scene::PieceSpec panel;
   panel.outline = {{-width / 2, 0}, {width / 2, 0}, {width / 2, height}, {-width / 2, height}};
   panel.place.origin = {x, 1, z};
   return panel;
@@ -313,7 +313,7 @@ std::vector<Vec3> box_points(double low, double high, double half) {  // of y; o
       for (const double z : {-half, half}) points.push_back({x, low + k * (high - low) / 10, z});
   return points;
 }
-double placed(const PieceSpec& panel, const std::vector<Vec3>& body) {
+double placed(const scene::PieceSpec& panel, const std::vector<Vec3>& body) {
   Scene scene;
   scene.pieces = {panel};
   garment_place_near(scene, body);
@@ -463,7 +463,7 @@ TEST_F(Import, survives_any_text) {
     const Pattern pattern = pattern_read(folder / "any.json", problems);
     if (problems.empty()) {
       const Scene scene = garment_scene(pattern, {}, {});
-      scene_check(scene, problems);
+      validation::scene_check(scene, problems);
       sound += problems.empty();
       EXPECT_FALSE(garment_text(scene, pattern, {}).empty());
     }
@@ -473,4 +473,4 @@ TEST_F(Import, survives_any_text) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::command
