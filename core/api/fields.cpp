@@ -55,7 +55,7 @@ drape_surface drape_surface_at(drape_cloth* c, int index) {
   const body::BodySurface& surface = body.mesh.surface;
   c->surface_point.clear();
   for (const Vec3& at : surface.point) {
-    const Vec3 x = body.moves ? now.frame.position + outward(now.turn, at) : at;
+    const Vec3 x = body.moves ? now.motion.position + outward(now.rotation, at) : at;
     c->surface_point.insert(c->surface_point.end(), x.begin(), x.end());
   }
   return {body.name.c_str(),          body.moves,

@@ -40,8 +40,8 @@ void orientation_take(const VectorInput& v, double* reached, std::vector<Problem
 }
 
 // Of a pin or a body: `name`.
-void pin_take(const std::string& name, const math::Frame& now, drape_pin_input& in, drape_pin_input& rate,
-              double length, math::Frame& to, std::vector<Problem>& problems) {
+void pin_take(const std::string& name, const math::RigidMotion& now, drape_pin_input& in,
+              drape_pin_input& rate, double length, math::RigidMotion& to, std::vector<Problem>& problems) {
   const auto take = [&](const char* what, const scene::Quantity& limits, int size, double* value, double* by,
                         const double* present, double* reached) {
     const VectorInput v{name + "." + what, &limits, size, value, by, present};
@@ -53,15 +53,15 @@ void pin_take(const std::string& name, const math::Frame& now, drape_pin_input& 
     take("position", scene::kPinPosition, 3, in.position, rate.position, now.position.data(),
          to.position.data());
     if (in.clamp)
-      take("orientation", scene::kPinOrientation, 4, in.orientation, rate.orientation, now.turn.data(),
-           to.turn.data());
+      take("orientation", scene::kPinOrientation, 4, in.orientation, rate.orientation, now.orientation.data(),
+           to.orientation.data());
   }
   if (in.drive & DRAPE_DRIVE_VELOCITY) {
     take("velocity", scene::kPinVelocity, 3, in.velocity, rate.velocity, now.velocity.data(),
          to.velocity.data());
     if (in.clamp)
       take("angular_velocity", scene::kPinAngularVelocity, 3, in.angular_velocity, rate.angular_velocity,
-           now.spin.data(), to.spin.data());
+           now.angular_velocity.data(), to.angular_velocity.data());
   }
 }
 
@@ -78,7 +78,7 @@ void inputs_make(drape_cloth& c) {
                                                       : DRAPE_DRIVE_POSITION | DRAPE_DRIVE_VELOCITY;
     in.clamp = pin.clamp;
     c.pin_rates.push_back(in);
-    for (std::size_t k = 0; k < 3; ++k) in.position[k] = c.state.pin_frame[p].position[k];
+    for (std::size_t k = 0; k < 3; ++k) in.position[k] = c.state.pin_motion[p].position[k];
     in.orientation[0] = 1;
     c.pin_inputs.push_back(in);
     c.driven.push_back(p);
@@ -92,7 +92,7 @@ void inputs_make(drape_cloth& c) {
     in.clamp = 1;
     c.body_rates.push_back(in);
     std::copy(body.start.position.begin(), body.start.position.end(), in.position);
-    std::copy(body.start.turn.begin(), body.start.turn.end(), in.orientation);
+    std::copy(body.start.orientation.begin(), body.start.orientation.end(), in.orientation);
     c.body_inputs.push_back(in);
     c.moving.push_back(b);
   }
@@ -110,17 +110,17 @@ void inputs_make(drape_cloth& c) {
 
 void inputs_mend(drape_cloth& c, std::vector<Problem>& problems) {
   const auto mend = [&](const char* kind, drape_pin_input& in, drape_pin_input& rate,
-                        const math::Frame& now) {
+                        const math::RigidMotion& now) {
     if (!in.clamp || !(in.drive & DRAPE_DRIVE_POSITION) || !all_zero(rate.orientation)) return;
     double reached[4] = {in.orientation[0], in.orientation[1], in.orientation[2], in.orientation[3]};
     orientation_take({std::string(kind) + in.name + ".orientation", &scene::kPinOrientation, 4,
-                      in.orientation, rate.orientation, now.turn.data()},
+                      in.orientation, rate.orientation, now.orientation.data()},
                      reached, problems);
   };
   for (std::size_t k = 0; k < c.driven.size(); ++k)
-    mend("pin.", c.pin_inputs[k], c.pin_rates[k], c.state.pin_frame[c.driven[k]]);
+    mend("pin.", c.pin_inputs[k], c.pin_rates[k], c.state.pin_motion[c.driven[k]]);
   for (std::size_t k = 0; k < c.moving.size(); ++k)
-    mend("body.", c.body_inputs[k], c.body_rates[k], c.state.body[c.moving[k]].frame);
+    mend("body.", c.body_inputs[k], c.body_rates[k], c.state.body[c.moving[k]].motion);
 }
 
 bool inputs_take(drape_cloth& c, double length, std::vector<Problem>& problems) {
@@ -130,10 +130,10 @@ bool inputs_take(drape_cloth& c, double length, std::vector<Problem>& problems) 
     vector_take({"wind", &scene::kWind, 3, c.inputs.wind, c.input_rates.wind, c.state.wind.data()}, length,
                 to.wind.data(), problems);
   for (std::size_t k = 0; k < c.driven.size(); ++k)
-    pin_take(std::string("pin.") + c.pin_inputs[k].name, c.state.pin_frame[c.driven[k]], c.pin_inputs[k],
+    pin_take(std::string("pin.") + c.pin_inputs[k].name, c.state.pin_motion[c.driven[k]], c.pin_inputs[k],
              c.pin_rates[k], length, to.pin[c.driven[k]], problems);
   for (std::size_t k = 0; k < c.moving.size(); ++k)
-    pin_take(std::string("body.") + c.body_inputs[k].name, c.state.body[c.moving[k]].frame, c.body_inputs[k],
+    pin_take(std::string("body.") + c.body_inputs[k].name, c.state.body[c.moving[k]].motion, c.body_inputs[k],
              c.body_rates[k], length, to.body[c.moving[k]], problems);
   if (problems.size() > before) return false;
   c.motion.inputs = to;

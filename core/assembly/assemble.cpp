@@ -191,8 +191,8 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
   system.bodies = bodies_make(scene, problems);
   for (const model::Body& body : system.bodies) {
     model::BodyContact& contact = start.body.emplace_back();
-    contact.frame = body.start;
-    contact.turn = math::rotation_matrix(body.start.turn);
+    contact.motion = body.start;
+    contact.rotation = math::rotation_matrix(body.start.orientation);
   }
   if (!problems.empty()) return system;
   seams_tie(scene, grids, system);
@@ -213,7 +213,7 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
   system.constraints = constraint::constraints_make(system.pin_rows, system.inverse_mass,
                                                     pins_make(scene, grids), problems, system.links);
   for (std::size_t p = 0; p < scene.pins.size(); ++p)
-    start.pin_frame[p].position = system.constraints.pins[p].centre;
+    start.pin_motion[p].position = system.constraints.pins[p].centre;
   for (const scene::ProbeSpec& probe : scene.probes) {
     const auto p = std::size_t(probe.piece);
     system.probes.push_back(probe_make(system.lattices[p], piece::grid_locate(grids[p], probe.at)));

@@ -13,13 +13,14 @@ using namespace math::vector3;
 
 constexpr double kSmallest = 0.005, kLargest = 20;  // m: bodies of other sizes are likely in another unit
 
-Vec3 posed(const math::Frame& frame, const Vec3& x) {
-  return frame.position + x + math::turned_away(frame.turn, x);
+Vec3 posed(const math::RigidMotion& frame, const Vec3& x) {
+  return frame.position + x + math::rotation_displacement(frame.orientation, x);
 }
 
 // The triangles of a file, scaled; a body that stays is put in its place.
-bool mesh_take(const scene::BodySpec& spec, const math::Frame& frame, const drape_contact_library& library,
-               std::vector<Vec3>& point, std::vector<std::array<int, 3>>& corner, std::string& trouble) {
+bool mesh_take(const scene::BodySpec& spec, const math::RigidMotion& frame,
+               const drape_contact_library& library, std::vector<Vec3>& point,
+               std::vector<std::array<int, 3>>& corner, std::string& trouble) {
   char text[512];
   drape_mesh_file* mesh = library.mesh_read(spec.mesh.c_str(), text, sizeof text);
   if (!mesh) return trouble = text, false;
@@ -71,7 +72,7 @@ std::vector<model::Body> bodies_make(const Scene& scene, std::vector<Problem>& p
     body.friction = spec.friction;
     body.damping = spec.damping;
     body.start.position = spec.position;
-    body.start.turn = math::quaternion_normalised(spec.orientation);
+    body.start.orientation = math::quaternion_normalised(spec.orientation);
     std::vector<Vec3> point;
     std::vector<std::array<int, 3>> corner;
     body::SurfaceFindings findings;

@@ -148,7 +148,7 @@ double kinetic_energy(const System& system, const State& s) {
 void ridges_told(const System& system, Motion& motion, State& s) {
   motion.touch.told = contact::ridge_any(s) && last_half(system, s) > 0 && !system.fit;
   if (!motion.touch.told) return;
-  std::vector<math::PinLoad> pins;
+  std::vector<math::Wrench> pins;
   leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(), motion.now_z.data(),
                        pins);
   for (std::size_t b = 0; b < s.body.size(); ++b)
@@ -158,8 +158,8 @@ void ridges_told(const System& system, Motion& motion, State& s) {
 // Lays the paths of an advance and begins them. Where the velocity of a pin jumps, so do those of the cloth;
 // the impulse is the first of the advance. (The paper's scheme takes it up in its first step.)
 void inputs_begin(const System& system, Motion& motion, State& s, double length) {
-  s.pin_impulse.assign(s.pin_impulse.size(), math::PinLoad{});
-  for (model::BodyContact& body : s.body) body.impulse = math::PinLoad{};
+  s.pin_impulse.assign(s.pin_impulse.size(), math::Wrench{});
+  for (model::BodyContact& body : s.body) body.impulse = math::Wrench{};
   motion.path = path_make(system, s, motion.inputs, length);
   if (system.fit && path_moves(motion.path)) fit_wake(s);
   const bool jumps = path_jumps(motion.path, s) && system.integrator == scene::Integrator::kLeapfrog;

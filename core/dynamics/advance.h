@@ -81,7 +81,7 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& state, dou
 // on the outside world (load [pins]): their mean over the last half step, which the impulses of the state
 // lack; before the first step, the present ones.
 void leapfrog_synchronous(const System& system, Motion& motion, const State& state, double* vx, double* vy,
-                          double* vz, std::vector<math::PinLoad>& load);
+                          double* vz, std::vector<math::Wrench>& load);
 
 // What stops of bodies hold now: of the forces at t_n, whatever the velocity.
 contact::TouchStops leapfrog_stops(const System& system, Motion& motion, const State& state);
@@ -90,6 +90,6 @@ contact::TouchStops leapfrog_stops(const System& system, Motion& motion, const S
 // accelerations (half = 0). What touching changes is held again, so that it meets the velocities that pins
 // and welds leave, as in a step. Adds to the loads where `load` is not null.
 void synchronous_meet(const System& system, Motion& motion, const State& state, Rate which, double half,
-                      double centred, Field field, std::vector<math::PinLoad>* load);
+                      double centred, Field field, std::vector<math::Wrench>* load);
 
 }  // namespace drape::dynamics

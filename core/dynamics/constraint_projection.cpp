@@ -27,17 +27,17 @@ void each_target(const constraint::Constraints& c, Visit visit) {
 
 // The target of a part less its start: share (p - p_0) + (R - 1)(start - share p_0), exactly 0 before the pin
 // moves.
-Vec3 part_shift(const constraint::PinBase& base, const math::Frame& frame,
+Vec3 part_shift(const constraint::PinBase& base, const math::RigidMotion& frame,
                 const constraint::TargetPart& part) {
   const Vec3 reach = part.start - part.share * base.centre;
-  return part.share * (frame.position - base.centre) + math::turned_away(frame.turn, reach);
+  return part.share * (frame.position - base.centre) + math::rotation_displacement(frame.orientation, reach);
 }
 
 Vec3 target_now(const constraint::Constraints& c, const State& s, const constraint::Target& t) {
   Vec3 sum = t.start;
   for (int p = t.first; p < t.first + t.count; ++p) {
     const constraint::TargetPart& part = c.parts[std::size_t(p)];
-    sum += part_shift(c.pins[std::size_t(part.pin)], s.pin_frame[std::size_t(part.pin)], part);
+    sum += part_shift(c.pins[std::size_t(part.pin)], s.pin_motion[std::size_t(part.pin)], part);
   }
   return sum;
 }
@@ -46,21 +46,23 @@ void arms_set(const constraint::Constraints& c, const State& s, HeldMotion& held
   for (std::size_t p = 0; p < c.parts.size(); ++p) {
     const constraint::TargetPart& part = c.parts[p];
     const Vec3 reach = part.start - part.share * c.pins[std::size_t(part.pin)].centre;
-    set(held.arm, p, reach + math::turned_away(s.pin_frame[std::size_t(part.pin)].turn, reach));
+    set(held.arm, p,
+        reach + math::rotation_displacement(s.pin_motion[std::size_t(part.pin)].orientation, reach));
   }
 }
 
 // share v + w x arm; share a + w' x arm + w x (w x arm)
-Vec3 part_rate(const math::Frame& f, double share, const Vec3& arm, Rate which) {
-  if (which == Rate::kVelocity) return share * f.velocity + cross(f.spin, arm);
-  return share * f.acceleration + cross(f.spin_rate, arm) + cross(f.spin, cross(f.spin, arm));
+Vec3 part_rate(const math::RigidMotion& f, double share, const Vec3& arm, Rate which) {
+  if (which == Rate::kVelocity) return share * f.velocity + cross(f.angular_velocity, arm);
+  return share * f.acceleration + cross(f.angular_acceleration, arm) +
+         cross(f.angular_velocity, cross(f.angular_velocity, arm));
 }
 
 void load_add(const constraint::Constraints& c, const Array& arm, const constraint::Target& t,
-              const Vec3& impulse, std::vector<math::PinLoad>& load) {
+              const Vec3& impulse, std::vector<math::Wrench>& load) {
   for (int p = t.first; p < t.first + t.count; ++p) {
     const constraint::TargetPart& part = c.parts[std::size_t(p)];
-    math::PinLoad& sum = load[std::size_t(part.pin)];
+    math::Wrench& sum = load[std::size_t(part.pin)];
     sum.force += part.share * impulse;
     sum.torque += cross(at(arm, std::size_t(p)), impulse);
   }
@@ -312,7 +314,7 @@ void held_rates(const constraint::Constraints& c, const State& s, Rate which, He
     Vec3 sum{0, 0, 0};
     for (int p = t.first; t.moves && p < t.first + t.count; ++p) {
       const constraint::TargetPart& part = c.parts[std::size_t(p)];
-      sum += part_rate(s.pin_frame[std::size_t(part.pin)], part.share, at(held.arm, std::size_t(p)), which);
+      sum += part_rate(s.pin_motion[std::size_t(part.pin)], part.share, at(held.arm, std::size_t(p)), which);
     }
     set(held.rate, k, sum);
   });
@@ -360,7 +362,7 @@ void constraints_place(const System& system, const constraint::Constraints& c, H
 }
 
 void constraints_project(const System& system, const constraint::Constraints& c, HeldMotion& held,
-                         Field field, std::vector<math::PinLoad>* load) {
+                         Field field, std::vector<math::Wrench>* load) {
   const std::size_t fixed = c.fixed.size();
   for (std::size_t k = 0; k < fixed; ++k) {
     const std::size_t n = c.fixed[k].node;

@@ -61,7 +61,7 @@ struct Field {
 // Projects a field of accelerations or velocities onto held.rate; `load` [pins], where it is not null,
 // receives m times what was taken out: for accelerations, the pins' forces on the outside world.
 void constraints_project(const System& system, const constraint::Constraints& constraints, HeldMotion& held,
-                         Field field, std::vector<math::PinLoad>* load);
+                         Field field, std::vector<math::Wrench>* load);
 
 // Puts held points where they are to be at t_n, by the least change in the norm of the masses.
 void constraints_place(const System& system, const constraint::Constraints& constraints, HeldMotion& held,

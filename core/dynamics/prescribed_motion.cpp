@@ -45,39 +45,45 @@ math::Quaternion turned(const Vec3& f, const math::Quaternion& from) {
 // H (Magnus 1954). The cubic with these ends is the parabola where the axis stays.
 void turn_by_velocity(PinPath& p) {
   const double h = p.length;
-  const Vec3 reach = (h / 2) * (p.from.spin + p.to.spin) + (h * h / 12) * cross(p.to.spin, p.from.spin);
-  if (is_zero(cross(p.from.spin, p.to.spin)) || norm(reach) > std::numbers::pi)
-    parabola(p.turn, h * p.from.spin, h * p.to.spin);
-  else cubic(p.turn, reach, h * p.from.spin, h * math::rotation_rate(reach, p.to.spin));
+  const Vec3 reach = (h / 2) * (p.from.angular_velocity + p.to.angular_velocity) +
+                     (h * h / 12) * cross(p.to.angular_velocity, p.from.angular_velocity);
+  if (is_zero(cross(p.from.angular_velocity, p.to.angular_velocity)) || norm(reach) > std::numbers::pi)
+    parabola(p.rotation, h * p.from.angular_velocity, h * p.to.angular_velocity);
+  else
+    cubic(p.rotation, reach, h * p.from.angular_velocity,
+          h * math::rotation_vector_rate(reach, p.to.angular_velocity));
 }
 
 void pin_path_lay(PinPath& p, scene::Drive drive, bool clamp) {
   const double h = p.length;
   p.jumps = drive == scene::Drive::kPosition;
-  if (!clamp) p.to.turn = p.from.turn, p.to.spin = {0, 0, 0};
+  if (!clamp) p.to.orientation = p.from.orientation, p.to.angular_velocity = {0, 0, 0};
   if (drive == scene::Drive::kVelocity) {
-    parabola(p.shift, h * p.from.velocity, h * p.to.velocity);
-    p.to.position = p.from.position + at(p.shift, 1);
+    parabola(p.translation, h * p.from.velocity, h * p.to.velocity);
+    p.to.position = p.from.position + at(p.translation, 1);
     turn_by_velocity(p);
-    p.to.turn = turned(at(p.turn, 1), p.from.turn);
-    p.uniform = p.from.velocity == p.to.velocity && p.from.spin == p.to.spin;
+    p.to.orientation = turned(at(p.rotation, 1), p.from.orientation);
+    p.uniform = p.from.velocity == p.to.velocity && p.from.angular_velocity == p.to.angular_velocity;
   } else {
-    const Vec3 reach = p.to.position - p.from.position, f = math::rotation_between(p.from.turn, p.to.turn);
+    const Vec3 reach = p.to.position - p.from.position,
+               f = math::rotation_vector_between(p.from.orientation, p.to.orientation);
     if (drive == scene::Drive::kPosition) {
-      line(p.shift, reach);
-      line(p.turn, f);
+      line(p.translation, reach);
+      line(p.rotation, f);
       p.to.velocity = (1 / h) * reach;
     } else {
-      cubic(p.shift, reach, h * p.from.velocity, h * p.to.velocity);
-      cubic(p.turn, f, h * p.from.spin, h * math::rotation_rate(f, p.to.spin));
+      cubic(p.translation, reach, h * p.from.velocity, h * p.to.velocity);
+      cubic(p.rotation, f, h * p.from.angular_velocity,
+            h * math::rotation_vector_rate(f, p.to.angular_velocity));
     }
   }
-  const Vec3 f = at(p.turn, 1), f1 = (1 / h) * slope_at(p.turn, 1), f2 = (1 / (h * h)) * bend_at(p.turn, 1);
-  if (drive == scene::Drive::kPosition) p.to.spin = f1;
+  const Vec3 f = at(p.rotation, 1), f1 = (1 / h) * slope_at(p.rotation, 1),
+             f2 = (1 / (h * h)) * bend_at(p.rotation, 1);
+  if (drive == scene::Drive::kPosition) p.to.angular_velocity = f1;
   if (drive == scene::Drive::kVelocity && !p.uniform && norm(f) > std::numbers::pi)
-    p.to.spin = math::rotation_spin(f, f1);
-  p.to.acceleration = (1 / (h * h)) * bend_at(p.shift, 1);
-  p.to.spin_rate = math::rotation_spin_rate(f, f1, f2);
+    p.to.angular_velocity = math::rotation_angular_velocity(f, f1);
+  p.to.acceleration = (1 / (h * h)) * bend_at(p.translation, 1);
+  p.to.angular_acceleration = math::rotation_angular_acceleration(f, f1, f2);
 }
 
 // Differences that rounding makes between two ways to tell the same velocity: `size` over `length`.
@@ -89,8 +95,8 @@ bool jumps(const Vec3& a, const Vec3& b, double size, double length) {
 }  // namespace
 
 Inputs inputs_at(const State& s) {
-  Inputs inputs{s.wind, s.pin_frame, {}};
-  for (const model::BodyContact& b : s.body) inputs.body.push_back(b.frame);
+  Inputs inputs{s.wind, s.pin_motion, {}};
+  for (const model::BodyContact& b : s.body) inputs.body.push_back(b.motion);
   return inputs;
 }
 
@@ -104,9 +110,9 @@ Path path_make(const System& system, const State& s, const Inputs& inputs, doubl
     PinPath one;
     one.pin = int(p);
     one.length = length;
-    one.from = s.pin_frame[p];
+    one.from = s.pin_motion[p];
     one.to = inputs.pin[p];
-    one.to.turn = math::quaternion_normalised(one.to.turn);
+    one.to.orientation = math::quaternion_normalised(one.to.orientation);
     pin_path_lay(one, pin.drive, pin.clamp);
     path.pins.push_back(one);
   }
@@ -115,9 +121,9 @@ Path path_make(const System& system, const State& s, const Inputs& inputs, doubl
     PinPath one;
     one.pin = int(b);
     one.length = length;
-    one.from = s.body[b].frame;
+    one.from = s.body[b].motion;
     one.to = inputs.body[b];
-    one.to.turn = math::quaternion_normalised(one.to.turn);
+    one.to.orientation = math::quaternion_normalised(one.to.orientation);
     pin_path_lay(one, scene::Drive::kBoth, true);
     path.bodies.push_back(one);
   }
@@ -128,16 +134,16 @@ bool path_moves(const Path& path) {
   const auto still = [](const Vec3(&c)[3]) { return norm(c[0]) == 0 && norm(c[1]) == 0 && norm(c[2]) == 0; };
   for (const std::vector<PinPath>* paths : {&path.pins, &path.bodies})
     for (const PinPath& p : *paths)
-      if (!still(p.shift) || !still(p.turn)) return true;
+      if (!still(p.translation) || !still(p.rotation)) return true;
   return path.wind_from != path.wind_to;
 }
 
 bool path_jumps(const Path& path, const State& s) {
   for (const PinPath& p : path.pins) {
-    const math::Frame begin = path_frame(p, 0);
-    const math::Frame& now = s.pin_frame[std::size_t(p.pin)];
+    const math::RigidMotion begin = path_frame(p, 0);
+    const math::RigidMotion& now = s.pin_motion[std::size_t(p.pin)];
     if (jumps(begin.velocity, now.velocity, norm(p.from.position) + norm(p.to.position), p.length) ||
-        jumps(begin.spin, now.spin, 1, p.length))
+        jumps(begin.angular_velocity, now.angular_velocity, 1, p.length))
       return true;
   }
   return false;
@@ -147,20 +153,23 @@ void path_interval(Path& path, const State& s, std::int64_t k, double length) {
   path.interval = k;
   for (PinPath& p : path.pins) {
     if (!p.uniform) continue;
-    p.from = s.pin_frame[std::size_t(p.pin)];
+    p.from = s.pin_motion[std::size_t(p.pin)];
     p.length = length;
     pin_path_lay(p, scene::Drive::kVelocity, true);
   }
 }
 
-math::Frame path_frame(const PinPath& p, double z) {
+math::RigidMotion path_frame(const PinPath& p, double z) {
   if (z == 1) return p.to;
   const double h = p.length;
-  const Vec3 f = at(p.turn, z), f1 = (1 / h) * slope_at(p.turn, z), f2 = (1 / (h * h)) * bend_at(p.turn, z);
-  math::Frame frame{p.from.position + at(p.shift, z),    turned(f, p.from.turn),
-                    (1 / h) * slope_at(p.shift, z),      math::rotation_spin(f, f1),
-                    (1 / (h * h)) * bend_at(p.shift, z), math::rotation_spin_rate(f, f1, f2)};
-  if (z == 0 && !p.jumps) frame.velocity = p.from.velocity, frame.spin = p.from.spin;  // not h v/h
+  const Vec3 f = at(p.rotation, z), f1 = (1 / h) * slope_at(p.rotation, z),
+             f2 = (1 / (h * h)) * bend_at(p.rotation, z);
+  math::RigidMotion frame{
+      p.from.position + at(p.translation, z),    turned(f, p.from.orientation),
+      (1 / h) * slope_at(p.translation, z),      math::rotation_angular_velocity(f, f1),
+      (1 / (h * h)) * bend_at(p.translation, z), math::rotation_angular_acceleration(f, f1, f2)};
+  if (z == 0 && !p.jumps)
+    frame.velocity = p.from.velocity, frame.angular_velocity = p.from.angular_velocity;  // not h v/h
   return frame;
 }
 
@@ -172,17 +181,17 @@ void path_follow(const Path& path, double u, State& s) {
   const double z = share_of(path, u);
   s.wind = z == 1 ? path.wind_to : path.wind_from + z * (path.wind_to - path.wind_from);
   for (const PinPath& p : path.pins) {
-    math::Frame& frame = s.pin_frame[std::size_t(p.pin)];
+    math::RigidMotion& frame = s.pin_motion[std::size_t(p.pin)];
     frame = path_frame(p, p.uniform ? u : z);
-    s.pin_turn[std::size_t(p.pin)] = math::rotation_matrix(frame.turn);
+    s.pin_rotation[std::size_t(p.pin)] = math::rotation_matrix(frame.orientation);
   }
 }
 
 void bodies_follow(const Path& path, double u, State& s) {
   for (const PinPath& p : path.bodies) {
     model::BodyContact& body = s.body[std::size_t(p.pin)];
-    body.frame = path_frame(p, share_of(path, u));
-    body.turn = math::rotation_matrix(body.frame.turn);
+    body.motion = path_frame(p, share_of(path, u));
+    body.rotation = math::rotation_matrix(body.motion.orientation);
   }
 }
 

@@ -14,19 +14,19 @@ namespace drape::dynamics {
 
 // Where inputs are to be at the end of an advance; of a pin, what its drive names counts.
 struct Inputs {
-  Vec3 wind{0, 0, 0};             // m/s
-  std::vector<math::Frame> pin;   // [pins]
-  std::vector<math::Frame> body;  // [bodies]
+  Vec3 wind{0, 0, 0};                   // m/s
+  std::vector<math::RigidMotion> pin;   // [pins]
+  std::vector<math::RigidMotion> body;  // [bodies]
 };
 Inputs inputs_at(const State& state);  // where they are
 
 struct PinPath {
   int pin = 0;
-  double length = 0;       // H, s
-  math::Frame from, to;    // at its ends
-  Vec3 shift[3], turn[3];  // coefficients of z, z^2, z^3
-  bool uniform = false;    // driven by constant velocities
-  bool jumps = false;      // its first velocity is not that of `from`
+  double length = 0;                 // H, s
+  math::RigidMotion from, to;        // at its ends
+  Vec3 translation[3], rotation[3];  // coefficients of z, z^2, z^3
+  bool uniform = false;              // driven by constant velocities
+  bool jumps = false;                // its first velocity is not that of `from`
 };
 
 struct Path {
@@ -50,7 +50,7 @@ bool path_moves(const Path& path);
 void path_interval(Path& path, const State& state, std::int64_t k, double length);
 
 // The frame at the share z of a path.
-math::Frame path_frame(const PinPath& path, double z);
+math::RigidMotion path_frame(const PinPath& path, double z);
 
 // Puts wind and pins of the state, or its bodies, to the share u of the present interval.
 void path_follow(const Path& path, double u, State& state);

@@ -155,12 +155,12 @@ Left forces_left(const System& system, Motion& motion, const State& s) {
   const Vec3 g = gravity_of(system, s);
   for (std::size_t n : system.particle)
     for (std::size_t k = 0; k < 3; ++k) (*a[k])[n] = (*a[k])[n] * system.inverse_mass[n] + g[k];
-  std::vector<math::PinLoad> load(s.pin_impulse.size());
+  std::vector<math::Wrench> load(s.pin_impulse.size());
   held_refresh(motion.constraints, s, motion.held);
   synchronous_meet(system, motion, s, Rate::kAcceleration, 0, 1,
                    {motion.now_x.data(), motion.now_y.data(), motion.now_z.data()}, &load);
   Left left;
-  for (const math::PinLoad& l : load) left.pins += norm(l.force);
+  for (const math::Wrench& l : load) left.pins += norm(l.force);
   for (std::size_t n : system.particle)
     left.sum += system.mass[n] * norm({motion.now_x[n], motion.now_y[n], motion.now_z[n]});
   return left;

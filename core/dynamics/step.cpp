@@ -137,7 +137,7 @@ void leapfrog_step(const System& system, Motion& motion, State& s, double h, dou
 
 void leapfrog_complete(const System& system, Motion& motion, State& s) {
   if (s.h_old == 0 || system.integrator == scene::Integrator::kPaper) return;
-  std::vector<math::PinLoad> told;
+  std::vector<math::Wrench> told;
   const double lead = velocity_lead(system, s);
   leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(), motion.now_z.data(),
                        told);
@@ -170,7 +170,7 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
 }
 
 void synchronous_meet(const System& system, Motion& motion, const State& s, Rate which, double half,
-                      double centred, Field f, std::vector<math::PinLoad>* load) {
+                      double centred, Field f, std::vector<math::Wrench>* load) {
   held_rates(motion.constraints, s, which, motion.held);
   contact::touch_carry_synchronous(system, motion.touch, s, half, centred, f.x, f.y, f.z);
   constraints_project(system, motion.constraints, motion.held, f, load);
@@ -187,7 +187,7 @@ void synchronous_meet(const System& system, Motion& motion, const State& s, Rate
 // takes out of that half kick; where there was none, and in a fit, whose steps have another inertia, of the
 // accelerations f - c v_n, from which v_n then follows again.
 void leapfrog_synchronous(const System& system, Motion& motion, const State& s, double* vx, double* vy,
-                          double* vz, std::vector<math::PinLoad>& load) {
+                          double* vz, std::vector<math::Wrench>& load) {
   const double half = last_half(system, s), damping = damping_of(system, s), decay = last_decay(system, s),
                centred = system.composition ? 1 : 1 + damping * half;
   const bool step = half > 0 && !system.fit;
@@ -204,7 +204,7 @@ void leapfrog_synchronous(const System& system, Motion& motion, const State& s, 
     }
   };
   HeldMotion& held = motion.held;
-  load.assign(s.pin_impulse.size(), math::PinLoad{});
+  load.assign(s.pin_impulse.size(), math::Wrench{});
   held_refresh(motion.constraints, s, held);
   kernel_forces(*motion.kernel, system, s, motion.workspace, vx, vy, vz);
   held.work = 0;
@@ -229,7 +229,7 @@ void leapfrog_synchronous(const System& system, Motion& motion, const State& s, 
   }
   if (step) {
     if (system.energy) held.work = held_work(motion.constraints, s, decay, centred, held);
-    for (math::PinLoad& l : load) l = {(centred / half) * l.force, (centred / half) * l.torque};
+    for (math::Wrench& l : load) l = {(centred / half) * l.force, (centred / half) * l.torque};
   }
   motion.torque.assign(load.size(), Vec3{0, 0, 0});
   forces::side_clamp_torques(system, s, motion.torque);

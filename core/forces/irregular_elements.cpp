@@ -74,7 +74,7 @@ void air_add(const System& system, const State& s, double lead, NodeForces f) {
 }  // namespace
 
 Vec3 clamp_direction(const model::SideClamp& c, const State& s) {
-  const model::Mat3& turn = s.pin_turn[std::size_t(c.pin)];
+  const model::Mat3& turn = s.pin_rotation[std::size_t(c.pin)];
   Vec3 d;
   for (std::size_t k = 0; k < 3; ++k)
     d[k] = turn[k][0] * c.direction[0] + turn[k][1] * c.direction[1] + turn[k][2] * c.direction[2];

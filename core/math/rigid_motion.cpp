@@ -55,7 +55,7 @@ Quaternion quaternion_normalised(const Quaternion& q) {
 }
 
 // R x = x + 2 w u x x + 2 u x (u x x)
-Vec3 turned_away(const Quaternion& q, const Vec3& x) {
+Vec3 rotation_displacement(const Quaternion& q, const Vec3& x) {
   const Vec3 u{q[1], q[2], q[3]}, ux = cross(u, x);
   return 2 * (q[0] * ux + cross(u, ux));
 }
@@ -64,7 +64,7 @@ std::array<Vec3, 3> rotation_matrix(const Quaternion& q) {
   std::array<Vec3, 3> r;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 axis{k == 0 ? 1. : 0., k == 1 ? 1. : 0., k == 2 ? 1. : 0.},
-        image = axis + turned_away(q, axis);
+        image = axis + rotation_displacement(q, axis);
     for (std::size_t i = 0; i < 3; ++i) r[i][k] = image[i];
   }
   return r;
@@ -77,7 +77,7 @@ Quaternion rotation_exp(const Vec3& f) {
   return {std::cos(half), s * f[0], s * f[1], s * f[2]};
 }
 
-Vec3 rotation_between(const Quaternion& from, const Quaternion& to) {
+Vec3 rotation_vector_between(const Quaternion& from, const Quaternion& to) {
   const Quaternion q = quaternion_product(to, {from[0], -from[1], -from[2], -from[3]});
   const Vec3 u{q[1], q[2], q[3]};
   const double sine = norm(u);
@@ -85,13 +85,13 @@ Vec3 rotation_between(const Quaternion& from, const Quaternion& to) {
   return (2 * std::atan2(sine, std::abs(q[0])) / (q[0] < 0 ? -sine : sine)) * u;
 }
 
-Vec3 rotation_spin(const Vec3& f, const Vec3& f1) {
+Vec3 rotation_angular_velocity(const Vec3& f, const Vec3& f1) {
   const double x = dot(f, f);
   const Vec3 c = cross(f, f1);
   return f1 + spin_a(x) * c + spin_b(x) * cross(f, c);
 }
 
-Vec3 rotation_spin_rate(const Vec3& f, const Vec3& f1, const Vec3& f2) {
+Vec3 rotation_angular_acceleration(const Vec3& f, const Vec3& f1, const Vec3& f2) {
   const double x = dot(f, f), x1 = dot(f, f1);
   const Vec3 c = cross(f, f1), c1 = cross(f, f2);
   return f2 + spin_a(x) * c1 + spin_b(x) * (cross(f1, c) + cross(f, c1)) + x1 * spin_a1(x) * c +
@@ -99,7 +99,7 @@ Vec3 rotation_spin_rate(const Vec3& f, const Vec3& f1, const Vec3& f2) {
 }
 
 // f' = w - f x w/2 + [1 - (t/2) cot(t/2)]/t^2 f x (f x w),  t = |f|
-Vec3 rotation_rate(const Vec3& f, const Vec3& spin) {
+Vec3 rotation_vector_rate(const Vec3& f, const Vec3& spin) {
   const double x = dot(f, f), half = std::sqrt(x) / 2;
   const double c = x < kSmall ? series(x, {1. / 12, 1. / 720, 1. / 30240, 1. / 1209600, 1. / 47900160})
                               : (1 - half / std::tan(half)) / x;

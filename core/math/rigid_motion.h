@@ -14,17 +14,17 @@ namespace drape::math {
 
 using Quaternion = std::array<double, 4>;
 
-struct Frame {
-  Vec3 position{0, 0, 0};       // p, m
-  Quaternion turn{1, 0, 0, 0};  // R since the start
-  Vec3 velocity{0, 0, 0};       // m/s
-  Vec3 spin{0, 0, 0};           // angular velocity, rad/s
-  Vec3 acceleration{0, 0, 0};   // m/s^2
-  Vec3 spin_rate{0, 0, 0};      // rad/s^2
+struct RigidMotion {
+  Vec3 position{0, 0, 0};              // p, m
+  Quaternion orientation{1, 0, 0, 0};  // R since the start
+  Vec3 velocity{0, 0, 0};              // m/s
+  Vec3 angular_velocity{0, 0, 0};      // angular velocity, rad/s
+  Vec3 acceleration{0, 0, 0};          // m/s^2
+  Vec3 angular_acceleration{0, 0, 0};  // rad/s^2
 };
 
 // Of a pin on the outside world: forces or their impulses.
-struct PinLoad {
+struct Wrench {
   Vec3 force{0, 0, 0}, torque{0, 0, 0};  // the torque about the pin's present position
 };
 
@@ -34,16 +34,16 @@ Quaternion quaternion_normalised(const Quaternion& q);  // length above 0
 std::array<Vec3, 3> rotation_matrix(const Quaternion& turn);  // row by row
 
 // R x - x, exactly 0 where R does not turn.
-Vec3 turned_away(const Quaternion& turn, const Vec3& x);
+Vec3 rotation_displacement(const Quaternion& turn, const Vec3& x);
 
 Quaternion rotation_exp(const Vec3& f);
 // The rotation vector, at most pi long, from one orientation to another; exactly 0 where they are equal.
-Vec3 rotation_between(const Quaternion& from, const Quaternion& to);
+Vec3 rotation_vector_between(const Quaternion& from, const Quaternion& to);
 
 // The angular velocity of exp(f), and its derivative, from those of f.
-Vec3 rotation_spin(const Vec3& f, const Vec3& f1);
-Vec3 rotation_spin_rate(const Vec3& f, const Vec3& f1, const Vec3& f2);
+Vec3 rotation_angular_velocity(const Vec3& f, const Vec3& f1);
+Vec3 rotation_angular_acceleration(const Vec3& f, const Vec3& f1, const Vec3& f2);
 // The f' that gives this angular velocity: the inverse of rotation_spin, |f| at most pi.
-Vec3 rotation_rate(const Vec3& f, const Vec3& spin);
+Vec3 rotation_vector_rate(const Vec3& f, const Vec3& spin);
 
 }  // namespace drape::math

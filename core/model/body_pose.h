@@ -9,10 +9,10 @@ namespace drape::model {
 inline Vec3 pose_inward(const Body& body, const BodyContact& c, const Vec3& at) {
   using namespace math::vector3;
   if (!body.moves) return at;
-  const Vec3 d = at - c.frame.position;
+  const Vec3 d = at - c.motion.position;
   Vec3 x{0, 0, 0};
   for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t i = 0; i < 3; ++i) x[k] += c.turn[i][k] * d[i];
+    for (std::size_t i = 0; i < 3; ++i) x[k] += c.rotation[i][k] * d[i];
   return x;
 }
 
@@ -20,22 +20,23 @@ inline Vec3 pose_inward(const Body& body, const BodyContact& c, const Vec3& at) 
 inline Vec3 pose_outward(const Body& body, const BodyContact& c, const Vec3& n) {
   using namespace math::vector3;
   if (!body.moves) return n;
-  return {dot(c.turn[0], n), dot(c.turn[1], n), dot(c.turn[2], n)};
+  return {dot(c.rotation[0], n), dot(c.rotation[1], n), dot(c.rotation[2], n)};
 }
 
 // The velocity of the body at a place r in space: V + w x (r - o).
 inline Vec3 pose_velocity(const Body& body, const BodyContact& c, const Vec3& at) {
   using namespace math::vector3;
   if (!body.moves) return {0, 0, 0};
-  return c.frame.velocity + cross(c.frame.spin, at - c.frame.position);
+  return c.motion.velocity + cross(c.motion.angular_velocity, at - c.motion.position);
 }
 
 // Its acceleration there: V' + w' x (r - o) + w x (w x (r - o)).
 inline Vec3 pose_acceleration(const Body& body, const BodyContact& c, const Vec3& at) {
   using namespace math::vector3;
   if (!body.moves) return {0, 0, 0};
-  const Vec3 arm = at - c.frame.position;
-  return c.frame.acceleration + cross(c.frame.spin_rate, arm) + cross(c.frame.spin, cross(c.frame.spin, arm));
+  const Vec3 arm = at - c.motion.position;
+  return c.motion.acceleration + cross(c.motion.angular_acceleration, arm) +
+         cross(c.motion.angular_velocity, cross(c.motion.angular_velocity, arm));
 }
 
 }  // namespace drape::model

@@ -30,7 +30,7 @@ struct Body {
   bool has_friction = false;  // of its own, in place of the fabric's
   Vec2 friction{0, 0};        // static, kinetic
   double damping = 1;         // of the normal motion while it touches, over the critical one
-  math::Frame start;
+  math::RigidMotion start;
   body::Ridges ridges;
   std::vector<std::string> remarks;  // what is odd about the mesh, but no fault
 };
@@ -100,9 +100,9 @@ struct RidgeContact {
 
 // What the motion changes of a body.
 struct BodyContact {
-  math::Frame frame;  // at t_n
-  Mat3 turn;          // R at t_n
-  math::PinLoad
+  math::RigidMotion motion;  // at t_n
+  Mat3 rotation;             // R at t_n
+  math::Wrench
       impulse;    // N s, N m s of the cloth on the body in the last advance, but for its last half step
   Array x, y, z;  // [nodes] m, where a particle was when its surroundings were last looked at
   Array budget2;  // [nodes] m^2, of the distance that it may move from there; infinite at unused nodes

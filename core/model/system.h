@@ -60,7 +60,7 @@ struct Lattice {
   }
 };
 
-inline constexpr Mat3 kNoTurn{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+inline constexpr Mat3 kIdentityRotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
 // Of the environment; the wind is a part of the State.
 struct Air {
@@ -158,9 +158,9 @@ struct State {
   Array lightness;  // [nodes] mass over inertia, at most 1; only in a fit
   Fit fit;
 
-  Vec3 wind{0, 0, 0};                  // m/s, at t_n
-  std::vector<Mat3> pin_turn;          // [pins] R at t_n
-  std::vector<math::Frame> pin_frame;  // [pins] at t_n
+  Vec3 wind{0, 0, 0};                         // m/s, at t_n
+  std::vector<Mat3> pin_rotation;             // [pins] R at t_n
+  std::vector<math::RigidMotion> pin_motion;  // [pins] at t_n
 
   double dissipated = 0, input = 0;  // J, with system.energy: but for the last half step
   double energy_start = 0;           // J, kinetic and potential
@@ -182,7 +182,7 @@ struct State {
   double advance_length = 0;    // s, of the last advance; 0 = none yet
   bool advance_begins = false;  // the next step is the first of an advance
   // [pins] N s and N m s on the outside world in the last advance, but for its last half step.
-  std::vector<math::PinLoad> pin_impulse;
+  std::vector<math::Wrench> pin_impulse;
 };
 
 inline double state_time(const State& s, double communication) {
@@ -201,9 +201,9 @@ inline double inertia_of(const System& system, const State& s, std::size_t n) {
 
 inline void state_resize(State& s, std::size_t nodes, std::size_t pins) {
   for (Array* a : {&s.x, &s.y, &s.z, &s.vx, &s.vy, &s.vz}) a->assign(nodes, 0.0);
-  s.pin_impulse.assign(pins, math::PinLoad{});
-  s.pin_frame.assign(pins, math::Frame{});
-  s.pin_turn.assign(pins, kNoTurn);
+  s.pin_impulse.assign(pins, math::Wrench{});
+  s.pin_motion.assign(pins, math::RigidMotion{});
+  s.pin_rotation.assign(pins, kIdentityRotation);
 }
 
 }  // namespace drape::model

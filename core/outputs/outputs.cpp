@@ -32,7 +32,7 @@ void probes_fill(Outputs& o, const System& system, double (drape_probe::*to)[3],
 void pins_fill(Outputs& o, const System& system, const State& s) {
   const double half = dynamics::last_half(system, s);
   for (std::size_t p = 0; p < o.pins.size(); ++p) {
-    const math::PinLoad &done = s.pin_impulse[p], &load = o.pin_load[p];
+    const math::Wrench &done = s.pin_impulse[p], &load = o.pin_load[p];
     for (std::size_t k = 0; k < 3; ++k) {
       const bool moved = s.advance_length > 0 && !system.fit;
       o.pins[p].force[k] = moved ? (done.force[k] + half * load.force[k]) / s.advance_length : load.force[k];
@@ -46,7 +46,7 @@ void pins_fill(Outputs& o, const System& system, const State& s) {
 void bodies_fill(Outputs& o, const System& system, const dynamics::Motion& motion, const State& s) {
   const bool moved = s.advance_length > 0 && !system.fit, half = dynamics::last_half(system, s) > 0;
   for (std::size_t b = 0; b < o.bodies.size(); ++b) {
-    math::PinLoad load = motion.touch.load[b];
+    math::Wrench load = motion.touch.load[b];
     if (moved) {
       const double last = half ? 1 : 0, length = s.advance_length;
       load.force = (1 / length) * (s.body[b].impulse.force + last * load.force);

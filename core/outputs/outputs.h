@@ -14,7 +14,7 @@ struct Outputs {
   std::vector<drape_seam> seams;
   std::vector<drape_body> bodies;
   std::vector<double> node_position, node_velocity;  // empty until they are wanted
-  std::vector<math::PinLoad> pin_load;
+  std::vector<math::Wrench> pin_load;
 };
 
 // Room and names; the scene's names must outlive the result, which must not move afterwards.

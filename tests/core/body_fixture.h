@@ -126,7 +126,7 @@ inline Vec3 momentum(const Assembled& a, const Array (&v)[3]) {
 
 // Of the cloth on the first body, now: N, in a step the impulse of its last half kick.
 inline Vec3 body_force(Assembled& a) {
-  std::vector<math::PinLoad> pins;
+  std::vector<math::Wrench> pins;
   Array v[3];
   for (Array& of : v) of.assign(a.system.nodes, 0.0);
   dynamics::leapfrog_synchronous(a.system, a.motion, a.state, v[0].data(), v[1].data(), v[2].data(), pins);

@@ -215,7 +215,7 @@ void sums_add(const State& s, const RidgeTouch& t, const ContactCoefficients& c,
   const Vec3 now = gap_velocity(t, f), impulse = -c.impulse * given.impulse;
   const Vec3 old = c.old_time > 0 || c.new_time > 0 ? t.old : now, middle = 0.5 * (old + now) - t.carried;
   sums.load[t.body].force += impulse;
-  sums.load[t.body].torque += cross(t.at - s.body[t.body].frame.position, impulse);
+  sums.load[t.body].torque += cross(t.at - s.body[t.body].motion.position, impulse);
   sums.dissipated += dot(impulse, middle) + c.impulse * given.stored * dot(t.gap.n, middle);
   sums.input -= dot(impulse, t.carried);
 }
@@ -226,7 +226,7 @@ void ridge_respond(const System& system, const State& s, const std::vector<Ridge
                    const ContactCoefficients& c, const RidgeField& f, State* moves, RidgeSums& sums) {
   static thread_local std::vector<Given> given;
   static thread_local std::vector<PairLaw> laws;
-  sums.load.assign(s.body.size(), math::PinLoad{});
+  sums.load.assign(s.body.size(), math::Wrench{});
   sums.dissipated = sums.input = 0;
   given.assign(touches.size(), Given{});
   laws.clear();

@@ -63,7 +63,7 @@ void ridge_carry(const System& system, const State& state, const std::vector<Rid
 // What touching does to a free motion. `moves`: writes into it what goes on with it, or null. Adds the
 // impulses to load [bodies], J to dissipated and input.
 struct RidgeSums {
-  std::vector<math::PinLoad> load;
+  std::vector<math::Wrench> load;
   std::vector<double> stop;  // [touches] N s along n
   double dissipated, input;
 };

@@ -29,13 +29,13 @@ void block_renew(const System& system, TouchRoom& room, State& s, std::size_t b,
                  double ahead) {
   const model::Body& body = system.bodies[b];
   const model::Lattice& l = model::system_lattice_of(system, node);
-  const math::Frame& frame = s.body[b].frame;
+  const math::RigidMotion& frame = s.body[b].motion;
   Vec3 x[math::kRowUnit], step[math::kRowUnit];
   for (std::size_t i = 0; i < std::size_t(math::kRowUnit); ++i) {
     const std::size_t n = node + i;
     const Vec3 at{s.x[n], s.y[n], s.z[n]}, arm = at - frame.position;
     Vec3 v{s.vx[n], s.vy[n], s.vz[n]};
-    if (body.moves) v = v - frame.velocity - cross(frame.spin, arm);
+    if (body.moves) v = v - frame.velocity - cross(frame.angular_velocity, arm);
     x[i] = model::pose_inward(body, s.body[b], at);
     step[i] = model::pose_inward(body, s.body[b], at + ahead * v) - x[i];
   }
@@ -59,7 +59,7 @@ ContactJob job_of(const System& system, TouchRoom& room, const State& s, std::si
   return job;
 }
 
-math::PinLoad load_of(const double* sum) { return {{sum[0], sum[1], sum[2]}, {sum[3], sum[4], sum[5]}}; }
+math::Wrench load_of(const double* sum) { return {{sum[0], sum[1], sum[2]}, {sum[3], sum[4], sum[5]}}; }
 
 double rate_of(double time) { return time > 0 ? 1 / time : kContactUnbound; }
 
@@ -266,9 +266,9 @@ struct StepBound {
 StepBound step_bound(const System& system, const State& s, std::size_t b) {
   const body::BodySurface& surface = system.bodies[b].mesh.surface;
   const double layer = layer_most(system);
-  const math::Frame& frame = s.body[b].frame;
+  const math::RigidMotion& frame = s.body[b].motion;
   return {kWay * (contact_reach(surface, layer) - layer),
-          math::vector3::norm(frame.velocity) + math::vector3::norm(frame.spin) * surface.size};
+          math::vector3::norm(frame.velocity) + math::vector3::norm(frame.angular_velocity) * surface.size};
 }
 
 double way2_of(const StepBound& bound, const model::BodyContact& c, std::size_t n) {
@@ -329,7 +329,7 @@ void touch_synchronous(const System& system, const ContactKernel& kernel, TouchR
   room.input = 0;
   if (half > 0) old_keep(room, s);
   for (std::size_t b = 0; b < s.body.size(); ++b) {
-    room.load[b] = math::PinLoad{};
+    room.load[b] = math::Wrench{};
     if (s.body[b].blocks.order.empty()) continue;
     double sum[8]{};
     ContactJob job = job_of(system, room, s, b, sum);

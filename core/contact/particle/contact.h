@@ -19,7 +19,7 @@ struct TouchRoom {
   RidgeSums ridge_sums;
   double ridge_lost = 0;  // J, of ridge_look
   bool told = false;      // what bodies were told of the half step before this advance is taken out already
-  std::vector<math::PinLoad> load;   // [bodies] of the last synchronous pass
+  std::vector<math::Wrench> load;    // [bodies] of the last synchronous pass
   double dissipated = 0, input = 0;  // J, likewise
 };
 TouchRoom touch_make(const System& system);

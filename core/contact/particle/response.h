@@ -99,11 +99,11 @@ struct PoseLanes {
   DRAPE_INLINE explicit PoseLanes(const model::BodyContact& b) {
     const auto lanes = [](const Vec3& v)
                            DRAPE_INLINE_LAMBDA { return simd::Vec<L>{L(v[0]), L(v[1]), L(v[2])}; };
-    origin = lanes(b.frame.position);
-    velocity = lanes(b.frame.velocity);
-    spin = lanes(b.frame.spin);
+    origin = lanes(b.motion.position);
+    velocity = lanes(b.motion.velocity);
+    spin = lanes(b.motion.angular_velocity);
     for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) r[i][j] = L(b.turn[i][j]);
+      for (std::size_t j = 0; j < 3; ++j) r[i][j] = L(b.rotation[i][j]);
   }
   DRAPE_INLINE simd::Vec<L> inward(const simd::Vec<L>& at) const {  // R^T (r - o)
     if constexpr (!kMoves) return at;

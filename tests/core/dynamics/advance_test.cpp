@@ -40,7 +40,7 @@ TEST(Leapfrog, ConservesItsDiscreteEnergyForAMillionSteps) {
     a.state.y[high + std::size_t(i)] += 2e-3;
   }
   const auto invariant = [&] {
-    std::vector<math::PinLoad> pins;
+    std::vector<math::Wrench> pins;
     Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
     leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), pins);
     const double x = (a.state.y[high] - a.state.y[low] - 0.01) / 2, v = (vy[high] - vy[low]) / 2;
@@ -280,7 +280,7 @@ TEST(Leapfrog, PinsTakeOutExactlyTheMomentumThatIsMissing) {
     scene.integrator = integrator;
     Assembled a = assemble(scene);
     std::string event;
-    std::vector<math::PinLoad> force;
+    std::vector<math::Wrench> force;
     Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
     double before = 0;
     for (int call = 0; call < 30; ++call) {
@@ -368,7 +368,7 @@ TEST(Leapfrog, UndampedWoolKeepsItsEnergy) {
   double kinetic = 0, worst = 0;
   const double start = outputs::energy_potential(a.system, a.state).gravity;
   Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
-  std::vector<math::PinLoad> force;
+  std::vector<math::Wrench> force;
   for (int call = 0; call < 60; ++call) {
     ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 0.1, event), Advance::kDone);
     leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), force);

@@ -46,7 +46,7 @@ TEST(Stops, HoldInTheFrameOfTheBody) {
     const double at_rest = held(a, -1e6), heavier = held(a, -1e6 - 2e5);
     EXPECT_GT(at_rest, 0) << over_ridge;
     EXPECT_GT(heavier, 1.01 * at_rest);
-    math::Frame& frame = a.state.body[0].frame;
+    math::RigidMotion& frame = a.state.body[0].motion;
     frame.velocity = {0, 0, 3e5};
     EXPECT_NEAR(held(a, -1e6), at_rest, 1e-12 * at_rest) << over_ridge;
     frame.acceleration = {0, 0, 2e5};

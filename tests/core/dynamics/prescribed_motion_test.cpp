@@ -50,8 +50,8 @@ Scene rigid(scene::Drive drive) {
 }
 
 // What the outside world saw of a pin in the last advance: impulse, and moment about the pin.
-math::PinLoad impulse_of(Assembled& a, std::size_t pin) {
-  std::vector<math::PinLoad> load;
+math::Wrench impulse_of(Assembled& a, std::size_t pin) {
+  std::vector<math::Wrench> load;
   Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
   leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), load);
   const double half = a.system.integrator == scene::Integrator::kPaper ? 0 : a.state.h_old / 2;
@@ -61,7 +61,7 @@ math::PinLoad impulse_of(Assembled& a, std::size_t pin) {
 
 // Momentum and angular momentum about `at` of the synchronous velocities.
 std::pair<V, V> momenta(Assembled& a, const V& at = V::Zero()) {
-  std::vector<math::PinLoad> load;
+  std::vector<math::Wrench> load;
   Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
   leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), load);
   V linear = V::Zero(), angular = V::Zero();
@@ -79,57 +79,57 @@ double total_mass(const Assembled& a) {
   return mass;
 }
 
-math::Frame frame_somewhere() {
-  math::Frame f;
+math::RigidMotion frame_somewhere() {
+  math::RigidMotion f;
   f.position = {0.1, -0.2, 0.3};
-  f.turn = turn_about({1, 2, -1}, 0.8);
+  f.orientation = turn_about({1, 2, -1}, 0.8);
   f.velocity = {1, 2, -0.5};
-  f.spin = {3, -1, 2};
+  f.angular_velocity = {3, -1, 2};
   return f;
 }
 
 // The path of a pin from the start, or from frame_somewhere.
-PinPath path_to(scene::Drive drive, const math::Frame& to, double length, bool from_rest = false) {
+PinPath path_to(scene::Drive drive, const math::RigidMotion& to, double length, bool from_rest = false) {
   Assembled a = assemble(rigid(drive));
-  if (!from_rest) a.state.pin_frame[0] = frame_somewhere();
+  if (!from_rest) a.state.pin_motion[0] = frame_somewhere();
   a.motion.inputs.pin[0] = to;
   return path_make(a.system, a.state, a.motion.inputs, length).pins.at(0);
 }
 
-math::Frame frame_asked() {
-  math::Frame f;
+math::RigidMotion frame_asked() {
+  math::RigidMotion f;
   f.position = {0.15, -0.1, 0.2};
-  f.turn = turn_about({-1, 1, 2}, 1.5);
+  f.orientation = turn_about({-1, 1, 2}, 1.5);
   f.velocity = {0.5, 1, 1};
-  f.spin = {-2, 1, 4};
+  f.angular_velocity = {-2, 1, 4};
   return f;
 }
 
 // At z = 1 the values themselves; at z = 0 where the pin was.
 TEST(Drive, BeginsAndEndsExactly) {
-  const math::Frame from = frame_somewhere(), to = frame_asked();
+  const math::RigidMotion from = frame_somewhere(), to = frame_asked();
   for (const scene::Drive drive : {scene::Drive::kPosition, scene::Drive::kVelocity, scene::Drive::kBoth}) {
     const PinPath path = path_to(drive, to, 0.05);
-    const math::Frame begin = path_frame(path, 0), end = path_frame(path, 1);
+    const math::RigidMotion begin = path_frame(path, 0), end = path_frame(path, 1);
     EXPECT_EQ(begin.position, from.position);
-    EXPECT_EQ(begin.turn, from.turn);
+    EXPECT_EQ(begin.orientation, from.orientation);
     if (drive != scene::Drive::kVelocity) {
       EXPECT_EQ(end.position, to.position);
-      EXPECT_EQ(end.turn, math::quaternion_normalised(to.turn));
+      EXPECT_EQ(end.orientation, math::quaternion_normalised(to.orientation));
     }
     if (drive != scene::Drive::kPosition) {
       EXPECT_NEAR((vec(begin.velocity) - vec(from.velocity)).norm(), 0, 1e-14);
-      EXPECT_NEAR((vec(begin.spin) - vec(from.spin)).norm(), 0, 1e-14);
+      EXPECT_NEAR((vec(begin.angular_velocity) - vec(from.angular_velocity)).norm(), 0, 1e-14);
       EXPECT_EQ(end.velocity, to.velocity);
-      EXPECT_EQ(end.spin, to.spin);
+      EXPECT_EQ(end.angular_velocity, to.angular_velocity);
     }
     // What the path says of its end is what it comes to.
-    const math::Frame near = path_frame(path, 1 - 1e-12);
+    const math::RigidMotion near = path_frame(path, 1 - 1e-12);
     EXPECT_NEAR((vec(near.position) - vec(end.position)).norm(), 0, 1e-11);
-    EXPECT_NEAR(quat(near.turn).angularDistance(quat(end.turn)), 0, 1e-7);  // acos near 1
+    EXPECT_NEAR(quat(near.orientation).angularDistance(quat(end.orientation)), 0, 1e-7);  // acos near 1
     EXPECT_NEAR((vec(near.velocity) - vec(end.velocity)).norm(), 0, 1e-9);
-    EXPECT_NEAR((vec(near.spin) - vec(end.spin)).norm(), 0, 1e-9);
-    EXPECT_NEAR((vec(near.spin_rate) - vec(end.spin_rate)).norm(), 0, 1e-6);
+    EXPECT_NEAR((vec(near.angular_velocity) - vec(end.angular_velocity)).norm(), 0, 1e-9);
+    EXPECT_NEAR((vec(near.angular_acceleration) - vec(end.angular_acceleration)).norm(), 0, 1e-6);
   }
 }
 
@@ -140,15 +140,18 @@ TEST(Drive, TellsTheDerivativesOfItsPath) {
   for (const scene::Drive drive : {scene::Drive::kPosition, scene::Drive::kVelocity, scene::Drive::kBoth}) {
     const PinPath path = path_to(drive, frame_asked(), length);
     for (const double z : {0.1, 0.45, 0.8}) {
-      const math::Frame before = path_frame(path, z - d / length), now = path_frame(path, z),
-                        after = path_frame(path, z + d / length);
+      const math::RigidMotion before = path_frame(path, z - d / length), now = path_frame(path, z),
+                              after = path_frame(path, z + d / length);
       EXPECT_NEAR(((vec(after.position) - vec(before.position)) / (2 * d) - vec(now.velocity)).norm(), 0,
                   1e-8);
       EXPECT_NEAR(((vec(after.velocity) - vec(before.velocity)) / (2 * d) - vec(now.acceleration)).norm(), 0,
                   1e-8);
-      const Eigen::AngleAxisd between(quat(after.turn) * quat(before.turn).conjugate());
-      EXPECT_NEAR((between.axis() * between.angle() / (2 * d) - vec(now.spin)).norm(), 0, 1e-7);
-      EXPECT_NEAR(((vec(after.spin) - vec(before.spin)) / (2 * d) - vec(now.spin_rate)).norm(), 0, 1e-6);
+      const Eigen::AngleAxisd between(quat(after.orientation) * quat(before.orientation).conjugate());
+      EXPECT_NEAR((between.axis() * between.angle() / (2 * d) - vec(now.angular_velocity)).norm(), 0, 1e-7);
+      EXPECT_NEAR(((vec(after.angular_velocity) - vec(before.angular_velocity)) / (2 * d) -
+                   vec(now.angular_acceleration))
+                      .norm(),
+                  0, 1e-6);
     }
   }
 }
@@ -159,13 +162,13 @@ TEST(Drive, TurnsByItsAngularVelocityToTheFourthOrder) {
   const auto turned = [](int parts) {
     Assembled a = assemble(rigid(scene::Drive::kVelocity));
     const V w0{3, -1, 2}, w1{-2, 5, 4};
-    a.state.pin_frame[0].spin = arr(w0);
+    a.state.pin_motion[0].angular_velocity = arr(w0);
     for (int k = 1; k <= parts; ++k) {
-      a.motion.inputs.pin[0].spin = arr(w0 + (w1 - w0) * k / parts);
+      a.motion.inputs.pin[0].angular_velocity = arr(w0 + (w1 - w0) * k / parts);
       const Path path = path_make(a.system, a.state, a.motion.inputs, 0.4 / parts);
-      a.state.pin_frame[0] = path_frame(path.pins[0], 1);
+      a.state.pin_motion[0] = path_frame(path.pins[0], 1);
     }
-    return quat(a.state.pin_frame[0].turn);
+    return quat(a.state.pin_motion[0].orientation);
   };
   const Eigen::Quaterniond fine = turned(1024);
   double last = 0;
@@ -191,22 +194,22 @@ TEST(Drive, CarriesAPieceAsARigidBody) {
     const double length = 0.02, mass = total_mass(a);
     V last = V::Zero();
     for (int k = 1; k <= 5; ++k) {
-      math::Frame& to = a.motion.inputs.pin[0];
+      math::RigidMotion& to = a.motion.inputs.pin[0];
       const double t = k * length, acceleration = 30;
       if (turns) {
-        to.turn = turn_about({1, 1, 3}, acceleration * t * t / 2);
-        to.spin = arr(V(1, 1, 3).normalized() * acceleration * t);
+        to.orientation = turn_about({1, 1, 3}, acceleration * t * t / 2);
+        to.angular_velocity = arr(V(1, 1, 3).normalized() * acceleration * t);
       } else {
         to.position = arr(p0 + V(1, -2, 0.5) * acceleration * t * t / 2);
         to.velocity = arr(V(1, -2, 0.5) * acceleration * t);
       }
       advance(a, length);
-      const math::PinLoad impulse = impulse_of(a, 0);
-      const math::Frame& now = a.state.pin_frame[0];
+      const math::Wrench impulse = impulse_of(a, 0);
+      const math::RigidMotion& now = a.state.pin_motion[0];
       Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
       V centroid = V::Zero();
       for (std::size_t n : a.system.particle) {
-        const V arm = quat(now.turn) * (V(start.x[n], start.y[n], start.z[n]) - p0);
+        const V arm = quat(now.orientation) * (V(start.x[n], start.y[n], start.z[n]) - p0);
         const V r = vec(now.position) + arm;
         EXPECT_NEAR((V(a.state.x[n], a.state.y[n], a.state.z[n]) - r).norm(), 0, 1e-15);
         inertia +=
@@ -214,7 +217,7 @@ TEST(Drive, CarriesAPieceAsARigidBody) {
         centroid += a.system.mass[n] / mass * arm;
       }
       if (turns) {
-        const V angular = inertia * vec(now.spin);
+        const V angular = inertia * vec(now.angular_velocity);
         EXPECT_NEAR((vec(impulse.torque) + angular - last).norm(), 0, 1e-12 * angular.norm());
         last = angular;
       } else {
@@ -236,12 +239,12 @@ TEST(Drive, ImpulsesBalanceTheMomentum) {
       V before = momenta(a).first;
       const V weight = total_mass(a) * V(0, 0, -9.81);
       for (int k = 1; k <= 12; ++k) {
-        math::Frame& to = a.motion.inputs.pin[0];
+        math::RigidMotion& to = a.motion.inputs.pin[0];
         to.position =
             arr(vec(a.system.constraints.pins[0].centre) + V(2e-4, 1e-3, -5e-4) * k * std::sin(0.5 * k));
-        to.turn = turn_about({0, 1, 0.3 * k}, 0.05 * k);
+        to.orientation = turn_about({0, 1, 0.3 * k}, 0.05 * k);
         to.velocity = {0.1 * std::sin(k), -0.1, 0.05};
-        to.spin = {5, 2.0 * std::cos(k), -3};
+        to.angular_velocity = {5, 2.0 * std::cos(k), -3};
         advance(a, k % 3 ? 0.002 : 0.0013);
         V given = V::Zero();
         for (std::size_t p = 0; p < a.state.pin_impulse.size(); ++p) given += vec(impulse_of(a, p).force);
@@ -263,7 +266,7 @@ TEST(Drive, MomentsBalanceTheAngularMomentum) {
   const V at = vec(a.system.constraints.pins[0].centre);
   V before = momenta(a, at).second;
   for (int k = 1; k <= 12; ++k) {
-    a.motion.inputs.pin[0].turn = turn_about({0, 1, 0.1 * k}, 0.03 * k);
+    a.motion.inputs.pin[0].orientation = turn_about({0, 1, 0.1 * k}, 0.03 * k);
     advance(a, 0.002);
     const V moment = vec(impulse_of(a, 0).torque), now = momenta(a, at).second;
     EXPECT_NEAR((moment + now - before).norm(), 0, 1e-12 * (now.norm() + moment.norm())) << k;
@@ -284,10 +287,10 @@ TEST(Drive, ImpulsesBalanceTheMomentumOfThePapersScheme) {
     V before = momentum();
     for (int k = 1; k <= 6; ++k) {
       a.motion.inputs.pin[0].velocity = {0.1 * std::sin(k), -0.1, 0.05};
-      a.motion.inputs.pin[0].spin = {5, 2.0 * std::cos(k), -3};
+      a.motion.inputs.pin[0].angular_velocity = {5, 2.0 * std::cos(k), -3};
       advance(a, 0.002);
       V given = V::Zero();
-      for (const math::PinLoad& load : a.state.pin_impulse) given += vec(load.force);
+      for (const math::Wrench& load : a.state.pin_impulse) given += vec(load.force);
       const V now = momentum(), weight = total_mass(a) * V(0, 0, -9.81);
       EXPECT_NEAR((given - weight * 0.002 + now - before).norm(), 0,
                   1e-12 * (weight.norm() * 0.01 + now.norm()));
@@ -301,22 +304,22 @@ TEST(Drive, ImpulsesBalanceTheMomentumOfThePapersScheme) {
 TEST(Drive, IntegratesVelocity) {
   const auto run = [](int calls) {
     Assembled a = assemble(sheet(scene::Drive::kVelocity));
-    math::Frame& to = a.motion.inputs.pin[0];
+    math::RigidMotion& to = a.motion.inputs.pin[0];
     to.velocity = {0.1, -0.2, 0.05};
-    to.spin = {1, 2, 3};
+    to.angular_velocity = {1, 2, 3};
     advance(a, 0.005);
     for (int k = 0; k < calls; ++k) advance(a, 0.05 / calls);
     return a;
   };
   const Assembled one = run(1), ten = run(10);
   const V p0 = vec(one.system.constraints.pins[0].centre), v{0.1, -0.2, 0.05};
-  EXPECT_NEAR((vec(one.state.pin_frame[0].position) - p0 - v * 0.0525).norm(), 0, 1e-16 * 50);
+  EXPECT_NEAR((vec(one.state.pin_motion[0].position) - p0 - v * 0.0525).norm(), 0, 1e-16 * 50);
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.0525 * std::sqrt(14.0), V(1, 2, 3).normalized()));
-  EXPECT_NEAR((quat(one.state.pin_frame[0].turn).coeffs() - turn.coeffs()).norm(), 0, 1e-14);
+  EXPECT_NEAR((quat(one.state.pin_motion[0].orientation).coeffs() - turn.coeffs()).norm(), 0, 1e-14);
   EXPECT_TRUE(one.state.x == ten.state.x && one.state.y == ten.state.y && one.state.z == ten.state.z);
   EXPECT_TRUE(one.state.vx == ten.state.vx && one.state.vy == ten.state.vy && one.state.vz == ten.state.vz);
-  EXPECT_EQ(one.state.pin_frame[0].position, ten.state.pin_frame[0].position);
-  EXPECT_EQ(one.state.pin_frame[0].turn, ten.state.pin_frame[0].turn);
+  EXPECT_EQ(one.state.pin_motion[0].position, ten.state.pin_motion[0].position);
+  EXPECT_EQ(one.state.pin_motion[0].orientation, ten.state.pin_motion[0].orientation);
 }
 
 // A position at rest gives the same bits in one call or ten; one that goes along a line the same but for
@@ -346,12 +349,13 @@ TEST(Drive, DoesNotFeelHowAnAdvanceIsCut) {
 TEST(Drive, TurnsOnBeyondHalfATurn) {
   Assembled a = assemble(rigid(scene::Drive::kPosition));
   for (int k = 1; k <= 35; ++k) {
-    a.motion.inputs.pin[0].turn = turn_about({0, 0, 1}, k * kPi / 18);
+    a.motion.inputs.pin[0].orientation = turn_about({0, 0, 1}, k * kPi / 18);
     advance(a, 0.005);
-    EXPECT_NEAR(vec(a.state.pin_frame[0].spin)[2], kPi / 18 / 0.005, 1e-10) << k;
+    EXPECT_NEAR(vec(a.state.pin_motion[0].angular_velocity)[2], kPi / 18 / 0.005, 1e-10) << k;
   }
   EXPECT_NEAR(
-      (quat(a.state.pin_frame[0].turn).coeffs() - quat(turn_about({0, 0, 1}, 35 * kPi / 18)).coeffs()).norm(),
+      (quat(a.state.pin_motion[0].orientation).coeffs() - quat(turn_about({0, 0, 1}, 35 * kPi / 18)).coeffs())
+          .norm(),
       0, 1e-15);
 }
 
@@ -364,7 +368,7 @@ TEST(Drive, BooksTheImpulseOfAJump) {
   double last = 0;
   for (const double velocity : {0.2, 0.2, -0.1}) {
     Vec3& to = a.motion.inputs.pin[0].position;
-    to[0] = (to[0] == 0 && p0[0] != 0 ? p0[0] : a.state.pin_frame[0].position[0]) + velocity * length;
+    to[0] = (to[0] == 0 && p0[0] != 0 ? p0[0] : a.state.pin_motion[0].position[0]) + velocity * length;
     advance(a, length);
     const V impulse = vec(impulse_of(a, 0).force);
     EXPECT_NEAR(impulse[0], -mass * (velocity - last), 1e-12 * mass);
@@ -383,11 +387,11 @@ TEST(Drive, KeepsTheSecondOrder) {
     const V p0 = vec(a.system.constraints.pins[0].centre);
     for (int k = 1; k <= 10; ++k) {
       const double t = 0.002 * k;
-      math::Frame& to = a.motion.inputs.pin[0];
+      math::RigidMotion& to = a.motion.inputs.pin[0];
       to.position = arr(p0 + V(0.3 * t * t, 4 * t * t, 0.01 * std::sin(50 * t)));
       to.velocity = arr(V(0.6 * t, 8 * t, 0.5 * std::cos(50 * t)));
-      to.turn = turn_about({1, 2, 0}, 20 * t * t);
-      to.spin = arr(V(1, 2, 0).normalized() * 40 * t);
+      to.orientation = turn_about({1, 2, 0}, 20 * t * t);
+      to.angular_velocity = arr(V(1, 2, 0).normalized() * 40 * t);
       advance(a, 0.002);
     }
     return positions(a);

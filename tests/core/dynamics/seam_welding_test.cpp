@@ -84,7 +84,7 @@ struct Momentum {
 };
 Momentum momentum_of(Assembled& a) {
   using namespace math::vector3;
-  std::vector<math::PinLoad> pins;
+  std::vector<math::Wrench> pins;
   Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
   leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), pins);
   Momentum sum;

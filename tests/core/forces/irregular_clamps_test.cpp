@@ -61,7 +61,7 @@ Eigen::Matrix3d turn_of(double angle) {
 }
 void turn_pin(Assembled& a, const Eigen::Matrix3d& turn) {
   for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k) a.state.pin_turn[0][std::size_t(i)][std::size_t(k)] = turn(i, k);
+    for (int k = 0; k < 3; ++k) a.state.pin_rotation[0][std::size_t(i)][std::size_t(k)] = turn(i, k);
 }
 
 Vector3d clamp_torque(const Assembled& a) {

@@ -114,7 +114,7 @@ TEST(Strip, IsAtRestForTheJudge) {
   const scene::FabricSpec f = shipped("half_wool");
   const Scene scene = strip_scene(f, model::Thread::kBias, f.strip_width / 8);
   Assembled a = assemble(scene);
-  a.state.pin_frame[1].position[1] += 0.04 * f.strip_gauge;
+  a.state.pin_motion[1].position[1] += 0.04 * f.strip_gauge;
   const RestSearchHandle search = rest_search_make(a.system, true);
   const RestFound rest = rest_find(*search, a.system, a.motion, a.state);
   ASSERT_TRUE(rest.found);
@@ -142,7 +142,7 @@ TEST(Strip, IsTheRestOfAFit) {
   for (int k = 0; k < 600 && !a.state.fit.at_rest; ++k)
     ASSERT_EQ(dynamics::leapfrog_advance(a.system, a.motion, a.state, 0.1, event), dynamics::Advance::kDone);
   ASSERT_TRUE(a.state.fit.at_rest) << a.state.fit.residual;
-  std::vector<math::PinLoad> load(2);
+  std::vector<math::Wrench> load(2);
   Array v[3] = {Array(a.system.nodes), Array(a.system.nodes), Array(a.system.nodes)};
   dynamics::leapfrog_synchronous(a.system, a.motion, a.state, v[0].data(), v[1].data(), v[2].data(), load);
   const StripPull newton = pulled(f, model::Thread::kBias, f.strip_width / 4, {pull});

@@ -140,7 +140,7 @@ Swung swung(int order, int n, double damping, bool driven = false,
     EXPECT_EQ(dynamics::leapfrog_advance(a.system, a.motion, a.state, 0.02, event), dynamics::Advance::kDone);
     if (driven) a.motion.inputs.pin[0].position[0] += 0.004;
   }
-  std::vector<math::PinLoad> load;
+  std::vector<math::Wrench> load;
   Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
   dynamics::leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), load);
   const dynamics::BalanceNow now = dynamics::balance_now(a.system, a.motion.balance, a.state, 0, vx, vy, vz);
@@ -242,7 +242,7 @@ TEST_P(CompositionOf, PinsTakeOutExactlyTheMomentumThatIsMissing) {
     scene.order = GetParam();
     Assembled a = assemble(scene);
     std::string event;
-    std::vector<math::PinLoad> load;
+    std::vector<math::Wrench> load;
     Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
     double before = 0;
     for (int call = 0; call < 10; ++call) {

@@ -117,7 +117,7 @@ TEST(Ridge, TensionGrowsOverItAsRoundACapstan) {
     strip_pull(s, 0.5, 0.5, 1.005, 0.2);
     advance(s.a, 0.2);
     const int i = s.over(), advances = 900, measured = 300;
-    const Vec3 start[2] = {s.a.state.pin_frame[0].position, s.a.state.pin_frame[1].position};
+    const Vec3 start[2] = {s.a.state.pin_motion[0].position, s.a.state.pin_motion[1].position};
     const Vec3 way[2] = {s.along(0), s.along(8)};
     double strain[2] = {0, 0}, angle[2] = {0, 0};
     for (int k = 1; k <= advances; ++k) {
@@ -157,7 +157,7 @@ TEST(Ridge, MomentumIsBalancedOverEveryAdvance) {
   for (std::size_t n : a.system.particle) mass += a.system.mass[n];
   Array v[3];
   for (Array& of : v) of.assign(a.system.nodes, 0.0);
-  std::vector<math::PinLoad> pins;
+  std::vector<math::Wrench> pins;
   const auto now = [&] {
     dynamics::leapfrog_synchronous(a.system, a.motion, a.state, v[0].data(), v[1].data(), v[2].data(), pins);
     return momentum(a, v);
@@ -165,11 +165,11 @@ TEST(Ridge, MomentumIsBalancedOverEveryAdvance) {
   Vec3 before = now();
   std::size_t on_ridges = 0;
   for (int k = 1; k <= 60; ++k) {
-    math::Frame& to = a.motion.inputs.body[0];
+    math::RigidMotion& to = a.motion.inputs.body[0];
     to.position = {0, 0, 0.02 * std::sin(0.05 * k)};
     to.velocity = {0, 0, 0.02 * 50 * std::cos(0.05 * k)};
-    to.spin = {0, 3, 0};
-    to.turn = math::rotation_exp({0, 3 * 1e-3 * k, 0});
+    to.angular_velocity = {0, 3, 0};
+    to.orientation = math::rotation_exp({0, 3 * 1e-3 * k, 0});
     std::string event;  // every other advance begins anew from the synchronous velocities, as with a tuning
     const auto anew = [&](double) {
       if (k % 2 == 0) dynamics::leapfrog_complete(a.system, a.motion, a.state);

@@ -121,7 +121,7 @@ TEST(Touch, TensionGrowsRoundACapstan) {
   body_add(scene, folder, "capstan", cylinder(radius, 0.1, 720));
   Assembled a = assemble(scene);
   // The last edge goes along its tangent until everything slides.
-  const Vec3 start = a.state.pin_frame[1].position;
+  const Vec3 start = a.state.pin_motion[1].position;
   const double angle = 8 * cell / r;
   // The strip sings as it slides: means over the last advances.
   const int advances = 300, measured = 100;
@@ -149,7 +149,7 @@ TEST(Touch, TensionGrowsRoundACapstan) {
 
 struct Synchronous {
   Array v[3];
-  std::vector<math::PinLoad> pins;
+  std::vector<math::Wrench> pins;
 };
 Synchronous synchronous(Assembled& a) {
   Synchronous s;
@@ -174,11 +174,11 @@ TEST(Touch, MomentumIsBalancedOverEveryAdvance) {
   Synchronous at_start = synchronous(a);
   Vec3 before = momentum(a, at_start.v);
   for (int k = 1; k <= 60; ++k) {
-    math::Frame& to = a.motion.inputs.body[0];
+    math::RigidMotion& to = a.motion.inputs.body[0];
     to.position = {0, 0, 0.02 * std::sin(0.05 * k)};
     to.velocity = {0, 0, 0.02 * 50 * std::cos(0.05 * k)};
-    to.spin = {0, 3, 0};
-    to.turn = math::rotation_exp({0, 3 * 1e-3 * k, 0});
+    to.angular_velocity = {0, 3, 0};
+    to.orientation = math::rotation_exp({0, 3 * 1e-3 * k, 0});
     advance(a, 1e-3);
     Synchronous now = synchronous(a);
     const Vec3 after = momentum(a, now.v), gained = after - before;

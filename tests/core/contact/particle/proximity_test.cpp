@@ -32,7 +32,7 @@ TEST(Watch, FindsWhatEveryComparisonWould) {
       for (Array& of : r) of.assign(kNodes, 0.0);
       for (Array& of : v) of.assign(kNodes, 0.0);
       model::BodyContact body;
-      body.turn = {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+      body.rotation = {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
       body.x = body.y = body.z = Array(kNodes, 0.0);
       body.budget2.assign(kNodes, 0.0);
       body.ease.assign(kBlocks, 0.0);
