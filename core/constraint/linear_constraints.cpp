@@ -83,7 +83,7 @@ using RowsByNode = std::unordered_map<std::size_t, std::vector<std::pair<std::si
 // What is left of a dependent row's target less those that the kept rows, of which it is a combination, give
 // it.
 std::vector<TargetPart> rest_of(const OpenRow& row, const std::vector<OpenRow>& kept,
-                                const RowsByNode& by_node, const math::Factor& factor,
+                                const RowsByNode& by_node, const math::CholeskyFactor& factor,
                                 const Array& inverse_mass) {
   std::vector<double> b(3 * kept.size(), 0.0);
   for (std::size_t k = 0; k < row.on.node.size(); ++k) {
@@ -92,7 +92,7 @@ std::vector<TargetPart> rest_of(const OpenRow& row, const std::vector<OpenRow>& 
     for (const auto& [r, weight] : found->second)
       b[3 * r] += row.on.weight[k] * weight * inverse_mass[row.on.node[k]];
   }
-  math::factor_solve(factor, b.data());
+  math::cholesky_solve(factor, b.data());
   std::vector<TargetPart> rest = row.parts;
   for (std::size_t r = 0; r < kept.size(); ++r)
     if (b[3 * r] != 0) parts_add(rest, kept[r].parts, -b[3 * r]);
@@ -110,8 +110,8 @@ std::vector<OpenRow> rows_independent(std::vector<OpenRow> rows, const Array& in
                                       const std::vector<PinBase>& pins, std::vector<Problem>& problems) {
   const auto welds =
       std::stable_partition(rows.begin(), rows.end(), [](const OpenRow& r) { return r.pin >= 0; });
-  const math::Factor all = math::factor_make(pointers_to(rows), inverse_mass, kRankTolerance,
-                                             std::size_t(welds - rows.begin()), kWeldTolerance);
+  const math::CholeskyFactor all = math::cholesky_factorise(
+      pointers_to(rows), inverse_mass, kRankTolerance, std::size_t(welds - rows.begin()), kWeldTolerance);
   if (all.row.size() == rows.size()) return rows;
   std::vector<char> independent(rows.size(), 0);
   for (int r : all.row) independent[std::size_t(r)] = 1;
@@ -122,7 +122,7 @@ std::vector<OpenRow> rows_independent(std::vector<OpenRow> rows, const Array& in
   for (std::size_t r = 0; r < kept.size(); ++r)
     for (std::size_t k = 0; k < kept[r].on.node.size(); ++k)
       by_node[kept[r].on.node[k]].push_back({r, kept[r].on.weight[k]});
-  const math::Factor factor = math::factor_make(pointers_to(kept), inverse_mass, 0);
+  const math::CholeskyFactor factor = math::cholesky_factorise(pointers_to(kept), inverse_mass, 0);
   for (const OpenRow& row : dependent)
     contradiction_tell(pins, row.pin, rest_of(row, kept, by_node, factor, inverse_mass), problems);
   return kept;
@@ -237,7 +237,7 @@ void constraints_refactor(Constraints& c, const Array& inverse_mass) {
             {std::uint32_t(row.node[k]), row.weight[k], row.weight[k] * inverse_mass[row.node[k]]});
       part.last.push_back(part.term.size());
     }
-    part.factor = math::factor_make(rows, inverse_mass, 0);
+    part.factor = math::cholesky_factorise(rows, inverse_mass, 0);
   }
 }
 

@@ -73,7 +73,7 @@ struct RowPart {
   std::vector<RowTerm> term;        // theirs
   std::vector<std::size_t> last;    // [rows] where the terms of a row end
   std::vector<std::uint32_t> line;  // nodes over kRowUnit, sorted, each once
-  math::Factor factor;              // of A M^-1 A^T
+  math::CholeskyFactor factor;      // of A M^-1 A^T
 };
 
 struct Constraints {

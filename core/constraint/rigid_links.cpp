@@ -82,7 +82,7 @@ void shape_make(const std::vector<std::size_t>& order, Rigid& rigid) {
   std::vector<std::set<std::size_t>> below(rank);
   for (const auto& [place, terms] : shared)
     if (place.first != place.second) below[place.first].insert(place.second);
-  math::Factor& f = rigid.shape;
+  math::CholeskyFactor& f = rigid.shape;
   f.begin.push_back(0);
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> slot;
   for (std::size_t k = 0; k < rank; ++k) {
@@ -152,7 +152,7 @@ void rigid_factor(const Rigid& rigid, const Array& inverse_mass, RigidNow& now) 
   std::fill(now.slot.begin(), now.slot.end(), 0.0);
   for (const Rigid::Term& t : rigid.terms)
     now.slot[t.slot] += now.weight[t.left] * now.weight[t.right] * inverse_mass[rigid.node[t.left]];
-  math::Factor& f = now.factor;
+  math::CholeskyFactor& f = now.factor;
   const std::size_t rank = f.row.size();
   for (std::size_t k = 0; k < rank; ++k)
     if (std::size_t(f.row[k]) >= rigid.held) now.slot[k] *= 1 + kSoft;
@@ -185,7 +185,7 @@ double rigid_along(const Rigid& rigid, const RigidNow& now, std::size_t link, co
 void rigid_take(const Rigid& rigid, const Array& inverse_mass, RigidNow& now, const RigidField* field,
                 int fields) {
   rigid_factor(rigid, inverse_mass, now);
-  math::factor_solve_scalar(now.factor, now.b.data());
+  math::cholesky_solve_scalar(now.factor, now.b.data());
   for (std::size_t r = 0; r + 1 < rigid.begin.size(); ++r) {
     now.y[r] += now.b[r];
     for (std::size_t e = rigid.begin[r]; e < rigid.begin[r + 1]; ++e) {

@@ -36,7 +36,7 @@ struct Rigid {
   std::vector<int> axis;            // [entries]
   std::vector<char> fixed;          // [entries] the node is held on its own: nothing moves it
   Array weight;                     // [entries] of held rows; 0 in links
-  math::Factor shape;               // of the matrix, eliminated in the order of the links; without numbers
+  math::CholeskyFactor shape;       // of the matrix, eliminated in the order of the links; without numbers
   std::vector<std::size_t> column;  // [scalar rows] their place in that order
 
   // The matrix: slot k < rank is the diagonal of column k, the others the entries below, in order.
@@ -52,13 +52,13 @@ Rigid rigid_make(const std::vector<HeldRow>& rows, const std::vector<FixedNode>&
 
 // Its numbers at a state.
 struct RigidNow {
-  Array weight;         // [entries]
-  Array slot;           // of the matrix
-  math::Factor factor;  // as Rigid::shape
-  bool ready = false;   // the factor is that of the weights
-  Array rate;           // [links] m/s or m/s^2 that links are to have along themselves
-  Array y;              // [scalar rows] sum of what sweeps took
-  Array b;              // [scalar rows] the right hand side
+  Array weight;                 // [entries]
+  Array slot;                   // of the matrix
+  math::CholeskyFactor factor;  // as Rigid::shape
+  bool ready = false;           // the factor is that of the weights
+  Array rate;                   // [links] m/s or m/s^2 that links are to have along themselves
+  Array y;                      // [scalar rows] sum of what sweeps took
+  Array b;                      // [scalar rows] the right hand side
 };
 RigidNow rigid_now(const Rigid& rigid);
 

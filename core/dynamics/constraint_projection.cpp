@@ -86,7 +86,7 @@ void part_solve(const constraint::RowPart& part, const Field& f, const double* t
     }
     std::copy_n(sum, 3, y + 3 * k);
   }
-  math::factor_solve(part.factor, y + 3 * part.begin);
+  math::cholesky_solve(part.factor, y + 3 * part.begin);
 }
 
 // f <- f - M^-1 A^T y;  kRate: of v as well, by `rate` of it.
@@ -157,7 +157,7 @@ void rows_apply(const System& system, const constraint::Constraints& c, const He
       const math::SparseRow& row = c.rows[k].on;
       set(held.z, k, told(step, old_of(row), row_sum(row, v), at(held.rate, fixed + k)));
     }
-    for (const constraint::RowPart& part : c.part) math::factor_solve(part.factor, &held.z[3 * part.begin]);
+    for (const constraint::RowPart& part : c.part) math::cholesky_solve(part.factor, &held.z[3 * part.begin]);
   }
   for (const constraint::RowPart& part : c.part) {
     if (step.again && step.hit && !is_hit(part, step.hit)) {
@@ -268,7 +268,7 @@ void rigid_apply(const System& system, const constraint::Constraints& c, const H
           return u[0] * sum[0] + u[1] * sum[1] + u[2] * sum[2];
         });
     constraint::rigid_factor(c.rigid, system.inverse_mass, now);
-    math::factor_solve_scalar(now.factor, now.b.data());
+    math::cholesky_solve_scalar(now.factor, now.b.data());
     std::copy_n(now.b.begin(), held.z.size(), held.z.begin());
   }
   rigid_meet(system, c, held.next, r, &v, step.h, now);

@@ -26,7 +26,7 @@ SymmetricRows gram_of(const std::vector<const SparseRow*>& rows, const Array& in
 }
 
 // Takes the row of a pivot out of the others, whose diagonals are told, and appends its column.
-void eliminate(SymmetricRows& gram, int pivot, std::vector<double>& diagonals, Factor& f) {
+void eliminate(SymmetricRows& gram, int pivot, std::vector<double>& diagonals, CholeskyFactor& f) {
   const std::map<int, double> row = std::move(gram[std::size_t(pivot)]);
   const double diagonal = std::sqrt(row.at(pivot));
   f.row.push_back(pivot);
@@ -51,15 +51,15 @@ void eliminate(SymmetricRows& gram, int pivot, std::vector<double>& diagonals, F
 
 }  // namespace
 
-Factor factor_make(const std::vector<const SparseRow*>& rows, const Array& inverse_mass, double tolerance,
-                   std::size_t late, double late_tolerance) {
+CholeskyFactor cholesky_factorise(const std::vector<const SparseRow*>& rows, const Array& inverse_mass,
+                                  double tolerance, std::size_t late, double late_tolerance) {
   SymmetricRows gram = gram_of(rows, inverse_mass);
   std::vector<double> scale(rows.size()), diagonals(rows.size());
   for (std::size_t r = 0; r < rows.size(); ++r) {
     diagonals[r] = gram[r].at(int(r));
     scale[r] = 1 / diagonals[r];
   }
-  Factor f;
+  CholeskyFactor f;
   f.begin.push_back(0);
   std::vector<char> done(rows.size(), 0);
   late = std::min(late, rows.size());
@@ -83,7 +83,7 @@ Factor factor_make(const std::vector<const SparseRow*>& rows, const Array& inver
 namespace {
 
 template <int kWidth>
-void solve(const Factor& f, double* b) {
+void solve(const CholeskyFactor& f, double* b) {
   const std::size_t rank = f.row.size();
   for (std::size_t k = 0; k < rank; ++k) {
     double* y = b + kWidth * f.row[k];
@@ -101,7 +101,7 @@ void solve(const Factor& f, double* b) {
 
 }  // namespace
 
-void factor_solve(const Factor& f, double* b) { solve<3>(f, b); }
-void factor_solve_scalar(const Factor& f, double* b) { solve<1>(f, b); }
+void cholesky_solve(const CholeskyFactor& f, double* b) { solve<3>(f, b); }
+void cholesky_solve_scalar(const CholeskyFactor& f, double* b) { solve<1>(f, b); }
 
 }  // namespace drape::math

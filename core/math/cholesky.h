@@ -15,7 +15,7 @@ struct SparseRow {
 };
 
 // P G P^T = L L^T; column k of L belongs to the row of the k-th pivot.
-struct Factor {
+struct CholeskyFactor {
   std::vector<int> row;            // [rank] pivots, largest first
   std::vector<double> inverse;     // [rank] 1/L_kk
   std::vector<std::size_t> begin;  // [rank + 1] into the entries below the diagonal
@@ -25,12 +25,13 @@ struct Factor {
 
 // Rows are independent where their pivot exceeds `tolerance` times their own diagonal; the others have no
 // column. Rows from `late` on come after all others, and must exceed `late_tolerance`.
-Factor factor_make(const std::vector<const SparseRow*>& rows, const Array& inverse_mass, double tolerance,
-                   std::size_t late = std::size_t(-1), double late_tolerance = 0);
+CholeskyFactor cholesky_factorise(const std::vector<const SparseRow*>& rows, const Array& inverse_mass,
+                                  double tolerance, std::size_t late = std::size_t(-1),
+                                  double late_tolerance = 0);
 
 // Solves G y = b for three components at once; b [rows x 3] is overwritten by y, whose dependent rows become
 // 0.
-void factor_solve(const Factor& factor, double* b);
-void factor_solve_scalar(const Factor& factor, double* b);  // of one component; b [rows]
+void cholesky_solve(const CholeskyFactor& factor, double* b);
+void cholesky_solve_scalar(const CholeskyFactor& factor, double* b);  // of one component; b [rows]
 
 }  // namespace drape::math
