@@ -5,12 +5,12 @@
 
 namespace drape::math {
 
-inline double contact_penalty(double blend, double depth) {
+inline double smooth_ramp(double blend, double depth) {
   const double t = std::min(depth / blend, 1.0);
   return blend * t * t * t * (1 - t / 2) + std::max(depth - blend, 0.0);
 }
 
-inline double contact_penalty_energy(double blend, double depth) {
+inline double smooth_ramp_integral(double blend, double depth) {
   const double t = std::min(depth / blend, 1.0), on = std::max(depth - blend, 0.0);
   return blend * blend * t * t * t * t * (0.25 - t / 10) + on * (blend / 2 + on / 2);
 }

@@ -71,7 +71,7 @@ RidgeTouch touch_of(const System& system, const State& s, std::size_t b, std::si
 double energy_of(const System& system, const RidgeTouch& t) {
   const double layer = system.lattices[std::size_t(t.part->lattice)].touch.layer;
   const double depth = std::min(layer - t.gap.distance, layer);
-  return depth > 0 ? t.stiffness * math::contact_penalty_energy(kContactBlend * layer, depth) : 0;
+  return depth > 0 ? t.stiffness * math::smooth_ramp_integral(kContactBlend * layer, depth) : 0;
 }
 
 // Finds what touches or may within the reach of the step. With `moves`, notes what that tells of each pair.

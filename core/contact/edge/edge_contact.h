@@ -93,7 +93,7 @@ void ridge_each(const System& system, const State& s, Visit visit) {
     const double pressed = std::min(depth, layer);  // past the ridge it is pushed as from the ridge itself
     if (depth > 0)
       visit(t, std::size_t(&t - touches.data()), depth,
-            t.stiffness* math::contact_penalty(kContactBlend * layer, pressed));
+            t.stiffness* math::smooth_ramp(kContactBlend * layer, pressed));
   }
 }
 

@@ -46,7 +46,7 @@ void each_touching(const System& system, const State& s, Visit visit) {
 // Of a particle, by one surface: (m/a) W^2 phi(e) and what the stop holds, Pa.
 double pressure_of(const System& system, const State& s, const Touching& t, double stop) {
   return (model::inertia_of(system, s, t.node) * t.law->omega2 *
-              math::contact_penalty(kContactBlend * t.law->layer, t.depth()) +
+              math::smooth_ramp(kContactBlend * t.law->layer, t.depth()) +
           stop) /
          system.area[t.node];
 }
@@ -139,11 +139,11 @@ double touch_energy(const System& system, const State& s) {
   double sum = 0;
   each_touching(system, s, [&](const Touching& t) {
     sum += model::inertia_of(system, s, t.node) * t.law->omega2 *
-           math::contact_penalty_energy(kContactBlend * t.law->layer, t.depth());
+           math::smooth_ramp_integral(kContactBlend * t.law->layer, t.depth());
   });
   ridge_each(system, s, [&](const RidgeTouch& t, std::size_t, double depth, double) {
     const double layer = layer_of(system, t);
-    sum += t.stiffness * math::contact_penalty_energy(kContactBlend * layer, std::min(depth, layer));
+    sum += t.stiffness * math::smooth_ramp_integral(kContactBlend * layer, std::min(depth, layer));
   });
   return sum;
 }

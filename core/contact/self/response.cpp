@@ -122,7 +122,7 @@ double normal_begin(const ContactCoefficients& c, SelfTouches& all, SelfTouch& t
   const double u = std::min(depth / blend, 1.0);
   t.resist = t.lightness * t.drag * u * u * (3 - 2 * u);
   t.before = dot(t.n, gap_rate(all, t, &SelfNode::old));
-  t.stored = t.normal = c.kick * t.stiffness * math::contact_penalty(blend, depth);
+  t.stored = t.normal = c.kick * t.stiffness * math::smooth_ramp(blend, depth);
   normal_push(all, t, t.normal);
   return t.lightness * t.normal;
 }

@@ -172,7 +172,7 @@ model::ContactSummary self_summary(const System& system, const State& s) {
     ++sum.count;
     sum.penetration = std::max(sum.penetration, depth);
     sum.pressure =
-        std::max(sum.pressure, t.stiffness * math::contact_penalty(kSelfBlend * t.layer, depth) / area);
+        std::max(sum.pressure, t.stiffness * math::smooth_ramp(kSelfBlend * t.layer, depth) / area);
   }
   return sum;
 }
@@ -180,7 +180,7 @@ model::ContactSummary self_summary(const System& system, const State& s) {
 double self_energy(const System& system, const State& s) {
   double sum = 0;
   for (const SelfTouch& t : touching(system, s))
-    sum += t.stiffness * math::contact_penalty_energy(kSelfBlend * t.layer, t.layer - t.distance);
+    sum += t.stiffness * math::smooth_ramp_integral(kSelfBlend * t.layer, t.layer - t.distance);
   return sum;
 }
 

@@ -53,7 +53,7 @@ TEST(SelfContact, RestsAtTheThickness) {
   const model::ContactLaw& law = a.system.lattices[1].touch;
   const double layer = scene.fabrics[0].thickness;
   double deepest = 0;
-  while (law.omega2 * math::contact_penalty(kSelfBlend * layer, deepest) < 8 * 9.81) deepest += 1e-8;
+  while (law.omega2 * math::smooth_ramp(kSelfBlend * layer, deepest) < 8 * 9.81) deepest += 1e-8;
   double mean = 0;
   for (std::size_t n : nodes_of(a.system, 1)) mean += a.state.z[n] / double(nodes_of(a.system, 1).size());
   EXPECT_LT(mean, layer);
