@@ -15,7 +15,7 @@ double order_of(const std::array<double, 3>& b, double first, double second) {
   };
   const double changed = first / second;
   if (!(changed > ratio(kLow) && changed < ratio(kHigh))) return std::numeric_limits<double>::quiet_NaN();
-  return math::rising_root(ratio, changed, kLow, kHigh);
+  return math::bisect_rising(ratio, changed, kLow, kHigh);
 }
 
 StripOrder strip_order(const scene::FabricSpec& f, double cell, const std::vector<double>& elongation,

@@ -5,7 +5,7 @@ namespace drape::math {
 
 // The x in [low, high] at which a rising `value` passes `target`, halved down to the last bit.
 template <class Function>
-double rising_root(Function value, double target, double low, double high) {
+double bisect_rising(Function value, double target, double low, double high) {
   for (;;) {
     const double middle = low + (high - low) / 2;
     if (!(middle > low && middle < high)) return middle;

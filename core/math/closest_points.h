@@ -8,14 +8,14 @@
 namespace drape::math {
 
 // The point of a triangle nearest to p: sum weight[k] corner[k]; `arm` leads from it to p.
-struct TriangleFoot {
+struct TriangleClosest {
   double weight[3];
   Vec3 arm;
   double distance2;
 };
 
 // The point of a segment nearest to p, as the share of the way from a to b.
-inline double segment_foot(const Vec3& p, const Vec3& a, const Vec3& b) {
+inline double segment_closest(const Vec3& p, const Vec3& a, const Vec3& b) {
   using namespace vector3;
   const Vec3 e = b - a;
   const double length2 = dot(e, e);
@@ -24,12 +24,12 @@ inline double segment_foot(const Vec3& p, const Vec3& a, const Vec3& b) {
 
 inline double segment_distance2(const Vec3& p, const Vec3& a, const Vec3& b) {
   using namespace vector3;
-  const Vec3 arm = (p - a) - segment_foot(p, a, b) * (b - a);
+  const Vec3 arm = (p - a) - segment_closest(p, a, b) * (b - a);
   return dot(arm, arm);
 }
 
 // Inside: the foot of the perpendicular, u e1 + v e2 with (p - a - u e1 - v e2).e = 0. Else on a side.
-inline TriangleFoot triangle_foot(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+inline TriangleClosest triangle_closest(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   using namespace vector3;
   const Vec3 e1 = b - a, e2 = c - a, q = p - a;
   const double g11 = dot(e1, e1), g12 = dot(e1, e2), g22 = dot(e2, e2), q1 = dot(q, e1), q2 = dot(q, e2);
@@ -40,10 +40,10 @@ inline TriangleFoot triangle_foot(const Vec3& p, const Vec3& a, const Vec3& b, c
     return {{1 - s - t, s, t}, arm, dot(arm, arm)};
   }
   const Vec3* corner[3] = {&a, &b, &c};
-  TriangleFoot best{{}, {}, INFINITY};
+  TriangleClosest best{{}, {}, INFINITY};
   for (int k = 0; k < 3; ++k) {
     const Vec3 &from = *corner[k], &to = *corner[(k + 1) % 3];
-    const double s = segment_foot(p, from, to);
+    const double s = segment_closest(p, from, to);
     const Vec3 arm = (p - from) - s * (to - from);
     const double distance2 = dot(arm, arm);
     if (!(distance2 < best.distance2)) continue;
@@ -56,11 +56,11 @@ inline TriangleFoot triangle_foot(const Vec3& p, const Vec3& a, const Vec3& b, c
 
 // Where two lines along e and f are nearest, r from the second one's beginning to the first one's: the shares
 // of e and f. `skew`: they are not parallel; else nothing else counts.
-struct LinesFoot {
+struct LinesClosest {
   double s, t;
   bool skew;
 };
-inline LinesFoot lines_foot(const Vec3& e, const Vec3& f, const Vec3& r) {
+inline LinesClosest lines_closest(const Vec3& e, const Vec3& f, const Vec3& r) {
   using namespace vector3;
   constexpr double kParallel = 1e-4;  // sin^2 of the angle
   const double ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), er = dot(e, r), fr = dot(f, r);
@@ -71,16 +71,16 @@ inline LinesFoot lines_foot(const Vec3& e, const Vec3& f, const Vec3& r) {
 
 // Two edges: the shares along them where they are nearest, the arm from the second to the first. `crosses`:
 // both within their edges, and the edges not parallel; else only the distance counts.
-struct EdgesFoot {
+struct EdgesClosest {
   double share[2];
   Vec3 arm;
   double distance2;
   bool crosses;
 };
-inline EdgesFoot edges_foot(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
+inline EdgesClosest edges_closest(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
   using namespace vector3;
   const Vec3 e = a1 - a0, f = b1 - b0, r = a0 - b0;
-  const auto [s, t, skew] = lines_foot(e, f, r);
+  const auto [s, t, skew] = lines_closest(e, f, r);
   if (skew && s > 0 && s < 1 && t > 0 && t < 1) {
     const Vec3 arm = r + s * e - t * f;
     return {{s, t}, arm, dot(arm, arm), true};

@@ -59,7 +59,7 @@ namespace {
 template <class Quantity>
 double end_where(Quantity quantity, double value) {
   const auto end = [](double y) { return kRightAngle / (1 + std::exp(y)); };
-  return end(math::rising_root([&](double y) { return quantity(cantilever_of(end(y))); }, value, -12, 700));
+  return end(math::bisect_rising([&](double y) { return quantity(cantilever_of(end(y))); }, value, -12, 700));
 }
 
 double end_of_load(double beta) {

@@ -41,7 +41,7 @@ SheetDiagram kes_tension(double emt, double wt, double fm) {
   const double force = fm * kGramForcePerCm, energy = wt * kGramForcePerCm;
   // The area falls as a rises.
   const auto less = [&](double minus_a) { return energy_of(diagram_of(-minus_a, emt, force)); };
-  return diagram_of(-math::rising_root(less, energy, -kBend, kBend), emt, force);
+  return diagram_of(-math::bisect_rising(less, energy, -kBend, kBend), emt, force);
 }
 
 }  // namespace drape::standards

@@ -57,7 +57,7 @@ void over_set(const body::Ridge& r, double sines, double sine, const Vec3& n, do
 RidgeGap gap_link_edge(const body::Ridge& edge, const Vec3* end, double sine) {
   RidgeGap gap;
   const Vec3 e = end[1] - end[0], f = edge.to - edge.from, r = end[0] - edge.from, across = cross(e, f);
-  const auto [s, t, skew] = math::lines_foot(e, f, r);
+  const auto [s, t, skew] = math::lines_closest(e, f, r);
   const bool crosses = skew && t >= -kBeyond && t <= 1 + kBeyond;
   const bool on_link = crosses && s > 0 && s < 1;
   Vec3 n = crosses ? (1 / norm(across)) * across : across;
@@ -86,7 +86,7 @@ RidgeGap gap_link_tip(const body::Ridge& tip, const Vec3* end, const Vec3 (*beyo
                       double sine) {
   RidgeGap gap;
   const Vec3 link = end[1] - end[0];
-  const double t = math::segment_foot(tip.from, end[0], end[1]);
+  const double t = math::segment_closest(tip.from, end[0], end[1]);
   const Vec3 arm = end[0] + t * link - tip.from;
   gap.clearance = norm(arm);
   const double length2 = dot(link, link);

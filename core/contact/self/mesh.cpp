@@ -122,13 +122,14 @@ void layers_ease(const System& system, const State& start, model::SelfMesh& mesh
   };
   const auto at = [&](model::NodeIndex n) { return Vec3{start.x[n], start.y[n], start.z[n]}; };
   for (const model::SelfPoint& p : pairs.point) {
-    const double d =
-        std::sqrt(math::triangle_foot(at(p.node[0]), at(p.node[1]), at(p.node[2]), at(p.node[3])).distance2);
+    const double d = std::sqrt(
+        math::triangle_closest(at(p.node[0]), at(p.node[1]), at(p.node[2]), at(p.node[3])).distance2);
     const double layer = self_layer(system, mesh.lattice_of[p.node[0]], mesh.lattice_of[p.node[1]]);
     if (d < layer) ease(p.node[0], d, layer);
   }
   for (const model::SelfCross& c : pairs.cross) {
-    const math::EdgesFoot foot = math::edges_foot(at(c.node[0]), at(c.node[1]), at(c.node[2]), at(c.node[3]));
+    const math::EdgesClosest foot =
+        math::edges_closest(at(c.node[0]), at(c.node[1]), at(c.node[2]), at(c.node[3]));
     const double layer = self_layer(system, mesh.lattice_of[c.node[0]], mesh.lattice_of[c.node[2]]);
     if (foot.distance2 < layer * layer)
       for (model::NodeIndex n : c.node) ease(n, std::sqrt(foot.distance2), layer);

@@ -104,8 +104,8 @@ double stands_out(const Looking& l, model::NodeIndex edge, const Vec3& out) {
 // The way left until the pair can touch; 0 where it is within reach, and then it may be one more of the
 // touches.
 double point_look(const Looking& l, const model::SelfPoint& p) {
-  const math::TriangleFoot foot =
-      math::triangle_foot(l.place[p.node[0]], l.place[p.node[1]], l.place[p.node[2]], l.place[p.node[3]]);
+  const math::TriangleClosest foot =
+      math::triangle_closest(l.place[p.node[0]], l.place[p.node[1]], l.place[p.node[2]], l.place[p.node[3]]);
   const double distance = std::sqrt(foot.distance2);
   if (distance - p.layer > l.reach) return distance - p.layer;
   if (!(p.layer > 0) || !(distance > 0)) return 0;
@@ -118,8 +118,8 @@ double point_look(const Looking& l, const model::SelfPoint& p) {
 
 double cross_look(const Looking& l, const model::SelfCross& p) {
   if (!may_stand(l, p.edge[0]) || !may_stand(l, p.edge[1])) return 0;
-  const math::EdgesFoot foot =
-      math::edges_foot(l.place[p.node[0]], l.place[p.node[1]], l.place[p.node[2]], l.place[p.node[3]]);
+  const math::EdgesClosest foot =
+      math::edges_closest(l.place[p.node[0]], l.place[p.node[1]], l.place[p.node[2]], l.place[p.node[3]]);
   const double distance = std::sqrt(foot.distance2);
   if (distance - p.layer > l.reach) return distance - p.layer;
   if (!foot.crosses || !(p.layer > 0) || !(distance > 0)) return 0;

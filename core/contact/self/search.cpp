@@ -112,8 +112,8 @@ void points_find(const Search& s, const model::SelfCell& of, const model::SelfCe
       const model::SelfPoint pair{{n, t[0], t[1], t[2]},
                                   std::min(layer_of(s, n, t[0]), s.mesh.layer_most[n])};
       const double reach = pair.layer + s.margin;
-      const math::TriangleFoot foot =
-          math::triangle_foot(at, place(s.state, t[0]), place(s.state, t[1]), place(s.state, t[2]));
+      const math::TriangleClosest foot =
+          math::triangle_closest(at, place(s.state, t[0]), place(s.state, t[1]), place(s.state, t[2]));
       if (foot.distance2 <= reach * reach) found.point.push_back(pair);
     }
   }
@@ -134,7 +134,7 @@ void crosses_find(const Search& s, const model::SelfCell& a, const model::SelfCe
       const double far = reach + 0.5 * (norm(a1 - a0) + norm(b1 - b0));
       const Vec3 between = 0.5 * ((a0 + a1) - (b0 + b1));
       if (dot(between, between) > far * far) continue;
-      if (math::edges_foot(a0, a1, b0, b1).distance2 <= reach * reach) found.cross.push_back(pair);
+      if (math::edges_closest(a0, a1, b0, b1).distance2 <= reach * reach) found.cross.push_back(pair);
     }
 }
 
