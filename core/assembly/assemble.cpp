@@ -196,7 +196,7 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
   }
   if (!problems.empty()) return system;
   seams_tie(scene, grids, system);
-  side_number(system);
+  slots_number(system);
   start.sewn.assign(system.seams.pair.size(), model::Sewn::kOpen);
   start.gap_rate.assign(3 * system.seams.pair.size(), 0.0);
   start.gap_hold.assign(system.seams.pair.size(), 0.0);

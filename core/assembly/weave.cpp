@@ -86,7 +86,7 @@ Vec3 direction(const State& s, std::size_t from, std::size_t to) {
 void clamps_lay(System& system, int lattice, std::vector<Span>& spans, bool warp,
                 const std::vector<ClampSlopes>& clamps, const State& start) {
   const model::Lattice& l = system.lattices[std::size_t(lattice)];
-  const std::size_t first = system.side.clamps.size();
+  const std::size_t first = system.irregular.clamps.size();
   std::vector<Span*> link;
   for (const ClampSlopes& clamp : clamps)
     for (const piece::HeldSlope& slope : clamp.slopes) {
@@ -97,21 +97,21 @@ void clamps_lay(System& system, int lattice, std::vector<Span>& spans, bool warp
       if (slope.pivot) s->pivot[held] = true;
       s->clamps += slope.clamp;
       const std::size_t from = l.node_of(slope.from), to = l.node_of(slope.to);
-      system.side.clamps.push_back({{from, to},
-                                    {},
-                                    lattice,
-                                    clamp.pin,
-                                    warp,
-                                    slope.clamp * 2 * s->width / l.cell,
-                                    direction(start, from, to),
-                                    0});
+      system.irregular.clamps.push_back({{from, to},
+                                         {},
+                                         lattice,
+                                         clamp.pin,
+                                         warp,
+                                         slope.clamp * 2 * s->width / l.cell,
+                                         direction(start, from, to),
+                                         0});
       link.push_back(s);
     }
   for (std::size_t k = 0; k < link.size(); ++k) {
     double load = link[k]->clamps;
     for (int end : {0, 1})
       if (!link[k]->pivot[end]) load += 1 / link[k]->q[end];
-    system.side.clamps[first + k].excess = std::max(0.0, load / 2 - 1);
+    system.irregular.clamps[first + k].excess = std::max(0.0, load / 2 - 1);
   }
 }
 
@@ -157,7 +157,7 @@ void hinges_lay(System& system, int lattice, const std::vector<Span>& spans, con
         const std::size_t n = l.node_of(at);
         if ((*e)->dense > 0 && b->dense > 0) rows[n] = share;
         else
-          system.side.hinges.push_back(
+          system.irregular.hinges.push_back(
               {{l.node_of((*e)->node[0]), n, l.node_of(b->node[1])}, {}, lattice, warp, share});
       }
     begins = b_end;
@@ -169,26 +169,27 @@ void links_lay(System& system, int lattice, const std::vector<Span>& spans, mode
   const model::Lattice& l = system.lattices[std::size_t(lattice)];
   for (const Span& s : spans)
     if (s.width > s.dense)
-      system.side.links.push_back({{l.node_of(s.node[0]), l.node_of(s.node[1])},
-                                   {},
-                                   lattice,
-                                   along,
-                                   s.width - s.dense,
-                                   l.cell,
-                                   s.dense > 0});
+      system.irregular.links.push_back({{l.node_of(s.node[0]), l.node_of(s.node[1])},
+                                        {},
+                                        lattice,
+                                        along,
+                                        s.width - s.dense,
+                                        l.cell,
+                                        s.dense > 0});
 }
 void cells_lay(System& system, int lattice, const piece::Grid& grid) {
   const model::Lattice& l = system.lattices[std::size_t(lattice)];
   const double diagonal = std::sqrt(2.0) * l.cell;
   for (std::size_t c = std::size_t(grid.regular); c < grid.cells.size(); ++c) {
     const piece::GridCell& cell = grid.cells[c];
-    model::SideCell side{{}, {}, lattice, cell.share};
+    model::IrregularCell side{{}, {}, lattice, cell.share};
     for (int k = 0; k < 4; ++k) side.node[k] = l.node_of(cell.node[k]);
     const double width = l.cell * l.cell / diagonal * cell.share;
     const auto [a, b, up, opposite] = side.node;
-    system.side.links.push_back({{a, opposite}, {}, lattice, model::Thread::kBias, width, diagonal, false});
-    system.side.links.push_back({{b, up}, {}, lattice, model::Thread::kBias, width, diagonal, false});
-    system.side.cells.push_back(side);
+    system.irregular.links.push_back(
+        {{a, opposite}, {}, lattice, model::Thread::kBias, width, diagonal, false});
+    system.irregular.links.push_back({{b, up}, {}, lattice, model::Thread::kBias, width, diagonal, false});
+    system.irregular.cells.push_back(side);
   }
 }
 
@@ -207,17 +208,17 @@ void threads_lay(System& system, int lattice, const piece::Grid& grid, const std
   cells_lay(system, lattice, grid);
 }
 
-void side_number(System& system) {
-  model::Side& side = system.side;
+void slots_number(System& system) {
+  model::IrregularElements& side = system.irregular;
   std::vector<std::size_t> touched;
   const auto each_node = [&](auto visit) {
-    for (model::SideLink& s : side.links)
+    for (model::IrregularLink& s : side.links)
       for (int k = 0; k < 2; ++k) visit(s.node[k], s.slot[k]);
-    for (model::SideHinge& s : side.hinges)
+    for (model::IrregularHinge& s : side.hinges)
       for (int k = 0; k < 3; ++k) visit(s.node[k], s.slot[k]);
-    for (model::SideCell& s : side.cells)
+    for (model::IrregularCell& s : side.cells)
       for (int k = 0; k < 4; ++k) visit(s.node[k], s.slot[k]);
-    for (model::SideClamp& s : side.clamps)
+    for (model::ClampHinge& s : side.clamps)
       for (int k = 0; k < 2; ++k) visit(s.node[k], s.slot[k]);
     const auto row = [&](model::SeamRow& r) {
       for (model::SeamTerm& t : r) visit(t.node, t.slot);

@@ -17,6 +17,6 @@ void threads_lay(System& system, int lattice, const piece::Grid& grid, const std
                  const State& start);
 
 // Gives every node that the lists touch, and every twin, its slot: when all pieces are laid.
-void side_number(System& system);
+void slots_number(System& system);
 
 }  // namespace drape::assembly

@@ -38,7 +38,7 @@ double power(const System& system, const Balance& b, const Array& vx, const Arra
   return sum;
 }
 
-Vec3 link_now(const model::SideClamp& c, const State& s) {
+Vec3 link_now(const model::ClampHinge& c, const State& s) {
   const std::size_t from = c.node[0], to = c.node[1];
   return {s.x[to] - s.x[from], s.y[to] - s.y[from], s.z[to] - s.z[from]};
 }
@@ -46,8 +46,8 @@ Vec3 link_now(const model::SideClamp& c, const State& s) {
 // What turning has brought in since balance_begin.
 double clamps_work(const System& system, const Balance& b, const State& s) {
   double sum = 0;
-  for (std::size_t k = 0; k < system.side.clamps.size(); ++k) {
-    const model::SideClamp& c = system.side.clamps[k];
+  for (std::size_t k = 0; k < system.irregular.clamps.size(); ++k) {
+    const model::ClampHinge& c = system.irregular.clamps[k];
     const Vec3 held = forces::clamp_direction(c, s), link = link_now(c, s);
     const double turned =
         forces::hinge_energy_between(held, link) - forces::hinge_energy_between(b.held[k], link) +
@@ -63,8 +63,8 @@ Balance balance_make(const System& system) {
   Balance b;
   if (!system.energy) return b;
   for (Array* a : {&b.vx, &b.vy, &b.vz, &b.fx, &b.fy, &b.fz}) a->assign(system.nodes, 0.0);
-  b.held.resize(system.side.clamps.size());
-  b.link.resize(system.side.clamps.size());
+  b.held.resize(system.irregular.clamps.size());
+  b.link.resize(system.irregular.clamps.size());
   b.pull.resize(system.seams.pair.size());
   b.rate.resize(system.seams.pair.size());
   return b;
@@ -98,8 +98,8 @@ void balance_begin(const System& system, Balance& b, const State& s, double lead
   b.wind = s.wind;
   pull_set(system, b, s, lead);
   for (std::size_t k = 0; k < b.held.size(); ++k) {
-    b.held[k] = forces::clamp_direction(system.side.clamps[k], s);
-    b.link[k] = link_now(system.side.clamps[k], s);
+    b.held[k] = forces::clamp_direction(system.irregular.clamps[k], s);
+    b.link[k] = link_now(system.irregular.clamps[k], s);
   }
 }
 

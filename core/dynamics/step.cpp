@@ -46,9 +46,9 @@ Stage stage_of_composition(const System& system, const State& s, double h, int k
 // What the slopes that clamps hold pass to the pins beside the forces on held points: their torques now x
 // `span` (s).
 void clamp_torques_add(const System& system, Motion& motion, State& s, double span) {
-  if (system.side.clamps.empty()) return;
+  if (system.irregular.clamps.empty()) return;
   motion.torque.assign(motion.torque.size(), Vec3{0, 0, 0});
-  forces::side_clamp_torques(system, s, motion.torque);
+  forces::clamp_torques(system, s, motion.torque);
   for (std::size_t p = 0; p < motion.torque.size(); ++p) s.pin_impulse[p].torque += span * motion.torque[p];
 }
 
@@ -232,7 +232,7 @@ void leapfrog_synchronous(const System& system, Motion& motion, const State& s, 
     for (math::Wrench& l : load) l = {(centred / half) * l.force, (centred / half) * l.torque};
   }
   motion.torque.assign(load.size(), Vec3{0, 0, 0});
-  forces::side_clamp_torques(system, s, motion.torque);
+  forces::clamp_torques(system, s, motion.torque);
   for (std::size_t p = 0; p < load.size(); ++p) load[p].torque += motion.torque[p];
 }
 

@@ -16,7 +16,7 @@ namespace drape::forces {
 namespace {
 
 void links_add(const System& system, const State& s, bool rates, double lead, NodeForces f) {
-  for (const model::SideLink& link : system.side.links) {
+  for (const model::IrregularLink& link : system.irregular.links) {
     const fabric::Law& law = system.lattices[std::size_t(link.lattice)].law;
     const math::Curve& curve = model::law_curve(law, link.along);
     if (curve.segments == 0) continue;
@@ -35,7 +35,7 @@ void links_add(const System& system, const State& s, bool rates, double lead, No
 }
 
 void hinges_add(const System& system, const State& s, NodeForces f) {
-  for (const model::SideHinge& h : system.side.hinges) {
+  for (const model::IrregularHinge& h : system.irregular.hinges) {
     const double rigidity = model::law_bending(system.lattices[std::size_t(h.lattice)].law, h.warp);
     if (!(rigidity > 0)) continue;
     const NodeEdge a = node_edge(s, h.node[0], h.node[1]), c = node_edge(s, h.node[1], h.node[2]);
@@ -46,13 +46,13 @@ void hinges_add(const System& system, const State& s, NodeForces f) {
   }
 }
 
-NodeVec clamp_turned(const model::SideClamp& c, const State& s) {
+NodeVec clamp_turned(const model::ClampHinge& c, const State& s) {
   const Vec3 d = clamp_direction(c, s);
   return {d[0], d[1], d[2]};
 }
 
 void clamps_add(const System& system, const State& s, NodeForces f) {
-  for (const model::SideClamp& c : system.side.clamps) {
+  for (const model::ClampHinge& c : system.irregular.clamps) {
     const double rigidity = model::law_bending(system.lattices[std::size_t(c.lattice)].law, c.warp);
     if (!(rigidity > 0)) continue;
     const NodeEdge edge = node_edge(s, c.node[0], c.node[1]);
@@ -65,7 +65,7 @@ void clamps_add(const System& system, const State& s, NodeForces f) {
 }
 
 void air_add(const System& system, const State& s, double lead, NodeForces f) {
-  for (const model::SideCell& cell : system.side.cells) {
+  for (const model::IrregularCell& cell : system.irregular.cells) {
     const NodeVec quarter = node_air_quarter(system, s, cell.node, cell.share, lead);
     for (int slot : cell.slot) force_add(f, std::size_t(slot), quarter);
   }
@@ -73,7 +73,7 @@ void air_add(const System& system, const State& s, double lead, NodeForces f) {
 
 }  // namespace
 
-Vec3 clamp_direction(const model::SideClamp& c, const State& s) {
+Vec3 clamp_direction(const model::ClampHinge& c, const State& s) {
   const model::Mat3& turn = s.pin_rotation[std::size_t(c.pin)];
   Vec3 d;
   for (std::size_t k = 0; k < 3; ++k)
@@ -81,11 +81,11 @@ Vec3 clamp_direction(const model::SideClamp& c, const State& s) {
   return d;
 }
 
-void side_forces(const System& system, const State& s, bool rates, double lead, HingeKernel hinges,
-                 model::SideForces out) {
+void irregular_forces(const System& system, const State& s, bool rates, double lead, HingeKernel hinges,
+                      model::SlotForces out) {
   const NodeForces f{out.x, out.y, out.z};
   for (double* to : {f.x, f.y, f.z})
-    for (std::size_t k = 0; k < system.side.node.size(); ++k) to[k] = 0;
+    for (std::size_t k = 0; k < system.irregular.node.size(); ++k) to[k] = 0;
   links_add(system, s, rates, lead, f);
   hinges_add(system, s, f);
   clamps_add(system, s, f);
@@ -94,8 +94,8 @@ void side_forces(const System& system, const State& s, bool rates, double lead, 
   seams_bond(system, s, hinges, out);
 }
 
-void side_clamp_torques(const System& system, const State& s, std::vector<Vec3>& torque) {
-  for (const model::SideClamp& c : system.side.clamps) {
+void clamp_torques(const System& system, const State& s, std::vector<Vec3>& torque) {
+  for (const model::ClampHinge& c : system.irregular.clamps) {
     const double rigidity = model::law_bending(system.lattices[std::size_t(c.lattice)].law, c.warp);
     const NodeVec held = clamp_turned(c, s), v = node_edge(s, c.node[0], c.node[1]).unit;
     const NodeVec moment =

@@ -7,14 +7,14 @@
 namespace drape::forces {
 
 // Sets all slots. `rates`: with the forces that depend on velocity, at v + lead (v - w).
-void side_forces(const System& system, const State& state, bool rates, double lead, HingeKernel hinges,
-                 model::SideForces force);
+void irregular_forces(const System& system, const State& state, bool rates, double lead, HingeKernel hinges,
+                      model::SlotForces force);
 
 // The torque of every clamp on the outside world beyond that of its points' forces, kappa_c psi (R D x v),
 // added to torque [pins].
-void side_clamp_torques(const System& system, const State& state, std::vector<Vec3>& torque);
+void clamp_torques(const System& system, const State& state, std::vector<Vec3>& torque);
 
 // The direction R D of a clamped link now.
-Vec3 clamp_direction(const model::SideClamp& clamp, const State& state);
+Vec3 clamp_direction(const model::ClampHinge& clamp, const State& state);
 
 }  // namespace drape::forces

@@ -41,7 +41,7 @@ void batch_set(HingeBatch& b, std::size_t i, const Vec3& a, const Vec3& c, doubl
 
 // Bends what is in the batch, and gives the forces: on x they are the others' opposite, and a = x - p_a.
 void batch_bend(HingeBatch& b, const model::SeamHinge* const* of, std::size_t count, HingeKernel hinges,
-                model::SideForces to) {
+                model::SlotForces to) {
   for (std::size_t i = count; i < std::size_t(math::kRowUnit); ++i) batch_set(b, i, {1, 0, 0}, {1, 0, 0}, 0);
   hinges(b);
   for (std::size_t i = 0; i < count; ++i) {
@@ -71,7 +71,7 @@ double seam_link_slope(const System& system, const model::Seam& seam) {
   return seam.link_width * math::curve_slope(link_curve(system, seam), 0) + seam.tape;
 }
 
-void seams_bond(const System& system, const State& s, HingeKernel hinges, model::SideForces to) {
+void seams_bond(const System& system, const State& s, HingeKernel hinges, model::SlotForces to) {
   HingeBatch batch;
   const model::SeamHinge* of[math::kRowUnit];
   std::size_t count = 0;

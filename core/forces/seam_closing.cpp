@@ -30,7 +30,7 @@ Vec3 seam_pull(const System& system, const model::Seam& seam, std::size_t p, con
   return (-seam_mass(system, pair) * (spring + damping) / length) * gap;
 }
 
-void seams_pull(const System& system, const State& s, double lead, model::SideForces to) {
+void seams_pull(const System& system, const State& s, double lead, model::SlotForces to) {
   for (const model::Seam& seam : system.seams.seam)
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p)
       if (s.sewn[p] == model::Sewn::kPulled)

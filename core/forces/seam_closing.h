@@ -26,7 +26,7 @@ Vec3 seam_pull(const System& system, const model::Seam& seam, std::size_t pair, 
                double lead);
 
 // Adds it for all pairs to the slots.
-void seams_pull(const System& system, const State& state, double lead, model::SideForces to);
+void seams_pull(const System& system, const State& state, double lead, model::SlotForces to);
 
 // s/g, at most.
 double seams_held(const System& system, const State& state);

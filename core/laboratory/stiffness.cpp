@@ -132,7 +132,7 @@ void stiffness_add(const System& system, const State& s, Stiffness which, const 
                         const double kappa = model::law_bending(l.law, warp) * share;
                         if (kappa > 0) hinge_add(s, unknowns, {n0, n1, n2}, kappa, to);
                       });
-    for (const model::SideClamp& c : system.side.clamps) {
+    for (const model::ClampHinge& c : system.irregular.clamps) {
       const double kappa = model::law_bending(l.law, c.warp) * c.share;
       if (c.lattice != l.piece || kappa == 0) continue;
       const Vec3 held = forces::clamp_direction(c, s);

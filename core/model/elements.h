@@ -42,7 +42,7 @@ void each_link(const System& system, const Lattice& l, Visit visit) {
         visit(Link{n + 1, up, b * b / diagonal * here0, diagonal, Thread::kBias, false});
       }
     }
-  for (const SideLink& s : system.side.links)
+  for (const IrregularLink& s : system.irregular.links)
     if (s.lattice == l.piece) visit(Link{s.node[0], s.node[1], s.width, s.rest, s.along, s.doubled});
 }
 
@@ -56,7 +56,7 @@ void each_hinge(const System& system, const Lattice& l, Visit visit) {
       if (system.hinge_weft[n] > 0) visit(n - 1, n, n + 1, false, system.hinge_weft[n]);
       if (system.hinge_warp[n] > 0) visit(n - row, n, n + row, true, system.hinge_warp[n]);
     }
-  for (const SideHinge& s : system.side.hinges)
+  for (const IrregularHinge& s : system.irregular.hinges)
     if (s.lattice == l.piece) visit(s.node[0], s.node[1], s.node[2], s.warp, s.share);
 }
 
@@ -69,7 +69,7 @@ void each_cell(const System& system, const Lattice& l, Visit visit) {
       const std::size_t n = l.node(i, j), corner[4] = {n, n + 1, n + row, n + row + 1};
       if (system.share[n] > 0) visit(corner, system.share[n]);
     }
-  for (const SideCell& s : system.side.cells)
+  for (const IrregularCell& s : system.irregular.cells)
     if (s.lattice == l.piece) visit(s.node, s.share);
 }
 

@@ -14,7 +14,7 @@ namespace drape::model {
 
 enum class Thread { kWarp, kWeft, kBias };
 
-struct SideLink {
+struct IrregularLink {
   std::size_t node[2];
   int slot[2];
   int lattice;
@@ -23,7 +23,7 @@ struct SideLink {
   bool doubled;        // the rows have a link between the same nodes
 };
 
-struct SideHinge {
+struct IrregularHinge {
   std::size_t node[3];  // along the thread
   int slot[3];
   int lattice;
@@ -31,7 +31,7 @@ struct SideHinge {
   double share;  // kappa over B
 };
 
-struct SideCell {
+struct IrregularCell {
   std::size_t node[4];  // corners a, b, c, d
   int slot[4];
   int lattice;
@@ -39,7 +39,7 @@ struct SideCell {
 };
 
 // A hinge between the turned direction of a clamped link and the link: core/README.md, section 4.
-struct SideClamp {
+struct ClampHinge {
   std::size_t node[2];  // held, free
   int slot[2];
   int lattice, pin;
@@ -49,16 +49,16 @@ struct SideClamp {
   double excess;   // of the link's hinges over those of a link of the cloth, in the step limit
 };
 
-struct Side {
-  std::vector<SideLink> links;
-  std::vector<SideHinge> hinges;
-  std::vector<SideCell> cells;
-  std::vector<SideClamp> clamps;
+struct IrregularElements {
+  std::vector<IrregularLink> links;
+  std::vector<IrregularHinge> hinges;
+  std::vector<IrregularCell> cells;
+  std::vector<ClampHinge> clamps;
   std::vector<std::size_t> node;  // [slots]
 };
 
 // Where a pass may write the forces of Side: [slots] N.
-struct SideForces {
+struct SlotForces {
   double *x, *y, *z;
 };
 

@@ -26,7 +26,7 @@ inline Vec3 point_now(const SeamPoint& point, const State& s) {
 }
 
 // A force on the sum is its nodes' by their weights.
-inline void row_force(const SeamRow& row, const Vec3& force, SideForces to) {
+inline void row_force(const SeamRow& row, const Vec3& force, SlotForces to) {
   for (const auto& [node, slot, weight] : row) {
     to.x[slot] += weight * force[0];
     to.y[slot] += weight * force[1];

@@ -94,7 +94,7 @@ struct System {
   Array mass;             // [nodes] kg
   Array inverse_mass;     // [nodes] 1/kg; 0 where there is no particle
   std::vector<Lattice> lattices;
-  Side side;
+  IrregularElements irregular;
   Seams seams;
   std::vector<std::size_t> particle;  // [particles] their nodes: pieces in order, row by row
   std::vector<constraint::ConstraintRow> pin_rows;

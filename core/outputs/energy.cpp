@@ -22,7 +22,7 @@ double bending_of(const System& system, const model::Lattice& l, const State& s)
     if (rigidity > 0)
       sum += rigidity * share * forces::hinge_energy_between(edge_of(s, n0, n1), edge_of(s, n1, n2));
   });
-  for (const model::SideClamp& c : system.side.clamps)
+  for (const model::ClampHinge& c : system.irregular.clamps)
     if (c.lattice == l.piece)
       sum += model::law_bending(l.law, c.warp) * c.share *
              forces::hinge_energy_between(forces::clamp_direction(c, s), edge_of(s, c.node[0], c.node[1]));

@@ -21,9 +21,9 @@ constexpr const Kernel* kByChoice[] = {&kKernelAvx512, &kKernelAvx2, &kKernelPor
 void pass_run_all(const Kernel& kernel, const System& system, const StepCoefficients& c, Workspace& w,
                   const State& s, const PassTarget& to) {
   const bool rates = model::system_has_rates(system);
-  if (!system.side.node.empty())
-    forces::side_forces(system, s, rates, c.lead, kernel.hinges,
-                        {w.side_x.data(), w.side_y.data(), w.side_z.data()});
+  if (!system.irregular.node.empty())
+    forces::irregular_forces(system, s, rates, c.lead, kernel.hinges,
+                             {w.slot_x.data(), w.slot_y.data(), w.slot_z.data()});
   blocks_copy(system, s, w);
   struct Task {
     const System& system;

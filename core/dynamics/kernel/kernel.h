@@ -36,7 +36,7 @@ struct ThreadRoom {
 struct Workspace {
   std::vector<ThreadRoom> threads;
   WorkersHandle workers;         // of more threads than one
-  Array side_x, side_y, side_z;  // [slots] N
+  Array slot_x, slot_y, slot_z;  // [slots] N
 };
 Workspace workspace_make(const System& system, int threads);
 int threads_wanted(const System& system);  // as many as the system asks for, where each gets enough to do

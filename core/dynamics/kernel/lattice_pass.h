@@ -71,16 +71,16 @@ DRAPE_INLINE void row_lead(int n, double lead, simd::ConstRow v, simd::ConstRow 
 }
 
 // What the lists beside the rows add to row j, taken off minus its sums so far.
-DRAPE_INLINE void row_add_side(const System& system, const model::Lattice& l, const Workspace& w, int j,
-                               simd::PackedRow force) {
+DRAPE_INLINE void row_add_irregular(const System& system, const model::Lattice& l, const Workspace& w, int j,
+                                    simd::PackedRow force) {
   if (l.row_slot.empty()) return;
   const std::size_t row = l.node(0, j);
   for (int k = l.row_slot[std::size_t(j)]; k < l.row_slot[std::size_t(j) + 1]; ++k) {
-    const int i = int(system.side.node[std::size_t(k)] - row);
+    const int i = int(system.irregular.node[std::size_t(k)] - row);
     double* at = force.p + i / math::kRowUnit * 3 * math::kRowUnit + i % math::kRowUnit;
-    at[0] -= w.side_x[std::size_t(k)];
-    at[math::kRowUnit] -= w.side_y[std::size_t(k)];
-    at[2 * math::kRowUnit] -= w.side_z[std::size_t(k)];
+    at[0] -= w.slot_x[std::size_t(k)];
+    at[math::kRowUnit] -= w.slot_y[std::size_t(k)];
+    at[2 * math::kRowUnit] -= w.slot_z[std::size_t(k)];
   }
 }
 
@@ -186,7 +186,7 @@ void pass_run(const PassRun& run) {
                       run.system.hinge_warp.data() + o,
                       run.system.hinge_weft.data() + o};
     const simd::PackedRow force = p.force[j % 3], force_above = p.force[(j + 1) % 3];
-    if (run.mine(j)) row_add_side(run.system, l, run.workspace, j, force);
+    if (run.mine(j)) row_add_irregular(run.system, l, run.workspace, j, force);
     const bool at_once = !kHinges && !kRates && run.moves_plainly(j);
     if (at_once) {
       const RowMove m = run.move(j);
@@ -237,7 +237,7 @@ void block_pass(const System& system, const RowBlock& block, const StepCoefficie
     const std::size_t k = std::size_t(l.twin_slot);
     AnySink<L, kRates> sink{MoveLanes<L>(c), row_move_of(system, to, l.twin_first)};
     for (int i = 0; i < l.twin_stride; i += L::kWidth)
-      sink_take(sink, i, simd::vec_load<L>(const_row(w.side_x, w.side_y, w.side_z, k), i));
+      sink_take(sink, i, simd::vec_load<L>(const_row(w.slot_x, w.slot_y, w.slot_z, k), i));
   }
 }
 

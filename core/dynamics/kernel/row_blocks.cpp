@@ -58,7 +58,7 @@ Workspace workspace_make(const System& system, int threads) {
   for (ThreadRoom& room : w.threads) room.rows.assign(std::size_t(kScratchRows) * std::size_t(longest), 0.0);
   blocks_share_out(system, w.threads);
   if (threads > 1) w.workers = workers_start(threads);
-  for (Array* a : {&w.side_x, &w.side_y, &w.side_z}) a->assign(system.side.node.size(), 0.0);
+  for (Array* a : {&w.slot_x, &w.slot_y, &w.slot_z}) a->assign(system.irregular.node.size(), 0.0);
   return w;
 }
 

@@ -50,19 +50,19 @@ double cell_bound(const model::Lattice& l, const State& s, const std::size_t* co
 // The same of the cells beside the rows.
 double side_bound(const System& system, const model::Lattice& l, const State& s, double ahead) {
   double most = 0;
-  for (const model::SideCell& cell : system.side.cells)
+  for (const model::IrregularCell& cell : system.irregular.cells)
     if (cell.lattice == l.piece) most = most_of(cell_bound(l, s, cell.node, ahead), most);
   return most;
 }
 
 // What a clamp adds to rho b^2 omega^2.
-double clamp_term(const model::SideClamp& c, const fabric::Law& law, const State& s, double ahead) {
+double clamp_term(const model::ClampHinge& c, const fabric::Law& law, const State& s, double ahead) {
   return 16 * model::law_bending(law, c.warp) * c.excess /
          std::pow(distance(s, c.node[0], c.node[1], ahead), 2);
 }
 double clamps_bound(const System& system, const model::Lattice& l, const State& s, double ahead) {
   double most[2] = {0, 0};
-  for (const model::SideClamp& c : system.side.clamps)
+  for (const model::ClampHinge& c : system.irregular.clamps)
     if (c.lattice == l.piece && c.excess > 0)
       most[c.warp] = most_of(clamp_term(c, l.law, s, ahead), most[c.warp]);
   return most[0] + most[1];
@@ -238,7 +238,7 @@ std::string step_limit_link(const System& system, const Scene& scene, const Stat
   for (const model::Lattice& l : system.lattices)
     model::each_link(system, l,
                      [&](const model::Link& link) { link_offer(worst, scene, l, state, link, ahead); });
-  for (const model::SideClamp& c : system.side.clamps) {
+  for (const model::ClampHinge& c : system.irregular.clamps) {
     const model::Lattice& l = system.lattices[std::size_t(c.lattice)];
     const double strain = distance(state, c.node[0], c.node[1], ahead) / l.cell - 1;
     part_offer(worst, scene, l, clamp_term(c, l.law, state, ahead), c.warp ? "warp" : "weft", "clamp",

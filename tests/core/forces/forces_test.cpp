@@ -206,7 +206,7 @@ TEST(Patch, LinearDisplacementGivesTheExactStressOnEveryCutPiece) {
 TEST(Side, IsThereWhereTheOutlineSplitsCellsAndOnlyThere) {
   for (Shape shape : {Shape::kRectangle, Shape::kDart, Shape::kSlits}) {
     const Assembled a = assemble(cut_piece(reference::curved_fabric(), shape));
-    const model::Side& side = a.system.side;
+    const model::IrregularElements& side = a.system.irregular;
     const bool split = shape != Shape::kRectangle;
     EXPECT_EQ(a.system.lattices[0].twins > 0, split) << shape_name(shape);
     EXPECT_EQ(side.links.size() + side.hinges.size() + side.cells.size() > 0, split);

@@ -66,7 +66,7 @@ void turn_pin(Assembled& a, const Eigen::Matrix3d& turn) {
 
 Vector3d clamp_torque(const Assembled& a) {
   std::vector<Vec3> torque(1, Vec3{0, 0, 0});
-  side_clamp_torques(a.system, a.state, torque);
+  clamp_torques(a.system, a.state, torque);
   return {torque[0][0], torque[0][1], torque[0][2]};
 }
 
@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(Clamps, EveryClamp, testing::ValuesIn(kClamps),
 TEST_P(EveryClamp, IsTheJudges) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     Assembled a = assemble(clamped(GetParam()));
-    ASSERT_FALSE(a.system.side.clamps.empty());
+    ASSERT_FALSE(a.system.irregular.clamps.empty());
     crumple(a, 0.001, seed);
     const Eigen::Matrix3d turn = turn_of(0.1 * seed);
     turn_pin(a, turn);

@@ -19,7 +19,7 @@ TEST(Stiffness, IsMinusTheDerivativeOfTheForces) {
   pin.clamp = true;
   scene.pins = {pin};
   Assembled a = assemble(scene);
-  ASSERT_FALSE(a.system.side.clamps.empty());
+  ASSERT_FALSE(a.system.irregular.clamps.empty());
   crumple(a, 0.0015, 5);
   const Unknowns unknowns = unknowns_make(a.system, 3);
   Triplets triplets;

@@ -103,11 +103,11 @@ TEST(StepLimit, BoundsClampedPieces) {
       else pin.edges = {0}, scene.pieces[0].grid_origin = Vec2{0, 0.01 * s};
       scene.pins = {pin};
       Assembled a = assemble(scene);
-      ASSERT_FALSE(a.system.side.clamps.empty());
+      ASSERT_FALSE(a.system.irregular.clamps.empty());
       const double truth = omega2_true(a);
       closest = std::max(closest, truth / a.state.omega2);
       EXPECT_LE(truth, a.state.omega2 * (1 + 1e-5)) << "s = " << s;
-      for (model::SideClamp& c : a.system.side.clamps) c.excess = 0;
+      for (model::ClampHinge& c : a.system.irregular.clamps) c.excess = 0;
       unaided = std::max(unaided, truth / step_limit_omega2(a.system, *a.motion.kernel, a.state));
     }
   std::printf("clamps at rest: the true omega reaches %.4f of the bound, %.4f without their term\n",
