@@ -31,9 +31,10 @@ const drape_fields* drape_fields_at(drape_cloth* c) {
 
 drape_elongation drape_elongation_of(drape_cloth* c, int piece, drape_thread along, double limit) {
   const model::Lattice& l = c->system.lattices[std::size_t(piece)];
-  const math::Curve& curve = model::law_curve(l.law, model::Thread(along));
+  const math::Curve& curve = model::law_curve(l.law, model::YarnDirection(along));
   if (limit < 0) limit = curve.segments ? curve.last : std::numeric_limits<double>::infinity();
-  const outputs::Elongation e = outputs::elongation_of(c->system, c->state, l, model::Thread(along), limit);
+  const outputs::Elongation e =
+      outputs::elongation_of(c->system, c->state, l, model::YarnDirection(along), limit);
   return {{e.min, e.max, e.mean}, e.tension_max, limit, e.beyond};
 }
 

@@ -186,7 +186,7 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
   for (std::size_t p = 0; p < scene.pieces.size(); ++p) {
     lattice_fill(system.lattices[p], grids[p], scene, system, start);
     system.lattices[p].reach = lattice_reach(system.lattices[p], system.area);
-    threads_lay(system, int(p), grids[p], clamp_slopes(scene, int(p), grids[p]), start);
+    weave_lay(system, int(p), grids[p], clamp_slopes(scene, int(p), grids[p]), start);
   }
   system.bodies = bodies_make(scene, problems);
   for (const model::Body& body : system.bodies) {

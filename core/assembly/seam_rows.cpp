@@ -67,8 +67,8 @@ void pairs_tie(const std::vector<piece::Grid>& grids, const seam::SeamLayout& la
       const double warp = in[1] * grid.cosine - in[0] * grid.sine,
                    weft = in[0] * grid.cosine + in[1] * grid.sine;
       hinge.reach[k] = grid.cell;
-      hinge.threads[k][0] = std::pow(warp, 4);
-      hinge.threads[k][1] = std::pow(weft, 4);
+      hinge.yarn_shares[k][0] = std::pow(warp, 4);
+      hinge.yarn_shares[k][1] = std::pow(weft, 4);
     }
     for (std::size_t k = 0; k < 2; ++k) {
       const double sign = k == 0 ? 1 : -1;

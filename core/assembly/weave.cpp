@@ -165,7 +165,7 @@ void hinges_lay(System& system, int lattice, const std::vector<Span>& spans, con
 }
 
 // Links and diagonals of cells with a twin: widths from those cells alone.
-void links_lay(System& system, int lattice, const std::vector<Span>& spans, model::Thread along) {
+void links_lay(System& system, int lattice, const std::vector<Span>& spans, model::YarnDirection along) {
   const model::Lattice& l = system.lattices[std::size_t(lattice)];
   for (const Span& s : spans)
     if (s.width > s.dense)
@@ -187,23 +187,24 @@ void cells_lay(System& system, int lattice, const piece::Grid& grid) {
     const double width = l.cell * l.cell / diagonal * cell.share;
     const auto [a, b, up, opposite] = side.node;
     system.irregular.links.push_back(
-        {{a, opposite}, {}, lattice, model::Thread::kBias, width, diagonal, false});
-    system.irregular.links.push_back({{b, up}, {}, lattice, model::Thread::kBias, width, diagonal, false});
+        {{a, opposite}, {}, lattice, model::YarnDirection::kBias, width, diagonal, false});
+    system.irregular.links.push_back(
+        {{b, up}, {}, lattice, model::YarnDirection::kBias, width, diagonal, false});
     system.irregular.cells.push_back(side);
   }
 }
 
 }  // namespace
 
-void threads_lay(System& system, int lattice, const piece::Grid& grid, const std::vector<ClampSlopes>& clamps,
-                 const State& start) {
+void weave_lay(System& system, int lattice, const piece::Grid& grid, const std::vector<ClampSlopes>& clamps,
+               const State& start) {
   const Odd odd = odd_nodes(grid, clamps);
   for (bool warp : {true, false}) {
     hinges_fill(system, lattice, odd, warp);
     std::vector<Span> spans = spans_of(grid, odd, warp);
     clamps_lay(system, lattice, spans, warp, clamps, start);
     hinges_lay(system, lattice, spans, odd, warp);
-    links_lay(system, lattice, spans, warp ? model::Thread::kWarp : model::Thread::kWeft);
+    links_lay(system, lattice, spans, warp ? model::YarnDirection::kWarp : model::YarnDirection::kWeft);
   }
   cells_lay(system, lattice, grid);
 }

@@ -13,8 +13,8 @@ struct ClampSlopes {
 };
 
 // Sets the hinges of a lattice's nodes and adds to the lists beside its rows.
-void threads_lay(System& system, int lattice, const piece::Grid& grid, const std::vector<ClampSlopes>& clamps,
-                 const State& start);
+void weave_lay(System& system, int lattice, const piece::Grid& grid, const std::vector<ClampSlopes>& clamps,
+               const State& start);
 
 // Gives every node that the lists touch, and every twin, its slot: when all pieces are laid.
 void slots_number(System& system);

@@ -56,7 +56,8 @@ double seam_hinge_stiffness(const System& system, const model::Seam& seam, const
   double compliance = 0;
   for (std::size_t k = 0; k < 2; ++k) {
     const fabric::Law& law = system.lattices[std::size_t(seam.piece[k])].law;
-    const double rigidity = hinge.threads[k][0] * law.bending_warp + hinge.threads[k][1] * law.bending_weft;
+    const double rigidity =
+        hinge.yarn_shares[k][0] * law.bending_warp + hinge.yarn_shares[k][1] * law.bending_weft;
     if (!(rigidity > 0)) return 0;
     compliance += hinge.reach[k] / rigidity;
   }

@@ -12,10 +12,13 @@ namespace {
 
 constexpr int kPlacingSweeps = 3;  // that move the points of the bias law
 constexpr double kLeast = 1e-3;    // of a correction; the range of its key
-constexpr model::Thread kThreads[] = {model::Thread::kWarp, model::Thread::kWeft, model::Thread::kBias};
+constexpr model::YarnDirection kThreads[] = {model::YarnDirection::kWarp, model::YarnDirection::kWeft,
+                                             model::YarnDirection::kBias};
 
-scene::DiagramSpec& diagram_of(scene::FabricSpec& f, model::Thread along) {
-  return along == model::Thread::kWarp ? f.warp : along == model::Thread::kWeft ? f.weft : f.bias;
+scene::DiagramSpec& diagram_of(scene::FabricSpec& f, model::YarnDirection along) {
+  return along == model::YarnDirection::kWarp   ? f.warp
+         : along == model::YarnDirection::kWeft ? f.weft
+                                                : f.bias;
 }
 
 bool switched_on(const scene::DiagramSpec& d) {
@@ -31,10 +34,10 @@ std::string percent(double fraction) {
 // The first corrections: none of warp and weft; of bias, the law that stands without a stored one.
 void corrections_begin(scene::FabricSpec& f, std::vector<Problem>& problems) {
   const fabric::Law law = fabric::law_make(f, {}, 1, "fabric." + f.name, problems);
-  for (model::Thread along : kThreads) {
+  for (model::YarnDirection along : kThreads) {
     scene::DiagramSpec& d = diagram_of(f, along);
     d.correction.assign(d.force.size(), 1.0);
-    if (along != model::Thread::kBias) continue;
+    if (along != model::YarnDirection::kBias) continue;
     if (f.bias.jaws) d.correction_elongation.assign(d.force.size(), 1.0);
     for (std::size_t i = 1; i < d.force.size(); ++i)
       if (d.force[i] > 0)
@@ -92,10 +95,10 @@ double difference_most(const scene::DiagramSpec& d, const StripPull& pull) {
 
 // Empty, or why a law of these corrections is none.
 std::string law_problem(const scene::FabricSpec& f) {
-  for (model::Thread along : kThreads) {
+  for (model::YarnDirection along : kThreads) {
     const scene::DiagramSpec& d = strip_diagram(f, along);
     for (std::size_t i = 1; i < d.force.size(); ++i) {
-      const std::string at = std::string(thread_name(along)) + " at " + percent(d.elongation[i]);
+      const std::string at = std::string(yarn_direction_name(along)) + " at " + percent(d.elongation[i]);
       if (d.correction[i] <= kLeast)
         return "the " + at + " pulls no harder than the rest of the cloth in its strip";
       if (d.force[i] * d.correction[i] < d.force[i - 1] * d.correction[i - 1])
@@ -110,7 +113,7 @@ bool sweep(scene::FabricSpec& f, bool placing, Mixing& mixing, Calibration& c,
            std::vector<Problem>& problems) {
   scene::FabricSpec next = f;
   double residual = 0;
-  for (model::Thread along : kThreads) {
+  for (model::YarnDirection along : kThreads) {
     const scene::DiagramSpec& d = strip_diagram(f, along);
     if (!switched_on(d)) continue;
     const std::vector<double> elongation = strip_elongations(f, along, d.elongation.back());
@@ -119,12 +122,12 @@ bool sweep(scene::FabricSpec& f, bool placing, Mixing& mixing, Calibration& c,
     if (pull.force.size() < elongation.size()) {
       c.why = law_problem(f);
       if (c.why.empty())
-        c.why = std::string("the strip of the ") + thread_name(along) + " finds no rest at " +
+        c.why = std::string("the strip of the ") + yarn_direction_name(along) + " finds no rest at " +
                 percent(elongation[pull.force.size()]);
       return false;
     }
     residual = std::max(residual, difference_most(d, pull));
-    if (along != model::Thread::kBias) warp_correct(diagram_of(next, along), pull);
+    if (along != model::YarnDirection::kBias) warp_correct(diagram_of(next, along), pull);
     else {
       if (placing) bias_place(f, next.bias, pull), mixing = {};
       bias_correct(mixing, next.bias, pull);
@@ -138,8 +141,10 @@ bool sweep(scene::FabricSpec& f, bool placing, Mixing& mixing, Calibration& c,
 
 }  // namespace
 
-const char* thread_name(model::Thread along) {
-  return along == model::Thread::kWarp ? "warp" : along == model::Thread::kWeft ? "weft" : "bias";
+const char* yarn_direction_name(model::YarnDirection along) {
+  return along == model::YarnDirection::kWarp   ? "warp"
+         : along == model::YarnDirection::kWeft ? "weft"
+                                                : "bias";
 }
 
 Calibration calibrate(const scene::FabricSpec& fabric, const CalibrationOptions& options,

@@ -35,6 +35,6 @@ Calibration calibrate(const scene::FabricSpec& fabric, const CalibrationOptions&
                       std::vector<Problem>& problems);
 
 // "warp", "weft", "bias"
-const char* thread_name(model::Thread along);
+const char* yarn_direction_name(model::YarnDirection along);
 
 }  // namespace drape::laboratory

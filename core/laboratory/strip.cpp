@@ -27,7 +27,7 @@ Specimen specimen_make(const Scene& scene, std::vector<Problem>& problems) {
 }
 
 // Between jaws: each elongation starts from the one before, stretched evenly.
-StripPull jaws_pull(const scene::FabricSpec& fabric, model::Thread along, double cell,
+StripPull jaws_pull(const scene::FabricSpec& fabric, model::YarnDirection along, double cell,
                     const std::vector<double>& elongation, std::vector<Problem>& problems,
                     const fabric::LawOptions& options) {
   StripPull pull;
@@ -55,7 +55,7 @@ StripPull jaws_pull(const scene::FabricSpec& fabric, model::Thread along, double
 StripPull trellis_pull(const scene::FabricSpec& fabric, double cell, const std::vector<double>& elongation,
                        std::vector<Problem>& problems, const fabric::LawOptions& options) {
   StripPull pull;
-  Scene scene = strip_scene(fabric, model::Thread::kBias, cell, options);
+  Scene scene = strip_scene(fabric, model::YarnDirection::kBias, cell, options);
   scene.pins.clear();
   Specimen strip = specimen_make(scene, problems);
   if (!problems.empty()) return pull;
@@ -80,13 +80,13 @@ StripPull trellis_pull(const scene::FabricSpec& fabric, double cell, const std::
 
 }  // namespace
 
-double strip_cell(const scene::FabricSpec& fabric, model::Thread along, double cell) {
-  if (along != model::Thread::kBias) return cell;
+double strip_cell(const scene::FabricSpec& fabric, model::YarnDirection along, double cell) {
+  if (along != model::YarnDirection::kBias) return cell;
   const double width = fabric.strip_width / std::numbers::sqrt2;
   return width / std::max(1.0, std::round(width / cell));
 }
 
-Scene strip_scene(const scene::FabricSpec& fabric, model::Thread along, double cell,
+Scene strip_scene(const scene::FabricSpec& fabric, model::YarnDirection along, double cell,
                   const fabric::LawOptions& options) {
   const double w = fabric.strip_width, h = fabric.strip_gauge, quarter = std::numbers::pi / 4;
   Scene scene;
@@ -101,7 +101,9 @@ Scene strip_scene(const scene::FabricSpec& fabric, model::Thread along, double c
   piece.fabric = 0;
   piece.cell = strip_cell(fabric, along, cell);
   piece.outline = {{0, 0}, {w, 0}, {w, h}, {0, h}};
-  piece.grain = along == model::Thread::kWarp ? 0 : along == model::Thread::kWeft ? 2 * quarter : quarter;
+  piece.grain = along == model::YarnDirection::kWarp   ? 0
+                : along == model::YarnDirection::kWeft ? 2 * quarter
+                                                       : quarter;
   scene.pieces = {piece};
   for (int end : {0, 1}) {
     scene::PinSpec jaw;
@@ -114,13 +116,13 @@ Scene strip_scene(const scene::FabricSpec& fabric, model::Thread along, double c
   return scene;
 }
 
-const scene::DiagramSpec& strip_diagram(const scene::FabricSpec& fabric, model::Thread along) {
-  return along == model::Thread::kWarp   ? fabric.warp
-         : along == model::Thread::kWeft ? fabric.weft
-                                         : fabric.bias;
+const scene::DiagramSpec& strip_diagram(const scene::FabricSpec& fabric, model::YarnDirection along) {
+  return along == model::YarnDirection::kWarp   ? fabric.warp
+         : along == model::YarnDirection::kWeft ? fabric.weft
+                                                : fabric.bias;
 }
 
-double leading_strain(const System& system, const State& s, model::Thread along) {
+double leading_strain(const System& system, const State& s, model::YarnDirection along) {
   double sum = 0, weight = 0;
   for (const model::Lattice& l : system.lattices)
     model::each_link(system, l, [&](const model::Link& link) {
@@ -132,24 +134,25 @@ double leading_strain(const System& system, const State& s, model::Thread along)
   return weight > 0 ? sum / weight : 0;
 }
 
-StripPull strip_pull(const scene::FabricSpec& fabric, model::Thread along, double cell,
+StripPull strip_pull(const scene::FabricSpec& fabric, model::YarnDirection along, double cell,
                      const std::vector<double>& elongation, std::vector<Problem>& problems,
                      const fabric::LawOptions& options) {
-  if (along == model::Thread::kBias && !fabric.bias.jaws)
+  if (along == model::YarnDirection::kBias && !fabric.bias.jaws)
     return trellis_pull(fabric, cell, elongation, problems, options);
   return jaws_pull(fabric, along, cell, elongation, problems, options);
 }
 
-std::vector<double> strip_elongations(const scene::FabricSpec& fabric, model::Thread along, double pull) {
+std::vector<double> strip_elongations(const scene::FabricSpec& fabric, model::YarnDirection along,
+                                      double pull) {
   const double locked = std::sqrt(2.0) - 1 - 1e-6;  // core/README.md, section 3
   std::vector<double> elongation;
   for (double e : strip_diagram(fabric, along).elongation)
-    if (e > 0 && e <= pull * (1 + 1e-12) && (along != model::Thread::kBias || e < locked))
+    if (e > 0 && e <= pull * (1 + 1e-12) && (along != model::YarnDirection::kBias || e < locked))
       elongation.push_back(e);
   return elongation;
 }
 
-StripExcess strip_excess(const scene::FabricSpec& fabric, model::Thread along,
+StripExcess strip_excess(const scene::FabricSpec& fabric, model::YarnDirection along,
                          const fabric::LawOptions& options) {
   const scene::DiagramSpec& d = strip_diagram(fabric, along);
   if (d.elongation.empty()) return {};

@@ -21,14 +21,14 @@ double order_of(const std::array<double, 3>& b, double first, double second) {
 StripOrder strip_order(const scene::FabricSpec& f, double cell, const std::vector<double>& elongation,
                        std::vector<Problem>& problems) {
   StripOrder o;
-  const double middle = strip_cell(f, model::Thread::kBias, cell);
-  o.cell = {strip_cell(f, model::Thread::kBias, 2 * middle), middle,
-            strip_cell(f, model::Thread::kBias, middle / 2)};
+  const double middle = strip_cell(f, model::YarnDirection::kBias, cell);
+  o.cell = {strip_cell(f, model::YarnDirection::kBias, 2 * middle), middle,
+            strip_cell(f, model::YarnDirection::kBias, middle / 2)};
   o.told = o.cell[0] <= std::min(f.strip_width, f.strip_gauge) / kLeastCells;
   if (!o.told) return o;
   std::array<StripPull, 3> pull;
   for (std::size_t i = 0; i < 3; ++i) {
-    pull[i] = strip_pull(f, model::Thread::kBias, o.cell[i], elongation, problems);
+    pull[i] = strip_pull(f, model::YarnDirection::kBias, o.cell[i], elongation, problems);
     if (pull[i].force.size() == elongation.size()) continue;
     o.why = "the strip finds no rest";
     return o;

@@ -143,17 +143,18 @@ bool says(const toml::table& root, const char* table, const char* key, const std
 std::string calibration_store(const std::string& text, const Calibration& c, const std::string& date,
                               std::vector<Problem>& problems) {
   const std::string newline = text.find("\r\n") == std::string::npos ? "\n" : "\r\n";
-  const model::Thread threads[] = {model::Thread::kWarp, model::Thread::kWeft, model::Thread::kBias};
+  const model::YarnDirection threads[] = {model::YarnDirection::kWarp, model::YarnDirection::kWeft,
+                                          model::YarnDirection::kBias};
   try {
     const toml::table root = toml::parse(text);
     std::vector<Edit> edits;
     SheetCorrections sheets;
-    for (model::Thread along : threads) {
+    for (model::YarnDirection along : threads) {
       const scene::DiagramSpec& d = strip_diagram(c.fabric, along);
-      const toml::table* table = root[thread_name(along)].as_table();
+      const toml::table* table = root[yarn_direction_name(along)].as_table();
       if (d.correction.empty()) continue;
       if (!table) {
-        sheets.push_back({thread_name(along), d.correction});
+        sheets.push_back({yarn_direction_name(along), d.correction});
         continue;
       }
       if (d.correction_elongation.empty()) key_remove(text, *table, "correction_elongation", edits);
@@ -166,13 +167,13 @@ std::string calibration_store(const std::string& text, const Calibration& c, con
     std::string stored = edited(text, edits);
     const toml::table after = toml::parse(stored);
     bool good = after["calibration"]["date"].value_or(std::string()) == date;
-    for (model::Thread along : threads) {
+    for (model::YarnDirection along : threads) {
       const scene::DiagramSpec& d = strip_diagram(c.fabric, along);
-      const bool sheet = !after[thread_name(along)].is_table();
-      good = good &&
-             (sheet ? says(after, "calibration", thread_name(along), d.correction)
-                    : says(after, thread_name(along), "correction", d.correction) &&
-                          says(after, thread_name(along), "correction_elongation", d.correction_elongation));
+      const bool sheet = !after[yarn_direction_name(along)].is_table();
+      good = good && (sheet ? says(after, "calibration", yarn_direction_name(along), d.correction)
+                            : says(after, yarn_direction_name(along), "correction", d.correction) &&
+                                  says(after, yarn_direction_name(along), "correction_elongation",
+                                       d.correction_elongation));
     }
     if (good) return stored;
   } catch (const toml::parse_error&) {

@@ -10,12 +10,12 @@ namespace drape::model {
 struct Link {
   std::size_t from, to;  // nodes
   double width, rest;    // m
-  Thread along;
+  YarnDirection along;
   bool doubled;  // a further part of the width of a link already visited
 };
 
-inline const math::Curve& law_curve(const fabric::Law& law, Thread along) {
-  return along == Thread::kWarp ? law.warp : along == Thread::kWeft ? law.weft : law.bias;
+inline const math::Curve& law_curve(const fabric::Law& law, YarnDirection along) {
+  return along == YarnDirection::kWarp ? law.warp : along == YarnDirection::kWeft ? law.weft : law.bias;
 }
 inline double law_bending(const fabric::Law& law, bool warp) {
   return warp ? law.bending_warp : law.bending_weft;
@@ -35,11 +35,11 @@ void each_link(const System& system, const Lattice& l, Visit visit) {
       const std::size_t n = l.node(i, j), up = n + std::size_t(l.stride);
       const double* here = &system.share[n];
       const double here0 = here[0], left = here[-1], below = here[-l.stride];
-      if (below + here0 > 0) visit(Link{n, n + 1, b / 2 * (below + here0), b, Thread::kWeft, false});
-      if (left + here0 > 0) visit(Link{n, up, b / 2 * (left + here0), b, Thread::kWarp, false});
+      if (below + here0 > 0) visit(Link{n, n + 1, b / 2 * (below + here0), b, YarnDirection::kWeft, false});
+      if (left + here0 > 0) visit(Link{n, up, b / 2 * (left + here0), b, YarnDirection::kWarp, false});
       if (here0 > 0) {
-        visit(Link{n, up + 1, b * b / diagonal * here0, diagonal, Thread::kBias, false});
-        visit(Link{n + 1, up, b * b / diagonal * here0, diagonal, Thread::kBias, false});
+        visit(Link{n, up + 1, b * b / diagonal * here0, diagonal, YarnDirection::kBias, false});
+        visit(Link{n + 1, up, b * b / diagonal * here0, diagonal, YarnDirection::kBias, false});
       }
     }
   for (const IrregularLink& s : system.irregular.links)

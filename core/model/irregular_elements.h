@@ -12,13 +12,13 @@
 
 namespace drape::model {
 
-enum class Thread { kWarp, kWeft, kBias };
+enum class YarnDirection { kWarp, kWeft, kBias };
 
 struct IrregularLink {
   std::size_t node[2];
   int slot[2];
   int lattice;
-  Thread along;
+  YarnDirection along;
   double width, rest;  // m
   bool doubled;        // the rows have a link between the same nodes
 };

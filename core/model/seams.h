@@ -35,11 +35,11 @@ struct SeamPair {
 
 // Across a welded pair: p_a - x - p_b, each p a cell's edge inside its piece, x the middle of the pair.
 struct SeamHinge {
-  SeamRow arm[2];        // x - p_a, p_b - x
-  double reach[2];       // m: their lengths at rest
-  double threads[2][2];  // of side k: cos^4 between arm and warp, sin^4
-  double width;          // m
-  double stiffness = 0;  // N m; 0 where a side does not bend
+  SeamRow arm[2];            // x - p_a, p_b - x
+  double reach[2];           // m: their lengths at rest
+  double yarn_shares[2][2];  // of side k: cos^4 between arm and warp, sin^4
+  double width;              // m
+  double stiffness = 0;      // N m; 0 where a side does not bend
 };
 
 // Along the seam, between the middles of two welded pairs that follow each other.

@@ -35,7 +35,7 @@ drape_energy energy_potential(const System& system, const State& s) {
   drape_energy e{};
   for (const model::Lattice& l : system.lattices) {
     model::each_link(system, l, [&](const model::Link& link) {
-      double& kind = link.along == model::Thread::kBias ? e.shear : e.stretch;
+      double& kind = link.along == model::YarnDirection::kBias ? e.shear : e.stretch;
       kind += link.width * link.rest *
               math::curve_energy(model::law_curve(l.law, link.along), model::link_strain(s, link));
     });

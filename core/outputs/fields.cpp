@@ -8,7 +8,7 @@
 namespace drape::outputs {
 namespace {
 
-double link_tension(const fabric::Law& law, model::Thread along, double strain) {
+double link_tension(const fabric::Law& law, model::YarnDirection along, double strain) {
   const math::Curve& curve = model::law_curve(law, along);
   return curve.segments == 0 ? 0 : math::curve_value(curve, strain);
 }
@@ -48,7 +48,7 @@ void fields_fill(Fields& fields, const System& system, const State& s, const con
 }
 
 Elongation elongation_of(const System& system, const State& s, const model::Lattice& lattice,
-                         model::Thread along, double limit) {
+                         model::YarnDirection along, double limit) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   Elongation e{kNone, -kNone, 0, 0, 0};
   double area = 0;
@@ -60,7 +60,7 @@ Elongation elongation_of(const System& system, const State& s, const model::Latt
     e.mean += share * strain;
     area += share;
     if (strain > limit) e.beyond += share;
-    if (along != model::Thread::kBias)
+    if (along != model::YarnDirection::kBias)
       e.tension_max = std::max(e.tension_max, link_tension(lattice.law, along, strain));
   });
   if (area == 0) return {0, 0, 0, 0, 0};

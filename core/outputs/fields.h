@@ -20,6 +20,6 @@ struct Elongation {
   double beyond;          // share of the area that is strained beyond the limit
 };
 Elongation elongation_of(const System& system, const State& state, const model::Lattice& lattice,
-                         model::Thread along, double limit);
+                         model::YarnDirection along, double limit);
 
 }  // namespace drape::outputs

@@ -35,10 +35,10 @@ StrainSummary strain_summary(const System& system, const State& state) {
     model::each_link(system, l, [&](const model::Link& link) {
       const double strain = model::link_strain(state, link);
       const math::Curve& curve = model::law_curve(l.law, link.along);
-      const bool diagonal = link.along == model::Thread::kBias;
-      running_add(diagonal                             ? bias
-                  : link.along == model::Thread::kWarp ? warp
-                                                       : weft,
+      const bool diagonal = link.along == model::YarnDirection::kBias;
+      running_add(diagonal                                    ? bias
+                  : link.along == model::YarnDirection::kWarp ? warp
+                                                              : weft,
                   strain, link.width * link.rest);
       if (curve.segments == 0 || link.doubled) return;
       if (strain > curve.last) ++beyond;

@@ -64,16 +64,17 @@ void print_excess(const Scene& scene) {
   if (scene.scaling != scene::Scaling::kWidth) return;
   const fabric::LawOptions options{scene.scaling, scene.bias_model, scene.clamp_correction};
   for (const scene::FabricSpec& f : scene.fabrics)
-    for (model::Thread along : {model::Thread::kWarp, model::Thread::kWeft, model::Thread::kBias}) {
+    for (model::YarnDirection along :
+         {model::YarnDirection::kWarp, model::YarnDirection::kWeft, model::YarnDirection::kBias}) {
       if (!laboratory::strip_diagram(f, along).correction.empty()) continue;
       const laboratory::StripExcess e = laboratory::strip_excess(f, along, options);
       if (!e.why.empty())
-        std::printf("fabric %s: %s is not calibrated; %s\n", f.name.c_str(), laboratory::thread_name(along),
-                    e.why.c_str());
+        std::printf("fabric %s: %s is not calibrated; %s\n", f.name.c_str(),
+                    laboratory::yarn_direction_name(along), e.why.c_str());
       if (std::abs(e.excess) < 1e-3) continue;
       std::printf(
           "fabric %s: %s is not calibrated; a simulated strip pulls up to %.3g %% too %s (at %.4g %%)\n",
-          f.name.c_str(), laboratory::thread_name(along), 100 * std::abs(e.excess),
+          f.name.c_str(), laboratory::yarn_direction_name(along), 100 * std::abs(e.excess),
           e.excess > 0 ? "hard" : "little", 100 * e.elongation);
     }
 }

@@ -27,7 +27,8 @@ constexpr double kMicroNcm2 = 1e10;       // uN cm^2 per N m^2
 constexpr double kBendingCell = 1.25e-3;  // m, of the PT-2 specimen
 constexpr int kOverhangCells = 40;
 constexpr int kMostCells = 200;  // across a strip
-constexpr model::Thread kThreads[] = {model::Thread::kWarp, model::Thread::kWeft, model::Thread::kBias};
+constexpr model::YarnDirection kThreads[] = {model::YarnDirection::kWarp, model::YarnDirection::kWeft,
+                                             model::YarnDirection::kBias};
 
 struct Options {
   std::string fabric_file, output;
@@ -38,9 +39,9 @@ struct Options {
   bool has_output = false;
 };
 
-bool is_along(const Options& options, model::Thread along) {
+bool is_along(const Options& options, model::YarnDirection along) {
   const auto& list = options.along;
-  return std::find(list.begin(), list.end(), laboratory::thread_name(along)) != list.end();
+  return std::find(list.begin(), list.end(), laboratory::yarn_direction_name(along)) != list.end();
 }
 
 double cell_of(const Options& options, const scene::FabricSpec& f) {
@@ -80,18 +81,18 @@ bool wishes_check(const Options& options, const scene::FabricSpec& f) {
     problems.push_back("strip: " + text_of(f.strip_gauge / cell) + " cells along its gauge of " +
                        text_of(f.strip_gauge) + " m; allowed: at most " + text_of(laboratory::kLongestCells));
   bool any = false;
-  for (model::Thread along : kThreads) {
+  for (model::YarnDirection along : kThreads) {
     const scene::DiagramSpec& d = laboratory::strip_diagram(f, along);
     if (!there(d)) continue;
     any = true;
     if (is_along(options, along) && options.pull >= 0 && options.pull < 100 * d.elongation[1] * (1 - 1e-12))
       problems.push_back("--pull = " + text_of(options.pull) + " percent; allowed: at least " +
                          text_of(100 * d.elongation[1]) + " percent, the first point of the diagram of the " +
-                         laboratory::thread_name(along));
+                         laboratory::yarn_direction_name(along));
     if (is_along(options, along) && options.pull > 100 * d.elongation.back() * (1 + 1e-12))
       problems.push_back("--pull = " + text_of(options.pull) + " percent; allowed: at most " +
                          text_of(100 * d.elongation.back()) + " percent, where the diagram of the " +
-                         laboratory::thread_name(along) + " ends");
+                         laboratory::yarn_direction_name(along) + " ends");
   }
   if (!any) problems.push_back(options.fabric_file + ": has no diagram; wanted: warp, weft or bias");
   for (const std::string& problem : problems) fail(kBadInput, problem);
@@ -113,17 +114,18 @@ void cells_tell(const scene::FabricSpec& f, double cell, const std::vector<doubl
               100 * o.off[0], 1e3 * o.cell[2], 100 * o.off[2], o.order);
 }
 
-int strip_test(const Options& options, const scene::FabricSpec& f, model::Thread along,
+int strip_test(const Options& options, const scene::FabricSpec& f, model::YarnDirection along,
                std::vector<figures::PlotPanel>& panels) {
   const scene::DiagramSpec& d = laboratory::strip_diagram(f, along);
-  const char* name = along == model::Thread::kBias ? "45 degrees" : laboratory::thread_name(along);
+  const char* name =
+      along == model::YarnDirection::kBias ? "45 degrees" : laboratory::yarn_direction_name(along);
   if (!there(d)) return std::printf("%s: no diagram\n\n", name), kDone;
   const double cell = cell_of(options, f), pull = options.pull < 0 ? d.elongation.back() : options.pull / 100;
   const std::vector<double> elongation = laboratory::strip_elongations(f, along, pull);
   std::vector<Problem> problems;
   const laboratory::StripPull strip = laboratory::strip_pull(f, along, cell, elongation, problems);
   if (!problems_tell(problems)) return kBadInput;
-  const bool free = along == model::Thread::kBias && !f.bias.jaws;
+  const bool free = along == model::YarnDirection::kBias && !f.bias.jaws;
   std::printf("%s, %s, cells of %.6g mm, %s\n", name, free ? "a trellis without jaws" : "between jaws",
               1e3 * laboratory::strip_cell(f, along, cell),
               d.correction.empty() ? "not calibrated" : "calibrated");
@@ -136,12 +138,12 @@ int strip_test(const Options& options, const scene::FabricSpec& f, model::Thread
     panel.elongation.push_back(elongation[k]);
     panel.input.push_back(input);
   }
-  if (strip.force.size() == elongation.size() && along == model::Thread::kBias && !free)
+  if (strip.force.size() == elongation.size() && along == model::YarnDirection::kBias && !free)
     cells_tell(f, cell, elongation);
   std::printf("\n");
   panels.push_back(panel);
   if (strip.force.size() < elongation.size())
-    return fail(kFailedRun, std::string("the strip of the ") + laboratory::thread_name(along) +
+    return fail(kFailedRun, std::string("the strip of the ") + laboratory::yarn_direction_name(along) +
                                 " finds no rest at " + text_of(100 * elongation[strip.force.size()]) +
                                 " percent");
   return kDone;
@@ -198,7 +200,7 @@ int test(const Options& options) {
               1e3 * f.strip_gauge, standards_of(f).c_str());
   int code = kDone;
   std::vector<figures::PlotPanel> panels;
-  for (model::Thread along : kThreads) {
+  for (model::YarnDirection along : kThreads) {
     if (!is_along(options, along)) continue;
     const int done = strip_test(options, f, along, panels);
     if (done == kBadInput) return done;
@@ -210,7 +212,7 @@ int test(const Options& options) {
     std::printf("                                   EI input  elastica simulated simulated EI difference\n");
     std::printf("                                     uN cm2        mm        mm       uN cm2          %%\n");
     for (bool warp : {true, false})
-      if (is_along(options, warp ? model::Thread::kWarp : model::Thread::kWeft))
+      if (is_along(options, warp ? model::YarnDirection::kWarp : model::YarnDirection::kWeft))
         code = std::max(code, bending_test(f, warp));
   }
   if (options.picture && !file_write(*options.picture, figures::fabric_plot_svg(f.name, panels)))

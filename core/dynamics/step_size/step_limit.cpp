@@ -107,17 +107,17 @@ void part_offer(WorstPart& worst, const Scene& scene, const model::Lattice& l, d
 // What a link and the hinges across it add to rho b^2 omega^2 of its cell.
 void link_offer(WorstPart& worst, const Scene& scene, const model::Lattice& l, const State& s,
                 const model::Link& link, double ahead) {
-  const char* name = link.along == model::Thread::kWarp   ? "warp"
-                     : link.along == model::Thread::kWeft ? "weft"
-                                                          : "bias";
+  const char* name = link.along == model::YarnDirection::kWarp   ? "warp"
+                     : link.along == model::YarnDirection::kWeft ? "weft"
+                                                                 : "bias";
   const math::Curve& curve = model::law_curve(l.law, link.along);
   const double ratio = distance(s, link.from, link.to, ahead) / link.rest, strain = ratio - 1;
   const double slope = math::curve_slope(curve, strain),
                across = std::max(math::curve_value(curve, strain) / ratio, 0.0);
-  const bool diagonal = link.along == model::Thread::kBias;
+  const bool diagonal = link.along == model::YarnDirection::kBias;
   const double stretch =
       diagonal ? 4 * std::max(slope, across) : 4 * std::max(slope - across, 0.0) + 8 * across;
-  const double rigidity = diagonal ? 0 : model::law_bending(l.law, link.along == model::Thread::kWarp);
+  const double rigidity = diagonal ? 0 : model::law_bending(l.law, link.along == model::YarnDirection::kWarp);
   const double bend = 16 * rigidity / std::pow(ratio * link.rest, 2);
   part_offer(worst, scene, l, stretch + bend, name, bend > stretch ? "hinge" : "link", link.from, strain);
 }

@@ -42,7 +42,7 @@ Calibration calibrated(const scene::FabricSpec& f, double cell = 0.0125) {
   return c;
 }
 
-double off(const scene::FabricSpec& f, model::Thread along, double cell) {
+double off(const scene::FabricSpec& f, model::YarnDirection along, double cell) {
   std::vector<Problem> problems;
   const StripPull pull = strip_pull(f, along, cell, strip_elongations(f, along, 10), problems);
   double most = pull.force.empty() ? 1 : 0;
@@ -55,7 +55,8 @@ TEST(Calibration, LetsStripsGiveBackTheirDiagrams) {
   const scene::FabricSpec f = read(kText);
   const Calibration c = calibrated(f);
   ASSERT_TRUE(c.converged) << c.why;
-  for (model::Thread along : {model::Thread::kWarp, model::Thread::kWeft, model::Thread::kBias}) {
+  for (model::YarnDirection along :
+       {model::YarnDirection::kWarp, model::YarnDirection::kWeft, model::YarnDirection::kBias}) {
     EXPECT_GT(off(f, along, 0.0125), 5e-3);
     EXPECT_LE(off(c.fabric, along, 0.0125), 1e-4);
   }
@@ -101,7 +102,8 @@ TEST(Calibration, StaysWithTunedPoints) {
   scene::FabricSpec f = calibrated(read(kText)).fabric;
   for (scene::DiagramSpec* d : {&f.warp, &f.weft, &f.bias})
     for (double& force : d->force) force *= 1.7;
-  for (model::Thread along : {model::Thread::kWarp, model::Thread::kWeft, model::Thread::kBias})
+  for (model::YarnDirection along :
+       {model::YarnDirection::kWarp, model::YarnDirection::kWeft, model::YarnDirection::kBias})
     EXPECT_LE(off(f, along, 0.0125), 1.1e-4);
 }
 
@@ -139,7 +141,8 @@ TEST(Store, KeepsTheText) {
     for (std::size_t k = stored.find('\n'); crlf && k != std::string::npos; k = stored.find('\n', k + 1))
       EXPECT_EQ(stored[k - 1], '\r');
     const scene::FabricSpec again = read(stored);
-    for (model::Thread along : {model::Thread::kWarp, model::Thread::kWeft, model::Thread::kBias}) {
+    for (model::YarnDirection along :
+         {model::YarnDirection::kWarp, model::YarnDirection::kWeft, model::YarnDirection::kBias}) {
       const scene::DiagramSpec &a = strip_diagram(again, along), &b = strip_diagram(c.fabric, along);
       ASSERT_EQ(a.correction.size(), b.correction.size());
       for (std::size_t k = 0; k < a.correction.size(); ++k)
@@ -189,7 +192,8 @@ TEST(Store, KeepsASheet) {
   ASSERT_TRUE(problems.empty());
   EXPECT_EQ(stored.substr(0, text.size()), text);
   const scene::FabricSpec again = read(stored);
-  for (model::Thread along : {model::Thread::kWarp, model::Thread::kWeft, model::Thread::kBias}) {
+  for (model::YarnDirection along :
+       {model::YarnDirection::kWarp, model::YarnDirection::kWeft, model::YarnDirection::kBias}) {
     const scene::DiagramSpec &a = strip_diagram(again, along), &b = strip_diagram(c.fabric, along);
     ASSERT_EQ(a.correction.size(), b.correction.size());
     for (std::size_t k = 0; k < a.correction.size(); ++k)

@@ -25,7 +25,7 @@ scene::FabricSpec shipped(const std::string& name) {
   return f;
 }
 
-StripPull pulled(const scene::FabricSpec& f, model::Thread along, double cell,
+StripPull pulled(const scene::FabricSpec& f, model::YarnDirection along, double cell,
                  const std::vector<double>& elongation) {
   std::vector<Problem> problems;
   const StripPull pull = strip_pull(f, along, cell, elongation, problems);
@@ -42,16 +42,17 @@ INSTANTIATE_TEST_SUITE_P(Fabrics, ShippedStrip,
 // Case a on calibrated fabrics: S_i = F_i, 0.05 % in jaws along warp and weft, 0.1 % at 45 degrees.
 TEST_P(ShippedStrip, GivesBackItsDiagrams) {
   const scene::FabricSpec f = shipped(GetParam());
-  for (model::Thread along : {model::Thread::kWarp, model::Thread::kWeft, model::Thread::kBias}) {
+  for (model::YarnDirection along :
+       {model::YarnDirection::kWarp, model::YarnDirection::kWeft, model::YarnDirection::kBias}) {
     const scene::DiagramSpec& d = strip_diagram(f, along);
     ASSERT_FALSE(d.correction.empty());
     const StripPull pull = pulled(f, along, f.strip_width / kStripCells, strip_elongations(f, along, 10));
     double worst = 0;
     for (std::size_t k = 0; k < pull.force.size(); ++k)
       worst = std::max(worst, std::abs(pull.force[k] / d.force[k + 1] - 1));
-    std::printf("case a, %s: at most %.1e off\n", along == model::Thread::kBias ? "45 degrees" : "threads",
-                worst);
-    EXPECT_LE(worst, along == model::Thread::kBias ? 1e-3 : 5e-4);
+    std::printf("case a, %s: at most %.1e off\n",
+                along == model::YarnDirection::kBias ? "45 degrees" : "threads", worst);
+    EXPECT_LE(worst, along == model::YarnDirection::kBias ? 1e-3 : 5e-4);
   }
 }
 
@@ -60,12 +61,12 @@ TEST_P(ShippedStrip, GivesBackItsDiagrams) {
 TEST_P(ShippedStrip, FindsItsRestOnOtherCells) {
   const scene::FabricSpec f = shipped(GetParam());
   std::vector<Problem> problems;
-  for (model::Thread along : {model::Thread::kWarp, model::Thread::kWeft})
+  for (model::YarnDirection along : {model::YarnDirection::kWarp, model::YarnDirection::kWeft})
     for (double cells : {8.0, 32.0})
       pulled(f, along, f.strip_width / cells, strip_elongations(f, along, 0.04));
   if (!f.bias.jaws) return;
   const StripOrder o =
-      strip_order(f, f.strip_width / 16, strip_elongations(f, model::Thread::kBias, 0.06), problems);
+      strip_order(f, f.strip_width / 16, strip_elongations(f, model::YarnDirection::kBias, 0.06), problems);
   ASSERT_TRUE(o.told && o.why.empty() && problems.empty()) << o.why;
   std::printf("45 degrees on cells of %.3f, %.3f, %.3f mm: %.2f, %.3f, %.2f %% off, order %.2f\n",
               1e3 * o.cell[0], 1e3 * o.cell[1], 1e3 * o.cell[2], 100 * o.off[0], 100 * o.off[1],
@@ -88,7 +89,8 @@ TEST(Strip, FindsItsRestWhereClothIsSlackOrShort) {
     for (double compression : {1.0, 0.0}) {
       scene::FabricSpec f = shipped("cotton");
       f.strip_width = width, f.strip_gauge = gauge, f.compression = compression;
-      for (model::Thread along : {model::Thread::kWarp, model::Thread::kWeft, model::Thread::kBias})
+      for (model::YarnDirection along :
+           {model::YarnDirection::kWarp, model::YarnDirection::kWeft, model::YarnDirection::kBias})
         for (double cells : {8.0, 13.0}) pulled(f, along, width / cells, strip_elongations(f, along, 10));
     }
 }
@@ -100,7 +102,7 @@ TEST(Strip, OfThreadsAloneIsItsDiagramAtEveryCell) {
   f.bias = {};
   f.warp.correction.clear();
   f.weft.correction.clear();
-  for (model::Thread along : {model::Thread::kWarp, model::Thread::kWeft})
+  for (model::YarnDirection along : {model::YarnDirection::kWarp, model::YarnDirection::kWeft})
     for (double cells : {4.0, 7.3, 16.0}) {
       const scene::DiagramSpec& d = strip_diagram(f, along);
       const StripPull pull = pulled(f, along, f.strip_width / cells, strip_elongations(f, along, 10));
@@ -112,7 +114,7 @@ TEST(Strip, OfThreadsAloneIsItsDiagramAtEveryCell) {
 // The rest of Newton's method is the judge's: nothing is left of the forces, and the pins carry what it says.
 TEST(Strip, IsAtRestForTheJudge) {
   const scene::FabricSpec f = shipped("half_wool");
-  const Scene scene = strip_scene(f, model::Thread::kBias, f.strip_width / 8);
+  const Scene scene = strip_scene(f, model::YarnDirection::kBias, f.strip_width / 8);
   Assembled a = assemble(scene);
   a.state.pin_motion[1].position[1] += 0.04 * f.strip_gauge;
   const RestSearchHandle search = rest_search_make(a.system, true);
@@ -131,7 +133,7 @@ TEST(Strip, IsAtRestForTheJudge) {
 // strips, 1e-3 of the pull.
 TEST(Strip, IsTheRestOfAFit) {
   const scene::FabricSpec f = shipped("half_wool");
-  Scene scene = strip_scene(f, model::Thread::kBias, f.strip_width / 4);
+  Scene scene = strip_scene(f, model::YarnDirection::kBias, f.strip_width / 4);
   scene.mode = scene::Mode::kFit;
   Assembled a = assemble(scene);
   const double pull = 0.03;
@@ -145,7 +147,7 @@ TEST(Strip, IsTheRestOfAFit) {
   std::vector<math::Wrench> load(2);
   Array v[3] = {Array(a.system.nodes), Array(a.system.nodes), Array(a.system.nodes)};
   dynamics::leapfrog_synchronous(a.system, a.motion, a.state, v[0].data(), v[1].data(), v[2].data(), load);
-  const StripPull newton = pulled(f, model::Thread::kBias, f.strip_width / 4, {pull});
+  const StripPull newton = pulled(f, model::YarnDirection::kBias, f.strip_width / 4, {pull});
   EXPECT_NEAR(-load[1].force[1] / newton.force[0], 1, 1e-3);
 }
 
@@ -154,9 +156,9 @@ TEST(Strip, IsTheRestOfAFit) {
 TEST(Strip, WithoutJawsIsTheTrellis) {
   scene::FabricSpec f = shipped("wool");
   f.bias.correction.clear();
-  const std::vector<double> elongation = strip_elongations(f, model::Thread::kBias, 10);
+  const std::vector<double> elongation = strip_elongations(f, model::YarnDirection::kBias, 10);
   for (double cells : {4.0, 9.0}) {
-    const StripPull pull = pulled(f, model::Thread::kBias, f.strip_width / cells, elongation);
+    const StripPull pull = pulled(f, model::YarnDirection::kBias, f.strip_width / cells, elongation);
     for (std::size_t k = 0; k < pull.force.size(); ++k)
       EXPECT_NEAR(pull.force[k] / f.bias.force[k + 1], 1, 1e-9);
   }
@@ -167,12 +169,12 @@ TEST(Strip, IsStiffenedByJawsAboutAsKSays) {
   scene::FabricSpec f = shipped("cotton");
   for (scene::DiagramSpec* d : {&f.warp, &f.weft, &f.bias})
     d->correction.clear(), d->correction_elongation.clear();
-  const StripPull pull = pulled(f, model::Thread::kBias, f.strip_width / 16, {0.005});
+  const StripPull pull = pulled(f, model::YarnDirection::kBias, f.strip_width / 16, {0.005});
   EXPECT_NEAR(pull.force[0] / f.bias.force[1], 1, 0.15);
   f.bias.jaws = false;
   f.bias.force[1] *= 9.0 / 11;  // over K
-  EXPECT_NEAR(pulled(f, model::Thread::kBias, f.strip_width / 16, {0.005}).force[0] / f.bias.force[1], 1,
-              1e-9);
+  EXPECT_NEAR(pulled(f, model::YarnDirection::kBias, f.strip_width / 16, {0.005}).force[0] / f.bias.force[1],
+              1, 1e-9);
 }
 
 // The diagonals' share of a uniform strip is sqrt(2) g (1 + e)/l w_p, l = hypot(1 + e, 1), while it is as
@@ -181,7 +183,7 @@ TEST(Strip, IsStiffenedByJawsAboutAsKSays) {
 TEST(StripExcess, OfWeftIsTheShareOfTheDiagonalsAtMost) {
   scene::FabricSpec f = shipped("wool");
   f.weft.correction.clear();
-  const StripExcess e = strip_excess(f, model::Thread::kWeft, {});
+  const StripExcess e = strip_excess(f, model::YarnDirection::kWeft, {});
   EXPECT_EQ(e.elongation, f.weft.elongation[1]);
   std::vector<Problem> problems;
   const fabric::Law law = fabric::law_make(f, {}, 0.01, "fabric.f", problems);

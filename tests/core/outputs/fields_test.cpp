@@ -117,7 +117,8 @@ TEST(Fields, ElongationIsThatOfTheSummary) {
   fields_fill(fields, a.system, a.state, {});
   const drape_strain of[] = {sum.warp, sum.weft, sum.bias};
   double tension = 0;
-  for (const model::Thread along : {model::Thread::kWarp, model::Thread::kWeft, model::Thread::kBias}) {
+  for (const model::YarnDirection along :
+       {model::YarnDirection::kWarp, model::YarnDirection::kWeft, model::YarnDirection::kBias}) {
     const drape_strain& all = of[std::size_t(along)];
     const double middle = (all.min + all.max) / 2;
     const Elongation e = elongation_of(a.system, a.state, a.system.lattices[0], along, middle);
