@@ -141,7 +141,7 @@ std::string ending(const std::string& file) {
 
 }  // namespace
 
-drape_mesh_file* mesh_read(const char* file, char* problem, size_t room) {
+drape_mesh_file* mesh_read(const char* file, char* problem, size_t capacity) {
   Triangles found;
   std::string trouble;
   try {
@@ -155,7 +155,7 @@ drape_mesh_file* mesh_read(const char* file, char* problem, size_t room) {
   if (trouble.empty() && found.corner.empty()) trouble = "holds no triangles";
   if (!trouble.empty()) {
     while (!trouble.empty() && trouble.back() == '\n') trouble.pop_back();
-    std::snprintf(problem, room, "%s", trouble.c_str());
+    std::snprintf(problem, capacity, "%s", trouble.c_str());
     return nullptr;
   }
   auto* mesh = new drape_mesh_file{found.point.size() / 3, nullptr, found.corner.size() / 3, nullptr};

@@ -25,8 +25,8 @@ struct Motion {
   Array now_x, now_y, now_z;  // [nodes] a field of t_n while somebody works with it: velocities or forces
   std::vector<Vec3> torque;   // [pins] N m, of the slopes that clamps hold
   Balance balance;
-  contact::TouchRoom touch;
-  contact::SelfRoom self;
+  contact::ContactWorkspace touch;
+  contact::SelfContactWorkspace self;
 };
 Motion motion_make(const System& system);
 

@@ -25,7 +25,7 @@ double layer_most(const System& system) {
   return most;
 }
 
-void block_renew(const System& system, TouchRoom& room, State& s, std::size_t b, std::size_t node,
+void block_renew(const System& system, ContactWorkspace& workspace, State& s, std::size_t b, std::size_t node,
                  double ahead) {
   const model::Body& body = system.bodies[b];
   const model::Lattice& l = model::system_lattice_of(system, node);
@@ -39,20 +39,21 @@ void block_renew(const System& system, TouchRoom& room, State& s, std::size_t b,
     x[i] = model::pose_inward(body, s.body[b], at);
     step[i] = model::pose_inward(body, s.body[b], at + ahead * v) - x[i];
   }
-  contact_renew(body.mesh.surface, room.voxels[b], s.body[b], node, l.piece, l.touch.layer,
+  contact_renew(body.mesh.surface, workspace.voxels[b], s.body[b], node, l.piece, l.touch.layer,
                 {body.ridges, ridge_near(l), ridge_margin(l)}, x, step);
 }
 
-ContactJob job_of(const System& system, TouchRoom& room, const State& s, std::size_t b, double* sum) {
+ContactJob job_of(const System& system, ContactWorkspace& workspace, const State& s, std::size_t b,
+                  double* sum) {
   ContactJob job{};
-  room.law.clear();
+  workspace.law.clear();
   for (const model::Lattice& l : system.lattices)
-    room.law.push_back(touch_law_now(system, s, system.bodies[b], l));
+    workspace.law.push_back(touch_law_now(system, s, system.bodies[b], l));
   job.body = const_cast<model::BodyContact*>(&s.body[b]);  // its grips are written by passes that move
-  job.old = room.old[b].data();
+  job.old = workspace.old[b].data();
   job.mass = system.mass.data();
-  if (!room.tied.empty()) job.tied = room.tied.data(), job.hit = room.hit.data();
-  job.law = room.law.data();
+  if (!workspace.tied.empty()) job.tied = workspace.tied.data(), job.hit = workspace.hit.data();
+  job.law = workspace.law.data();
   job.damping = system.bodies[b].damping;
   job.energy = system.energy;
   job.sum = sum;
@@ -108,19 +109,19 @@ ContactCoefficients touch_force(const System& system, const State& s) {
   return c;
 }
 
-TouchRoom touch_make(const System& system) {
-  TouchRoom room;
+ContactWorkspace touch_make(const System& system) {
+  ContactWorkspace workspace;
   const double layer = layer_most(system);
   for (const model::Body& body : system.bodies)
-    room.voxels.push_back(body::voxels_make(*body.mesh.library, *body.mesh.query, body.mesh.surface,
-                                            contact_reach(body.mesh.surface, layer)));
-  room.old.resize(system.bodies.size());
-  room.load.resize(system.bodies.size());
-  if (!system.bodies.empty()) room.due.resize(system.nodes / math::kRowUnit);
-  return room;
+    workspace.voxels.push_back(body::voxels_make(*body.mesh.library, *body.mesh.query, body.mesh.surface,
+                                                 contact_reach(body.mesh.surface, layer)));
+  workspace.old.resize(system.bodies.size());
+  workspace.load.resize(system.bodies.size());
+  if (!system.bodies.empty()) workspace.due.resize(system.nodes / math::kRowUnit);
+  return workspace;
 }
 
-void touch_begin(const System& system, const ContactKernel& kernel, TouchRoom& room, State& s) {
+void touch_begin(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace, State& s) {
   ridge_begin(system, s);
   for (model::BodyContact& c : s.body) {
     c.blocks = model::ContactBlocks{};
@@ -129,7 +130,7 @@ void touch_begin(const System& system, const ContactKernel& kernel, TouchRoom& r
     for (std::size_t n : system.particle) c.budget2[n] = 0;
     c.ease.assign(system.nodes / math::kRowUnit, 0.0);
   }
-  touch_watch(system, kernel, room, s, 0, model::step_next(system, s));
+  touch_watch(system, kernel, workspace, s, 0, model::step_next(system, s));
   for (std::size_t b = 0; b < s.body.size(); ++b) {  // what is at rest on a body sticks to it
     if (system.bodies[b].moves) continue;
     for (model::ContactBlock& block : s.body[b].blocks.pool)
@@ -143,11 +144,11 @@ void touch_begin(const System& system, const ContactKernel& kernel, TouchRoom& r
 
 namespace {
 
-void old_keep(TouchRoom& room, const State& s) {
+void old_keep(ContactWorkspace& workspace, const State& s) {
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     const model::ContactBlocks& blocks = s.body[b].blocks;
-    room.old[b].resize(3 * math::kRowUnit * blocks.order.size());
-    double* to = room.old[b].data();
+    workspace.old[b].resize(3 * math::kRowUnit * blocks.order.size());
+    double* to = workspace.old[b].data();
     for (const model::ContactPlace& place : blocks.order)
       for (const Array* v : {&s.vx, &s.vy, &s.vz})
         to = std::copy_n(v->data() + std::size_t(place.node) * math::kRowUnit, math::kRowUnit, to);
@@ -156,22 +157,23 @@ void old_keep(TouchRoom& room, const State& s) {
 
 }  // namespace
 
-void touch_keep(const System& system, TouchRoom& room, State& s) {
-  old_keep(room, s);
-  const double lost = ridge_keep(system, s, room.ridge);
+void touch_keep(const System& system, ContactWorkspace& workspace, State& s) {
+  old_keep(workspace, s);
+  const double lost = ridge_keep(system, s, workspace.ridge);
   if (system.energy) s.dissipated += lost;
 }
 
-void touch_tie(const System& system, const constraint::Constraints& constraints, TouchRoom& room) {
-  room.tied.clear();
-  room.hit.clear();
+void touch_tie(const System& system, const constraint::Constraints& constraints,
+               ContactWorkspace& workspace) {
+  workspace.tied.clear();
+  workspace.hit.clear();
   if (system.bodies.empty() || constraints.rows.empty()) return;
-  room.tied.assign(system.nodes, 0.0);
-  room.hit.assign(system.nodes / math::kRowUnit, 0);
+  workspace.tied.assign(system.nodes, 0.0);
+  workspace.hit.assign(system.nodes / math::kRowUnit, 0);
   for (const constraint::HeldRow& row : constraints.rows)
-    for (std::size_t n : row.on.node) room.tied[n] = 1;
+    for (std::size_t n : row.on.node) workspace.tied[n] = 1;
   for (const constraint::RigidLink& link : constraints.rigid.link)
-    for (std::size_t n : link.node) room.tied[n] = 1;
+    for (std::size_t n : link.node) workspace.tied[n] = 1;
 }
 
 namespace {
@@ -197,32 +199,33 @@ void carry_give(const State& s, double kick, const double* lightness, double* v[
 
 }  // namespace
 
-void touch_carry(const System& system, const TouchRoom& room, const TouchStep& step, State& s) {
+void touch_carry(const System& system, const ContactWorkspace& workspace, const TouchStep& step, State& s) {
   double* v[] = {s.vx.data(), s.vy.data(), s.vz.data()};
   double* r[] = {s.x.data(), s.y.data(), s.z.data()};
   const double* lightness = s.lightness.empty() ? nullptr : s.lightness.data();
   carry_give(s, step.kick, lightness, v, r, step.drift);
-  ridge_carry(system, s, room.ridge, touch_kick(step), {{v[0], v[1], v[2]}, {r[0], r[1], r[2]}, lightness});
+  ridge_carry(system, s, workspace.ridge, touch_kick(step),
+              {{v[0], v[1], v[2]}, {r[0], r[1], r[2]}, lightness});
 }
 
-void touch_carry_synchronous(const System& system, TouchRoom& room, const State& s, double half,
+void touch_carry_synchronous(const System& system, ContactWorkspace& workspace, const State& s, double half,
                              double centred, double* vx, double* vy, double* vz) {
   double* v[] = {vx, vy, vz};
   ContactCoefficients c;
   c.kick = half > 0 ? half / centred : 1;
   carry_give(s, c.kick, nullptr, v, nullptr, 0);
-  room.ridge_lost = ridge_look(system, s, room.ridge);
-  ridge_carry(system, s, room.ridge, c, {{vx, vy, vz}, {}, nullptr});
+  workspace.ridge_lost = ridge_look(system, s, workspace.ridge);
+  ridge_carry(system, s, workspace.ridge, c, {{vx, vy, vz}, {}, nullptr});
 }
 
-void touch_apply(const System& system, const ContactKernel& kernel, TouchRoom& room, const TouchStep& step,
-                 State& s) {
-  std::fill(room.hit.begin(), room.hit.end(), char(0));
+void touch_apply(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
+                 const TouchStep& step, State& s) {
+  std::fill(workspace.hit.begin(), workspace.hit.end(), char(0));
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     model::BodyContact& body = s.body[b];
     if (body.blocks.order.empty()) continue;
     double sum[8]{};
-    ContactJob job = job_of(system, room, s, b, sum);
+    ContactJob job = job_of(system, workspace, s, b, sum);
     job.r[0] = s.x.data(), job.r[1] = s.y.data(), job.r[2] = s.z.data();
     job.v[0] = s.vx.data(), job.v[1] = s.vy.data(), job.v[2] = s.vz.data();
     if (!s.lightness.empty()) job.lightness = s.lightness.data();
@@ -236,22 +239,22 @@ void touch_apply(const System& system, const ContactKernel& kernel, TouchRoom& r
     s.dissipated += sum[6];
     s.input += sum[7];
   }
-  if (room.ridge.empty()) return;
-  for (const RidgeTouch& t : room.ridge)
-    for (int k = 0; !room.hit.empty() && k < t.part->weights(); ++k)
-      room.hit[t.part->node[k] / math::kRowUnit] = 1;
-  ridge_respond(system, s, room.ridge, touch_kick(step),
+  if (workspace.ridge.empty()) return;
+  for (const RidgeTouch& t : workspace.ridge)
+    for (int k = 0; !workspace.hit.empty() && k < t.part->weights(); ++k)
+      workspace.hit[t.part->node[k] / math::kRowUnit] = 1;
+  ridge_respond(system, s, workspace.ridge, touch_kick(step),
                 {{s.vx.data(), s.vy.data(), s.vz.data()},
                  {s.x.data(), s.y.data(), s.z.data()},
                  s.lightness.empty() ? nullptr : s.lightness.data()},
-                &s, room.ridge_sums);
+                &s, workspace.ridge_sums);
   for (std::size_t b = 0; b < s.body.size(); ++b) {
-    s.body[b].impulse.force += room.ridge_sums.load[b].force;
-    s.body[b].impulse.torque += room.ridge_sums.load[b].torque;
+    s.body[b].impulse.force += workspace.ridge_sums.load[b].force;
+    s.body[b].impulse.torque += workspace.ridge_sums.load[b].torque;
   }
   if (!system.energy) return;
-  s.dissipated += room.ridge_sums.dissipated;
-  s.input += room.ridge_sums.input;
+  s.dissipated += workspace.ridge_sums.dissipated;
+  s.input += workspace.ridge_sums.input;
 }
 
 namespace {
@@ -296,8 +299,8 @@ void touch_hurry(State& s) {
   for (model::BodyContact& c : s.body) std::fill(c.ease.begin(), c.ease.end(), 0.0);
 }
 
-void touch_watch(const System& system, const ContactKernel& kernel, TouchRoom& room, State& s, double drift,
-                 double ahead) {
+void touch_watch(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace, State& s,
+                 double drift, double ahead) {
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     std::size_t count = 0;
     for (const model::Lattice& l : system.lattices) {
@@ -308,31 +311,32 @@ void touch_watch(const System& system, const ContactKernel& kernel, TouchRoom& r
                          ahead,
                          l.first,
                          l.first + std::size_t(l.rows) * std::size_t(l.stride)};
-      count += kernel.watch[system.bodies[b].moves](watch, room.due.data() + count);
+      count += kernel.watch[system.bodies[b].moves](watch, workspace.due.data() + count);
       watch.begin = l.twin_first, watch.end = l.end();
-      count += kernel.watch[system.bodies[b].moves](watch, room.due.data() + count);
+      count += kernel.watch[system.bodies[b].moves](watch, workspace.due.data() + count);
     }
     const bool chosen = count > 0 && system.step_given == 0 && !system.fit;
     const StepBound bound = chosen ? step_bound(system, s, b) : StepBound{};
     for (std::size_t k = 0; k < count; ++k) {
-      block_renew(system, room, s, b, room.due[k], ahead);
-      if (chosen && outruns(system, s, b, bound, room.due[k], std::max(ahead, model::step_next(system, s))))
+      block_renew(system, workspace, s, b, workspace.due[k], ahead);
+      if (chosen &&
+          outruns(system, s, b, bound, workspace.due[k], std::max(ahead, model::step_next(system, s))))
         s.watch_wait = 0;
     }
     ridge_watch(system, s, b, ahead);
   }
 }
 
-void touch_synchronous(const System& system, const ContactKernel& kernel, TouchRoom& room, const State& s,
-                       double half, double centred, double* vx, double* vy, double* vz) {
-  room.dissipated = half > 0 && system.energy ? room.ridge_lost : 0;
-  room.input = 0;
-  if (half > 0) old_keep(room, s);
+void touch_synchronous(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
+                       const State& s, double half, double centred, double* vx, double* vy, double* vz) {
+  workspace.dissipated = half > 0 && system.energy ? workspace.ridge_lost : 0;
+  workspace.input = 0;
+  if (half > 0) old_keep(workspace, s);
   for (std::size_t b = 0; b < s.body.size(); ++b) {
-    room.load[b] = math::Wrench{};
+    workspace.load[b] = math::Wrench{};
     if (s.body[b].blocks.order.empty()) continue;
     double sum[8]{};
-    ContactJob job = job_of(system, room, s, b, sum);
+    ContactJob job = job_of(system, workspace, s, b, sum);
     const Array* r[] = {&s.x, &s.y, &s.z};
     for (std::size_t k = 0; k < 3; ++k)
       job.r[k] = const_cast<double*>(r[k]->data());  // read only: nothing moves
@@ -344,20 +348,21 @@ void touch_synchronous(const System& system, const ContactKernel& kernel, TouchR
       job.energy = false;
     }
     kernel.run[system.bodies[b].moves](job);
-    room.load[b] = load_of(sum);
-    room.dissipated += sum[6];
-    room.input += sum[7];
+    workspace.load[b] = load_of(sum);
+    workspace.dissipated += sum[6];
+    workspace.input += sum[7];
   }
-  if (room.ridge.empty()) return;
-  ridge_respond(system, s, room.ridge, half > 0 ? touch_last_kick(half, centred) : touch_force(system, s),
-                {{vx, vy, vz}, {}, nullptr}, nullptr, room.ridge_sums);
+  if (workspace.ridge.empty()) return;
+  ridge_respond(system, s, workspace.ridge,
+                half > 0 ? touch_last_kick(half, centred) : touch_force(system, s),
+                {{vx, vy, vz}, {}, nullptr}, nullptr, workspace.ridge_sums);
   for (std::size_t b = 0; b < s.body.size(); ++b) {
-    room.load[b].force += room.ridge_sums.load[b].force;
-    room.load[b].torque += room.ridge_sums.load[b].torque;
+    workspace.load[b].force += workspace.ridge_sums.load[b].force;
+    workspace.load[b].torque += workspace.ridge_sums.load[b].torque;
   }
   if (half == 0 || !system.energy) return;
-  room.dissipated += room.ridge_sums.dissipated;
-  room.input += room.ridge_sums.input;
+  workspace.dissipated += workspace.ridge_sums.dissipated;
+  workspace.input += workspace.ridge_sums.input;
 }
 
 double touch_step_most(const System& system, const State& s) {

@@ -8,7 +8,7 @@
 namespace drape::contact {
 
 // Room for contact; made once per System.
-struct TouchRoom {
+struct ContactWorkspace {
   std::vector<body::Voxels> voxels;  // [bodies]
   std::vector<Array> old;            // [bodies][blocks x 3 x kRowUnit] v_{n-1/2}
   std::vector<std::size_t> due;      // [nodes / kRowUnit] first nodes of blocks to look at anew
@@ -22,17 +22,18 @@ struct TouchRoom {
   std::vector<math::Wrench> load;    // [bodies] of the last synchronous pass
   double dissipated = 0, input = 0;  // J, likewise
 };
-TouchRoom touch_make(const System& system);
+ContactWorkspace touch_make(const System& system);
 
 // Looks at all surroundings; for a new state.
-void touch_begin(const System& system, const ContactKernel& kernel, TouchRoom& room, State& state);
+void touch_begin(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
+                 State& state);
 
 // Pieces that start inside a body, or nearer to one than the cloth's thickness lets them.
-void touch_start_check(const System& system, const Scene& scene, TouchRoom& room, const State& state,
-                       std::vector<Problem>& problems);
+void touch_start_check(const System& system, const Scene& scene, ContactWorkspace& workspace,
+                       const State& state, std::vector<Problem>& problems);
 
 // What is on ridges, and the velocities of all that is near, before a step changes them.
-void touch_keep(const System& system, TouchRoom& room, State& state);
+void touch_keep(const System& system, ContactWorkspace& workspace, State& state);
 
 // What a step is to contact.
 struct TouchStep {
@@ -57,21 +58,22 @@ model::ContactLaw touch_law_now(const System& system, const State& state, const 
                                 const model::Lattice& lattice);
 
 // Notes which particles are tied to others; for new constraints.
-void touch_tie(const System& system, const constraint::Constraints& constraints, TouchRoom& room);
+void touch_tie(const System& system, const constraint::Constraints& constraints, ContactWorkspace& workspace);
 
 // Before pins and welds: gives particles that are not alone what the bodies did to them in the step before.
-void touch_carry(const System& system, const TouchRoom& room, const TouchStep& step, State& state);
-void touch_carry_synchronous(const System& system, TouchRoom& room, const State& state, double half,
-                             double centred, double* vx, double* vy, double* vz);
+void touch_carry(const System& system, const ContactWorkspace& workspace, const TouchStep& step,
+                 State& state);
+void touch_carry_synchronous(const System& system, ContactWorkspace& workspace, const State& state,
+                             double half, double centred, double* vx, double* vy, double* vz);
 
 // Adds to a free step what the bodies do. Needs touch_keep.
-void touch_apply(const System& system, const ContactKernel& kernel, TouchRoom& room, const TouchStep& step,
-                 State& state);
+void touch_apply(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
+                 const TouchStep& step, State& state);
 
 // After the particles and bodies have moved, or velocities have jumped: looks at the surroundings of those
 // that may have come near something else, or will. `drift`: how long they moved since the last watch, s;
 // `ahead`: the next step.
-void touch_watch(const System& system, const ContactKernel& kernel, TouchRoom& room, State& state,
+void touch_watch(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace, State& state,
                  double drift, double ahead);
 
 // After particles have been put elsewhere: all are compared with their budgets at the next watch.
@@ -79,8 +81,8 @@ void touch_hurry(State& state);
 
 // What contact does to synchronous velocities [nodes] in the last half kick of `half` s, which is what
 // room.load then holds, as impulses; or to accelerations (half = 0), as forces.
-void touch_synchronous(const System& system, const ContactKernel& kernel, TouchRoom& room, const State& state,
-                       double half, double centred, double* vx, double* vy, double* vz);
+void touch_synchronous(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
+                       const State& state, double half, double centred, double* vx, double* vy, double* vz);
 
 // The longest step (s) in which no particle goes past what its surroundings were searched for.
 double touch_step_most(const System& system, const State& state);

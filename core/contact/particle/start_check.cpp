@@ -7,11 +7,11 @@
 namespace drape::contact {
 namespace {
 
-double depth_at(const System& system, TouchRoom& room, const State& s, std::size_t b, const model::Lattice& l,
-                std::size_t n) {
+double depth_at(const System& system, ContactWorkspace& workspace, const State& s, std::size_t b,
+                const model::Lattice& l, std::size_t n) {
   const model::Body& body = system.bodies[b];
   const Vec3 x = model::pose_inward(body, s.body[b], {s.x[n], s.y[n], s.z[n]});
-  body::Voxels& voxels = room.voxels[b];
+  body::Voxels& voxels = workspace.voxels[b];
   if (const body::Neighbourhood near = body::voxels_at(voxels, x); near.triangle) {
     body::Nearest found;
     body::nearest_find(body.mesh.surface, *near.triangle, x, l.touch.layer, voxels.reach, voxels.reach,
@@ -24,7 +24,7 @@ double depth_at(const System& system, TouchRoom& room, const State& s, std::size
 
 }  // namespace
 
-void touch_start_check(const System& system, const Scene& scene, TouchRoom& room, const State& s,
+void touch_start_check(const System& system, const Scene& scene, ContactWorkspace& workspace, const State& s,
                        std::vector<Problem>& problems) {
   for (std::size_t b = 0; b < system.bodies.size(); ++b)
     for (const model::Lattice& l : system.lattices) {
@@ -33,14 +33,14 @@ void touch_start_check(const System& system, const Scene& scene, TouchRoom& room
       double deepest = 0;
       for (std::size_t n : system.particle) {
         if (!l.owns(n)) continue;
-        const double depth = depth_at(system, room, s, b, l, n);
+        const double depth = depth_at(system, workspace, s, b, l, n);
         if (!(depth > kContactDeepest * l.touch.layer)) continue;
         ++count;
         if (depth > deepest) deepest = depth, worst = {s.x[n], s.y[n], s.z[n]};
       }
       const char* what = " particles inside the body ";
       if (count == 0) {
-        const RidgeDeep deep = ridge_deepest(system, s, b, l, room.voxels[b]);
+        const RidgeDeep deep = ridge_deepest(system, s, b, l, workspace.voxels[b]);
         count = deep.count, deepest = deep.depth, worst = deep.at;
         what = " links or cells through sharp edges or tips of the body ";
       }

@@ -140,8 +140,8 @@ double normal_sweep(const ContactCoefficients& c, SelfTouches& all, SelfTouch& t
 }
 
 double stop_sweep(const ContactCoefficients& c, SelfTouches& all, SelfTouch& t) {
-  const double w = dot(t.n, gap_rate(all, t, &SelfNode::v)), room = t.distance - kLeast * t.layer;
-  const double wanted = -room * (room >= 0 ? c.stop_rate : c.push_rate);
+  const double w = dot(t.n, gap_rate(all, t, &SelfNode::v)), workspace = t.distance - kLeast * t.layer;
+  const double wanted = -workspace * (workspace >= 0 ? c.stop_rate : c.push_rate);
   const double stop = std::max(t.stop + (wanted - w) / t.lightness, 0.0), more = stop - t.stop;
   if (more == 0) return 0;
   t.stop = stop;

@@ -101,15 +101,15 @@ void self_hurry(const System& system, State& s, double moved) {
   s.self.way += 2 * moved;
 }
 
-void self_keep(const System& system, SelfRoom& room, State& s, double h) {
+void self_keep(const System& system, SelfContactWorkspace& workspace, State& s, double h) {
   const double reach = reach_of(system, s, h);
   if (s.self.way + reach > s.self.searched + s.self.margin) search(system, s, h);
-  self_look(system, s, reach, room.touches, &s.self);
-  self_prepare(system, s, true, room.touches);
+  self_look(system, s, reach, workspace.touches, &s.self);
+  self_prepare(system, s, true, workspace.touches);
 }
 
-void self_apply(const System& system, SelfRoom& room, const TouchStep& step, State& s) {
-  SelfTouches& all = room.touches;
+void self_apply(const System& system, SelfContactWorkspace& workspace, const TouchStep& step, State& s) {
+  SelfTouches& all = workspace.touches;
   if (all.touch.empty()) {
     s.self.hold.clear();
     return;
@@ -132,10 +132,10 @@ void self_watch(const System& system, State& s, double drift) {
   s.self.way += s.self.speed * std::abs(drift);
 }
 
-void self_synchronous(const System& system, SelfRoom& room, const State& s, double half, double centred,
-                      double* vx, double* vy, double* vz) {
-  SelfTouches& all = room.touches;
-  room.dissipated = 0;
+void self_synchronous(const System& system, SelfContactWorkspace& workspace, const State& s, double half,
+                      double centred, double* vx, double* vy, double* vz) {
+  SelfTouches& all = workspace.touches;
+  workspace.dissipated = 0;
   self_look(system, s, 0, all, nullptr);
   self_prepare(system, s, false, all);
   const ContactCoefficients c = half > 0 ? touch_last_kick(half, centred) : touch_force(system, s);
@@ -148,7 +148,7 @@ void self_synchronous(const System& system, SelfRoom& room, const State& s, doub
     const Vec3 dv = (n.fixed ? 1 / n.mass : n.inverse) * n.impulse;
     vx[n.node] += dv[0], vy[n.node] += dv[1], vz[n.node] += dv[2];
   }
-  if (half > 0 && system.energy) room.dissipated = self_dissipated(c, all);
+  if (half > 0 && system.energy) workspace.dissipated = self_dissipated(c, all);
 }
 
 namespace {

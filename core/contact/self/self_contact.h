@@ -6,13 +6,15 @@
 namespace drape::contact {
 
 // Room of one step; made once per System.
-struct SelfRoom {
+struct SelfContactWorkspace {
   SelfTouches touches;
   double dissipated = 0;  // J, of the last synchronous pass
 };
 
 inline bool self_touches(const System& system) { return !system.self.cell.empty(); }
-inline bool self_hits(const SelfRoom& room) { return !room.touches.touch.empty(); }        // in the last pass
+inline bool self_hits(const SelfContactWorkspace& workspace) {
+  return !workspace.touches.touch.empty();
+}                                                                                          // in the last pass
 inline bool self_any(const State& s) { return s.self.pairs && s.self.pairs->size() > 0; }  // near each other
 
 // Searches for what is near; for a new state.
@@ -26,17 +28,17 @@ void self_start_check(const System& system, const Scene& scene, const State& sta
 void self_hurry(const System& system, State& state, double moved);
 
 // Before a step of h: finds what touches at t_n, and keeps its velocities.
-void self_keep(const System& system, SelfRoom& room, State& state, double h);
+void self_keep(const System& system, SelfContactWorkspace& workspace, State& state, double h);
 
 // Adds to a free step what touching does. Needs self_keep.
-void self_apply(const System& system, SelfRoom& room, const TouchStep& step, State& state);
+void self_apply(const System& system, SelfContactWorkspace& workspace, const TouchStep& step, State& state);
 
 // After the particles have moved for `drift` s.
 void self_watch(const System& system, State& state, double drift);
 
 // As touch_synchronous.
-void self_synchronous(const System& system, SelfRoom& room, const State& state, double half, double centred,
-                      double* vx, double* vy, double* vz);
+void self_synchronous(const System& system, SelfContactWorkspace& workspace, const State& state, double half,
+                      double centred, double* vx, double* vy, double* vz);
 
 // What touches now: pairs; and the energy of the penalties, J.
 model::ContactSummary self_summary(const System& system, const State& state);

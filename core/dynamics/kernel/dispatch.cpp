@@ -35,8 +35,9 @@ void pass_run_all(const Kernel& kernel, const System& system, const StepCoeffici
   } task{system, c, w, s, to, rates ? kernel.rates : kernel.plain};
   const auto run = [](void* context, int k) {
     const Task& t = *static_cast<Task*>(context);
-    ThreadRoom& room = t.w.threads[std::size_t(k)];
-    for (const RowBlock& block : room.blocks) t.pass(t.system, block, t.c, t.w, room.rows.data(), t.s, t.to);
+    ThreadWorkspace& workspace = t.w.threads[std::size_t(k)];
+    for (const RowBlock& block : workspace.blocks)
+      t.pass(t.system, block, t.c, t.w, workspace.rows.data(), t.s, t.to);
   };
   if (w.workers) return workers_run(*w.workers, run, &task);
   for (int k = 0; k < int(w.threads.size()); ++k) run(&task, k);

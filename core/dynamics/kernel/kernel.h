@@ -27,14 +27,14 @@ inline int block_coordinates(const State& s) { return s.wx.empty() ? 3 : 9; }
 inline constexpr int kScratchRows = 3 + 3 * 3 + 2 * 3;  // links; forces; velocities
 
 // What a thread works in: its blocks, and scratch rows as long as the longest row of the system.
-struct ThreadRoom {
+struct ThreadWorkspace {
   std::vector<RowBlock> blocks;
   Array rows;
 };
 
 // Room of all threads, and the forces beside the rows; made once.
 struct Workspace {
-  std::vector<ThreadRoom> threads;
+  std::vector<ThreadWorkspace> threads;
   WorkersHandle workers;         // of more threads than one
   Array slot_x, slot_y, slot_z;  // [slots] N
 };

@@ -14,7 +14,7 @@ std::int64_t nodes_of(const System& system) {
 
 // Blocks of about as many nodes for each thread: thread t takes the nodes from t/threads on of all rows in
 // order.
-void blocks_share_out(const System& system, std::vector<ThreadRoom>& threads) {
+void blocks_share_out(const System& system, std::vector<ThreadWorkspace>& threads) {
   const std::int64_t all = nodes_of(system);
   std::int64_t before = 0;
   const std::int64_t count = std::int64_t(threads.size());
@@ -55,7 +55,8 @@ Workspace workspace_make(const System& system, int threads) {
   int longest = 0;
   for (const model::Lattice& l : system.lattices) longest = std::max(longest, l.stride);
   w.threads.resize(std::size_t(threads));
-  for (ThreadRoom& room : w.threads) room.rows.assign(std::size_t(kScratchRows) * std::size_t(longest), 0.0);
+  for (ThreadWorkspace& workspace : w.threads)
+    workspace.rows.assign(std::size_t(kScratchRows) * std::size_t(longest), 0.0);
   blocks_share_out(system, w.threads);
   if (threads > 1) w.workers = workers_start(threads);
   for (Array* a : {&w.slot_x, &w.slot_y, &w.slot_z}) a->assign(system.irregular.node.size(), 0.0);
@@ -63,12 +64,12 @@ Workspace workspace_make(const System& system, int threads) {
 }
 
 void workspace_clear(Workspace& w) {
-  for (ThreadRoom& room : w.threads) std::fill(room.rows.begin(), room.rows.end(), 0.0);
+  for (ThreadWorkspace& workspace : w.threads) std::fill(workspace.rows.begin(), workspace.rows.end(), 0.0);
 }
 
 void blocks_copy(const System& system, const State& s, Workspace& w) {
-  for (ThreadRoom& room : w.threads)
-    for (RowBlock& block : room.blocks) {
+  for (ThreadWorkspace& workspace : w.threads)
+    for (RowBlock& block : workspace.blocks) {
       const model::Lattice& l = system.lattices[std::size_t(block.lattice)];
       if (block.begin == 0 && block.end == l.rows) continue;
       block.copies.resize(4 * std::size_t(block_coordinates(s)) * std::size_t(l.stride));

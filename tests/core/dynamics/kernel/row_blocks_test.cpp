@@ -67,8 +67,8 @@ TEST(Blocks, CoverEveryRowOnce) {
   for (int threads = 1; threads <= 40; ++threads) {
     std::vector<std::vector<int>> times;
     for (const model::Lattice& l : a.system.lattices) times.emplace_back(l.rows, 0);
-    for (const ThreadRoom& room : workspace_make(a.system, threads).threads)
-      for (const RowBlock& block : room.blocks)
+    for (const ThreadWorkspace& workspace : workspace_make(a.system, threads).threads)
+      for (const RowBlock& block : workspace.blocks)
         for (int j = block.begin; j < block.end; ++j) ++times[std::size_t(block.lattice)][std::size_t(j)];
     for (const std::vector<int>& rows : times)
       for (int n : rows) EXPECT_EQ(n, 1) << threads;
