@@ -58,8 +58,8 @@ void cloth_assemble(drape_cloth& c, std::vector<Problem>& problems) {
   c.motion = dynamics::motion_make(c.system);
   dynamics::leapfrog_begin(c.system, c.motion, c.state);
   outputs::energy_begin(c.system, c.state);
-  contact::touch_start_check(c.system, c.scene, c.motion.touch, c.state, problems);
-  contact::self_start_check(c.system, c.scene, c.state, problems);
+  contact::check_start(c.system, c.scene, c.motion.contact, c.state, problems);
+  contact::self_check_start(c.system, c.scene, c.state, problems);
   step_check(c, problems);
   if (!problems.empty()) return;
   c.good = c.state;

@@ -129,8 +129,8 @@ model::Probe probe_make(const model::Lattice& l, const piece::GridPoint& at) {
 
 // The penalty's stiffness over mass is a small share of omega^2 of the flat lattice at rest; a larger one in
 // a fit, whose inertia pays for it.
-model::ContactLaw touch_law(const model::Lattice& l, const scene::FabricSpec& fabric, double communication,
-                            bool fit) {
+model::ContactLaw contact_law_of(const model::Lattice& l, const scene::FabricSpec& fabric,
+                                 double communication, bool fit) {
   constexpr double kShare = 0.05, kShareFit = 0.25;
   const fabric::Law& law = l.law;
   const double b2 = l.cell * l.cell,
@@ -231,7 +231,7 @@ void system_retune(System& system, const std::vector<scene::FabricSpec>& fabrics
   for (std::size_t k = 0; k < laws.size(); ++k) {
     model::Lattice& l = system.lattices[k];
     l.law = std::move(laws[k]);
-    l.touch = touch_law(l, fabrics[std::size_t(l.fabric)], system.communication, system.fit);
+    l.contact_law = contact_law_of(l, fabrics[std::size_t(l.fabric)], system.communication, system.fit);
   }
   masses_set(system);
   seams_retune(system);

@@ -90,20 +90,21 @@ std::array<double, 6> shape_of(const BodySurface& s, const Foot& foot) {
 }
 
 // Which side the particle is on, and how far.
-Touch touch_of(const BodySurface& s, const Foot& foot, const Vec3& x, double contact, const Vec3* side) {
+ClosestFeature touch_of(const BodySurface& s, const Foot& foot, const Vec3& x, double contact,
+                        const Vec3* side) {
   const Vec3 away = x - foot.point, normal = normal_of(s, foot);
   const double distance = norm(away), out = dot(away, normal);
-  Touch touch{foot.point, shape_of(s, foot), normal, distance};
+  ClosestFeature contact{foot.point, shape_of(s, foot), normal, distance};
   double sign = out < 0 ? -1 : 1;  // a sheet: the side that the particle is on
   if (s.solid) {
-    if (out < 0) touch.distance = -distance;
+    if (out < 0) contact.distance = -distance;
   } else if (side && distance < contact && dot(*side, away) < 0) {  // it has gone through: it belongs back
-    touch.distance = -distance;
+    contact.distance = -distance;
     sign = -sign;
   }
-  if (distance > 1e-12) touch.side = ((touch.distance < 0 ? -1 : 1) / distance) * away;
-  else touch.side = sign * normal;
-  return touch;
+  if (distance > 1e-12) contact.side = ((contact.distance < 0 ? -1 : 1) / distance) * away;
+  else contact.side = sign * normal;
+  return contact;
 }
 
 // How far x may go along the triangle until a neighbour is nearer by more than `slack`.
@@ -159,8 +160,9 @@ double winding_number(const BodySurface& s, const Vec3& x) {
 
 }  // namespace
 
-void nearest_find(const BodySurface& s, const std::vector<int>& triangle, const Vec3& x, double contact,
-                  double within, double reach, double listed, const Vec3* side, Nearest& found) {
+void closest_features_find(const BodySurface& s, const std::vector<int>& triangle, const Vec3& x,
+                           double contact, double within, double reach, double listed, const Vec3* side,
+                           ClosestFeatures& found) {
   found.touch.clear();
   double clear = listed;  // of all triangles that are not near
   struct Candidate {
@@ -207,9 +209,9 @@ void nearest_find(const BodySurface& s, const std::vector<int>& triangle, const 
     const std::array<int, 2> name{int(c.foot.on), c.foot.which};
     if (std::find(seen.begin(), seen.end(), name) != seen.end()) continue;
     seen.push_back(name);
-    const Touch touch = touch_of(s, c.foot, x, contact, found.touch.empty() ? side : nullptr);
-    if (!found.touch.empty() && (touch.distance < 0 || found.touch[0].distance < 0)) continue;
-    found.touch.push_back(touch);
+    const ClosestFeature contact = touch_of(s, c.foot, x, contact, found.touch.empty() ? side : nullptr);
+    if (!found.touch.empty() && (contact.distance < 0 || found.touch[0].distance < 0)) continue;
+    found.touch.push_back(contact);
   }
   found.budget = clear - contact;
   const bool one_face = found.touch.size() == 1 && seen.size() == 1 && seen[0][0] == int(On::kFace);
@@ -223,11 +225,11 @@ void nearest_find(const BodySurface& s, const std::vector<int>& triangle, const 
   }
 }
 
-double nearest_distance(const BodySurface& s, int triangle, const Vec3& x) {
+double closest_features_distance(const BodySurface& s, int triangle, const Vec3& x) {
   return norm(x - foot_of(s, triangle, x).point);
 }
 
-double nearest_signed(const BodySurface& s, int triangle, const Vec3& x) {
+double closest_features_signed(const BodySurface& s, int triangle, const Vec3& x) {
   const Foot foot = foot_of(s, triangle, x);
   const double distance = norm(x - foot.point);
   const bool inside = s.solid && dot(x - foot.point, normal_of(s, foot)) < 0 && winding_number(s, x) > 0.5;

@@ -15,30 +15,31 @@
 
 namespace drape::body {
 
-struct Touch {
+struct ClosestFeature {
   Vec3 point;                   // p, m
   std::array<double, 6> shape;  // D: xx xy xz yy yz zz
   Vec3 side;                    // unit vector from the surface to the side that the particle belongs to
   double distance;              // m; negative where it is on the wrong side
 };
 
-struct Nearest {
-  std::vector<Touch> touch;  // those within `within`, the nearest first
-  double budget = 0;         // m that the particle may move before any of this must be looked at again
+struct ClosestFeatures {
+  std::vector<ClosestFeature> touch;  // those within `within`, the nearest first
+  double budget = 0;  // m that the particle may move before any of this must be looked at again
 };
 
 // For a particle at x; `triangle` lists all triangles within `listed` of x. Beyond `contact` nothing touches;
 // what is farther than `reach`, at least `within`, is measured by the planes of triangles and the balls
 // around them. `side`: the side of the nearest touch so far, or null.
-void nearest_find(const BodySurface& surface, const std::vector<int>& triangle, const Vec3& x, double contact,
-                  double within, double reach, double listed, const Vec3* side, Nearest& found);
+void closest_features_find(const BodySurface& surface, const std::vector<int>& triangle, const Vec3& x,
+                           double contact, double within, double reach, double listed, const Vec3* side,
+                           ClosestFeatures& found);
 
 // The distance to a triangle.
-double nearest_distance(const BodySurface& surface, int triangle, const Vec3& x);
+double closest_features_distance(const BodySurface& surface, int triangle, const Vec3& x);
 
 // The signed distance to the surface at the triangle that is known to be nearest; above 0 outside, and where
 // the surface has no inside. Where the triangle faces away from x the whole surface is asked: a few bad edges
 // make no inside.
-double nearest_signed(const BodySurface& surface, int triangle, const Vec3& x);
+double closest_features_signed(const BodySurface& surface, int triangle, const Vec3& x);
 
 }  // namespace drape::body

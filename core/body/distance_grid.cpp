@@ -60,7 +60,7 @@ Voxel voxel_part(const Voxels& v, int level, const Voxel& whole, const Vec3& mid
     const Vec3 d = centre - f.middle;
     const double far = f.reach + std::max(listed, clear);
     if (dot(d, d) > far * far) continue;
-    const double distance = nearest_distance(*v.surface, t, centre);
+    const double distance = closest_features_distance(*v.surface, t, centre);
     clear = std::min(clear, distance);
     if (distance <= listed) voxel.triangle.push_back(t);
   }
@@ -116,7 +116,7 @@ Found voxel_at(Voxels& v, const Vec3& x) {
 double signed_distance(const Voxels& v, const Vec3& x) {
   int triangle = 0;
   v.library->distance(v.query, x.data(), &triangle);
-  return nearest_signed(*v.surface, triangle, x);
+  return closest_features_signed(*v.surface, triangle, x);
 }
 
 }  // namespace

@@ -146,13 +146,13 @@ double kinetic_energy(const System& system, const State& s) {
 // Links on ridges share nodes with each other and with particles that touch, so that what bodies have been
 // told of the half step before this advance is found as it was then, and taken out of the first step of it.
 void ridges_told(const System& system, Motion& motion, State& s) {
-  motion.touch.told = contact::ridge_any(s) && last_half(system, s) > 0 && !system.fit;
-  if (!motion.touch.told) return;
+  motion.contact.told = contact::ridge_any(s) && last_half(system, s) > 0 && !system.fit;
+  if (!motion.contact.told) return;
   std::vector<math::Wrench> pins;
   leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(), motion.now_z.data(),
                        pins);
   for (std::size_t b = 0; b < s.body.size(); ++b)
-    s.body[b].impulse = {-1.0 * motion.touch.load[b].force, -1.0 * motion.touch.load[b].torque};
+    s.body[b].impulse = {-1.0 * motion.contact.load[b].force, -1.0 * motion.contact.load[b].torque};
 }
 
 // Lays the paths of an advance and begins them. Where the velocity of a pin jumps, so do those of the cloth;
@@ -175,7 +175,7 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
                       &s.pin_impulse);
   if (!s.wx.empty()) s.wx = s.vx, s.wy = s.vy, s.wz = s.vz;
   if (!s.body.empty())
-    contact::touch_watch(system, motion.kernel->contact, motion.touch, s, 0, model::step_next(system, s));
+    contact::touch_watch(system, motion.kernel->contact, motion.contact, s, 0, model::step_next(system, s));
   if (system.energy) s.input += kinetic_energy(system, s) - before;
 }
 
@@ -199,8 +199,8 @@ Motion motion_make(const System& system) {
   m.constraints = system.constraints;
   m.held = held_make(m.constraints);
   m.balance = balance_make(system);
-  m.touch = contact::touch_make(system);
-  contact::touch_tie(system, m.constraints, m.touch);
+  m.contact = contact::workspace_make(system);
+  contact::mark_tied(system, m.constraints, m.contact);
   m.torque.resize(system.constraints.pins.size());
   for (Array* a : {&m.now_x, &m.now_y, &m.now_z}) a->assign(system.nodes, 0.0);
   return m;
@@ -215,8 +215,8 @@ void leapfrog_begin(const System& system, Motion& motion, State& s) {
                       nullptr);
   rates_begin(system, s);
   subs_begin(system, motion, s);
-  if (s.body.empty() && !contact::self_touches(system)) return;
-  contact::touch_begin(system, motion.kernel->contact, motion.touch, s);
+  if (s.body.empty() && !contact::self_enabled(system)) return;
+  contact::begin(system, motion.kernel->contact, motion.contact, s);
   contact::self_begin(system, s);
   subs_begin(system, motion, s);  // with what is near
 }

@@ -25,7 +25,7 @@ struct Motion {
   Array now_x, now_y, now_z;  // [nodes] a field of t_n while somebody works with it: velocities or forces
   std::vector<Vec3> torque;   // [pins] N m, of the slopes that clamps hold
   Balance balance;
-  contact::ContactWorkspace touch;
+  contact::ContactWorkspace contact;
   contact::SelfContactWorkspace self;
 };
 Motion motion_make(const System& system);
@@ -84,7 +84,7 @@ void leapfrog_synchronous(const System& system, Motion& motion, const State& sta
                           double* vz, std::vector<math::Wrench>& load);
 
 // What stops of bodies hold now: of the forces at t_n, whatever the velocity.
-contact::TouchStops leapfrog_stops(const System& system, Motion& motion, const State& state);
+contact::ContactStops leapfrog_stops(const System& system, Motion& motion, const State& state);
 
 // What is held, then what touches, on synchronous velocities in the last half kick of `half` s, or on
 // accelerations (half = 0). What touching changes is held again, so that it meets the velocities that pins

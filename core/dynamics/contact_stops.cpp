@@ -4,8 +4,8 @@
 
 namespace drape::dynamics {
 
-contact::TouchStops leapfrog_stops(const System& system, Motion& motion, const State& s) {
-  if (!contact::touch_stopped(system, s)) return {};
+contact::ContactStops leapfrog_stops(const System& system, Motion& motion, const State& s) {
+  if (!contact::any_stopped(system, s)) return {};
   Array a[3];
   for (Array& of : a) of.assign(system.nodes, 0.0);
   double* field[] = {a[0].data(), a[1].data(), a[2].data()};
@@ -15,11 +15,11 @@ contact::TouchStops leapfrog_stops(const System& system, Motion& motion, const S
     for (std::size_t k = 0; k < 3; ++k) a[k][n] = a[k][n] * system.inverse_mass[n] + g[k];
   held_refresh(motion.constraints, s, motion.held);
   held_rates(motion.constraints, s, Rate::kAcceleration, motion.held);
-  contact::touch_carry_synchronous(system, motion.touch, s, 0, 1, field[0], field[1], field[2]);
+  contact::touch_carry_synchronous(system, motion.contact, s, 0, 1, field[0], field[1], field[2]);
   constraints_project(system, motion.constraints, motion.held, {field[0], field[1], field[2]}, nullptr);
-  if (contact::self_touches(system))
+  if (contact::self_enabled(system))
     contact::self_synchronous(system, motion.self, s, 0, 1, field[0], field[1], field[2]);
-  const contact::TouchStops stops = contact::touch_stops(system, s, motion.touch.ridge, field);
+  const contact::ContactStops stops = contact::stop_forces(system, s, motion.contact.ridge, field);
   held_rates(motion.constraints, s, Rate::kVelocity, motion.held);
   return stops;
 }

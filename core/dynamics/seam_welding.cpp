@@ -73,7 +73,7 @@ void seams_weld(const System& system, Motion& motion, State& s, const std::vecto
   if (!s.wx.empty()) s.wx = s.vx, s.wy = s.vy, s.wz = s.vz;
   contact::touch_hurry(s);
   if (!s.body.empty())
-    contact::touch_watch(system, motion.kernel->contact, motion.touch, s, 0, model::step_next(system, s));
+    contact::touch_watch(system, motion.kernel->contact, motion.contact, s, 0, model::step_next(system, s));
   contact::self_hurry(system, s, moved);
 }
 
@@ -92,7 +92,7 @@ void seams_restore(const System& system, Motion& motion, const State& s) {
   motion.constraints =
       constraint::constraints_make(rows, system.inverse_mass, system.constraints.pins, none, system.links);
   motion.held = held_make(motion.constraints);
-  contact::touch_tie(system, motion.constraints, motion.touch);
+  contact::mark_tied(system, motion.constraints, motion.contact);
 }
 
 }  // namespace drape::dynamics

@@ -61,15 +61,15 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
   if (begins || system.energy) held_keep(motion.constraints, s, motion.held);
   clamp_torques_add(system, motion, s, begins ? stage.begun : stage.span);
   if (!s.sewn.empty()) forces::seams_rates(system, s, motion.gap_rate);
-  const bool touches = contact::touch_any(s);
-  if (touches) contact::touch_keep(system, motion.touch, s);
-  const bool rubs = contact::self_touches(system);
+  const bool touches = contact::any_near(s);
+  if (touches) contact::touch_keep(system, motion.contact, s);
+  const bool rubs = contact::self_enabled(system);
   if (rubs) contact::self_keep(system, motion.self, s, h);
   kernel_step(*motion.kernel, system, c, motion.workspace, s);
   if (!s.sewn.empty()) s.gap_rate.swap(motion.gap_rate);
   const double old = system.integrator == scene::Integrator::kPaper ? 0 : s.h_old / 2;
-  const contact::TouchStep touch{
-      stage.drift,  stage.keep, stage.kick, old, h / 2, stage.impulse, begins && !motion.touch.told,
+  const contact::ContactStep contact{
+      stage.drift,  stage.keep, stage.kick, old, h / 2, stage.impulse, begins && !motion.contact.told,
       stage.centred};
   path_follow(motion.path, u, s);
   HeldStep step{stage.drift,
@@ -80,18 +80,19 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
                 begins ? stage.half : 0,
                 begins ? stage.centred : 1,
                 stage.before};
-  if (touches) contact::touch_carry(system, motion.touch, touch, s);
+  if (touches) contact::touch_carry(system, motion.contact, contact, s);
   constraints_meet(system, motion.constraints, step, motion.held, s);
-  if (rubs) contact::self_apply(system, motion.self, touch, s);
-  if (touches) contact::touch_apply(system, motion.kernel->contact, motion.touch, touch, s);
-  if (touches || (rubs && contact::self_hits(motion.self))) {
+  if (rubs) contact::self_apply(system, motion.self, contact, s);
+  if (touches) contact::apply(system, motion.kernel->contact, motion.contact, contact, s);
+  if (touches || (rubs && contact::self_any_touching(motion.self))) {
     step.again = true;
-    if (!rubs && !motion.touch.hit.empty()) step.hit = motion.touch.hit.data();
+    if (!rubs && !motion.contact.touched.empty()) step.hit = motion.contact.touched.data();
     constraints_meet(system, motion.constraints, step, motion.held, s);
   }
   constraints_end(motion.constraints, s, motion.held);
   bodies_follow(motion.path, u, s);
-  if (!s.body.empty()) contact::touch_watch(system, motion.kernel->contact, motion.touch, s, stage.drift, h);
+  if (!s.body.empty())
+    contact::touch_watch(system, motion.kernel->contact, motion.contact, s, stage.drift, h);
   if (rubs) contact::self_watch(system, s, stage.drift);
   if (!s.sewn.empty()) forces::seams_hold(system, s, h);
   if (system.energy && system.composition) balance_drifted(system, motion.balance, s, stage.decay);
@@ -144,17 +145,17 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
   if (system.energy) {
     const BalanceNow now =
         balance_now(system, motion.balance, s, lead, motion.now_x, motion.now_y, motion.now_z);
-    s.dissipated = now.dissipated + motion.touch.dissipated + motion.self.dissipated;
-    s.input = now.input + motion.held.work + motion.touch.input;
+    s.dissipated = now.dissipated + motion.contact.dissipated + motion.self.dissipated;
+    s.input = now.input + motion.held.work + motion.contact.input;
   }
   const double half = last_half(system, s);
   // what has been taken out for the first step (ridges_told) does not come in any more
-  const bool adds = !s.advance_begins || motion.touch.told;
+  const bool adds = !s.advance_begins || motion.contact.told;
   for (std::size_t b = 0; adds && b < s.body.size(); ++b) {
-    s.body[b].impulse.force += motion.touch.load[b].force;
-    s.body[b].impulse.torque += motion.touch.load[b].torque;
+    s.body[b].impulse.force += motion.contact.load[b].force;
+    s.body[b].impulse.torque += motion.contact.load[b].torque;
   }
-  if (s.advance_begins) motion.touch.told = false;
+  if (s.advance_begins) motion.contact.told = false;
   for (std::size_t p = 0; !s.advance_begins && p < told.size(); ++p) {
     s.pin_impulse[p].force += half * told[p].force;
     s.pin_impulse[p].torque += half * told[p].torque;
@@ -165,20 +166,21 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
     s.vz[n] = motion.now_z[n];
   }
   if (contact::ridge_any(s))
-    contact::ridge_keep(system, s, motion.touch.ridge);  // what penalties lost is counted above
+    contact::ridge_keep(system, s, motion.contact.ridge);  // what penalties lost is counted above
   s.h_old = s.h_older = 0;
 }
 
 void synchronous_meet(const System& system, Motion& motion, const State& s, Rate which, double half,
                       double centred, Field f, std::vector<math::Wrench>* load) {
   held_rates(motion.constraints, s, which, motion.held);
-  contact::touch_carry_synchronous(system, motion.touch, s, half, centred, f.x, f.y, f.z);
+  contact::touch_carry_synchronous(system, motion.contact, s, half, centred, f.x, f.y, f.z);
   constraints_project(system, motion.constraints, motion.held, f, load);
-  if (contact::self_touches(system))
+  if (contact::self_enabled(system))
     contact::self_synchronous(system, motion.self, s, half, centred, f.x, f.y, f.z);
   if (!s.body.empty())
-    contact::touch_synchronous(system, motion.kernel->contact, motion.touch, s, half, centred, f.x, f.y, f.z);
-  if (contact::touch_any(s) || (contact::self_touches(system) && contact::self_hits(motion.self)))
+    contact::apply_synchronous(system, motion.kernel->contact, motion.contact, s, half, centred, f.x, f.y,
+                               f.z);
+  if (contact::any_near(s) || (contact::self_enabled(system) && contact::self_any_touching(motion.self)))
     constraints_project(system, motion.constraints, motion.held, f, load);
 }
 

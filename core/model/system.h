@@ -45,7 +45,7 @@ struct Lattice {
   std::vector<std::array<int, 2>> twin_place;  // [twins] column and row
   int piece = 0, fabric = 0;
   fabric::Law law;
-  ContactLaw touch;
+  ContactLaw contact_law;
 
   std::size_t node(int i, int j) const { return first + std::size_t(j) * stride + i; }
   std::size_t node_of(int grid_node) const {  // of Grid's numbering

@@ -44,7 +44,7 @@ drape_energy energy_potential(const System& system, const State& s) {
   const forces::SeamEnergy sewn = forces::seams_energy(system, s);
   e.bending += sewn.bending;
   e.stretch += sewn.stretch;
-  e.contact = contact::touch_energy(system, s) + contact::self_energy(system, s);
+  e.contact = contact::contact_energy(system, s) + contact::self_energy(system, s);
   const Vec3& g = system.gravity;
   for (std::size_t n : system.particle)
     e.gravity -= system.mass[n] * (g[0] * s.x[n] + g[1] * s.y[n] + g[2] * s.z[n]);

@@ -33,9 +33,9 @@ std::vector<LinkSums> link_sums(const System& system, const State& s) {
 
 }  // namespace
 
-void fields_fill(Fields& fields, const System& system, const State& s, const contact::TouchStops& stops) {
+void fields_fill(Fields& fields, const System& system, const State& s, const contact::ContactStops& stops) {
   const std::vector<LinkSums> sums = link_sums(system, s);
-  const std::vector<double> pressure = contact::touch_pressure(system, s, stops);
+  const std::vector<double> pressure = contact::contact_pressure(system, s, stops);
   fields = Fields{};
   for (const std::size_t n : system.particle) {
     for (const auto& [width, strain, tension] : sums[n]) {

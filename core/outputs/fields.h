@@ -11,7 +11,8 @@ struct Fields {
   std::vector<double> pressure;  // [particles] Pa, of contact with bodies
   std::vector<double> area;      // [particles] m^2
 };
-void fields_fill(Fields& fields, const System& system, const State& state, const contact::TouchStops& stops);
+void fields_fill(Fields& fields, const System& system, const State& state,
+                 const contact::ContactStops& stops);
 
 // The links of one direction of a piece.
 struct Elongation {

@@ -46,7 +46,7 @@ void pins_fill(Outputs& o, const System& system, const State& s) {
 void bodies_fill(Outputs& o, const System& system, const dynamics::Motion& motion, const State& s) {
   const bool moved = s.advance_length > 0 && !system.fit, half = dynamics::last_half(system, s) > 0;
   for (std::size_t b = 0; b < o.bodies.size(); ++b) {
-    math::Wrench load = motion.touch.load[b];
+    math::Wrench load = motion.contact.load[b];
     if (moved) {
       const double last = half ? 1 : 0, length = s.advance_length;
       load.force = (1 / length) * (s.body[b].impulse.force + last * load.force);
@@ -88,18 +88,18 @@ double* nodes_fill(std::vector<double>& to, const System& system, const Array& x
   return to.data();
 }
 
-void summary_fill(Outputs& o, const System& system, const State& s, const contact::TouchStops& stops) {
+void summary_fill(Outputs& o, const System& system, const State& s, const contact::ContactStops& stops) {
   const StrainSummary strain = strain_summary(system, s);
   o.shown.strain_warp = strain.warp;
   o.shown.strain_weft = strain.weft;
   o.shown.strain_bias = strain.bias;
   o.shown.tension_max = strain.tension_max;
   o.shown.strain_beyond_test_count = strain.beyond_test_count;
-  const model::ContactSummary touch = contact::touch_summary(system, s, stops),
+  const model::ContactSummary contact = contact::contact_summary(system, s, stops),
                               self = contact::self_summary(system, s);
-  o.shown.contact_count = double(touch.count + self.count);
-  o.shown.contact_penetration = std::max(touch.penetration, self.penetration);
-  o.shown.contact_pressure = std::max(touch.pressure, self.pressure);
+  o.shown.contact_count = double(contact.count + self.count);
+  o.shown.contact_penetration = std::max(contact.penetration, self.penetration);
+  o.shown.contact_pressure = std::max(contact.pressure, self.pressure);
   o.shown.step_size = s.h_old > 0 ? s.h_old : system.communication / double(s.subs);
   o.shown.step_count = double(s.steps);
   o.shown.step_stability = o.shown.step_size * std::sqrt(s.omega2) / dynamics::step_limit_angle(system);
@@ -114,8 +114,8 @@ void energy_fill(Outputs& o, const System& system, dynamics::Motion& motion, con
   const dynamics::BalanceNow now =
       dynamics::balance_now(system, motion.balance, s, dynamics::velocity_lead(system, s), motion.now_x,
                             motion.now_y, motion.now_z);
-  e.dissipated = now.dissipated + motion.touch.dissipated + motion.self.dissipated;
-  e.input = now.input + motion.held.work + motion.touch.input;
+  e.dissipated = now.dissipated + motion.contact.dissipated + motion.self.dissipated;
+  e.input = now.input + motion.held.work + motion.contact.input;
   e.balance_error = energy_sum(e) - s.energy_start - e.input + e.dissipated;
 }
 
@@ -146,8 +146,8 @@ void outputs_make(Outputs& o, const Scene& scene, const System& system) {
 }
 
 void outputs_fill(Outputs& o, const System& system, dynamics::Motion& motion, const State& s, int what) {
-  const contact::TouchStops stops =
-      what & DRAPE_STRAIN ? dynamics::leapfrog_stops(system, motion, s) : contact::TouchStops{};
+  const contact::ContactStops stops =
+      what & DRAPE_STRAIN ? dynamics::leapfrog_stops(system, motion, s) : contact::ContactStops{};
   if (what & (DRAPE_MOTION | DRAPE_ENERGY | DRAPE_NODE_MOTION))
     dynamics::leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(),
                                    motion.now_z.data(), o.pin_load);

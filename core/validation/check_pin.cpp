@@ -50,13 +50,13 @@ double segment_distance(Vec2 a, Vec2 b, Vec2 p) {
   return std::hypot(p[0] - a[0] - t * x, p[1] - a[1] - t * y);
 }
 
-bool holds(const Held& h, Vec2 p, double touch) {
+bool holds(const Held& h, Vec2 p, double contact) {
   for (std::size_t k = 0; k < 2; ++k)
-    if (p[k] < h.box.low[k] - touch || p[k] > h.box.high[k] + touch) return false;
-  if (h.kind == Held::kArea) return piece::outline_distance(h.loops, p) <= touch;
+    if (p[k] < h.box.low[k] - contact || p[k] > h.box.high[k] + contact) return false;
+  if (h.kind == Held::kArea) return piece::outline_distance(h.loops, p) <= contact;
   const Vec2 first = h.loops[0].points[0];
-  return std::hypot(p[0] - first[0], p[1] - first[1]) <= touch ||
-         any_segment(h, [&](Vec2 a, Vec2 b) { return segment_distance(a, b, p) <= touch; });
+  return std::hypot(p[0] - first[0], p[1] - first[1]) <= contact ||
+         any_segment(h, [&](Vec2 a, Vec2 b) { return segment_distance(a, b, p) <= contact; });
 }
 
 // Where the lines through a b and c d meet, if within both segments.
@@ -70,10 +70,10 @@ bool crossing(Vec2 a, Vec2 b, Vec2 c, Vec2 d, Vec2& at) {
 }
 
 // A point common to all the sets. If there is one, then one that is a vertex of a set or a crossing of two.
-bool common_point(const std::vector<const Held*>& sets, double touch, Vec2& at) {
+bool common_point(const std::vector<const Held*>& sets, double contact, Vec2& at) {
   const auto in_all = [&](Vec2 p) {
     const bool all =
-        std::all_of(sets.begin(), sets.end(), [&](const Held* h) { return holds(*h, p, touch); });
+        std::all_of(sets.begin(), sets.end(), [&](const Held* h) { return holds(*h, p, contact); });
     if (all) at = p;
     return all;
   };
@@ -106,16 +106,16 @@ std::vector<Held> pin_held(const scene::PieceSpec& piece, const scene::PinSpec& 
 void clash_check(const Scene& scene, const scene::PinSpec& a, const scene::PinSpec& b, const Held& cloth,
                  Problems& problems) {
   const scene::PieceSpec& piece = scene.pieces[std::size_t(a.piece)];
-  const double touch = piece::outline_touch(piece);
+  const double contact = piece::outline_touch(piece);
   for (const Held& p : pin_held(piece, a))
     for (const Held& q : pin_held(piece, b)) {
       bool apart = false;
       for (std::size_t k = 0; k < 2; ++k)
-        apart = apart || p.box.low[k] > q.box.high[k] + touch || q.box.low[k] > p.box.high[k] + touch;
+        apart = apart || p.box.low[k] > q.box.high[k] + contact || q.box.low[k] > p.box.high[k] + contact;
       std::vector<const Held*> sets{&p, &q};
       if (p.kind == Held::kArea && q.kind == Held::kArea) sets.push_back(&cloth);
       Vec2 at;
-      if (apart || !common_point(sets, touch, at)) continue;
+      if (apart || !common_point(sets, contact, at)) continue;
       return problems.push_back({"pin." + b.name, "and pin." + a.name + " both hold the point " +
                                                       scene::point_text(at) + " of the piece " +
                                                       scene::in_quotes(piece.name) +

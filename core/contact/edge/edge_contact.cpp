@@ -46,10 +46,10 @@ bool belongs_out(const model::Body& body, const model::RidgePair& pair, const Ri
   return body.mesh.surface.solid ? -gap.distance < gap.inside : pair.outside;
 }
 
-RidgeTouch touch_of(const System& system, const State& s, std::size_t b, std::size_t pair,
-                    const model::RidgePart& part, const RidgeGap& gap) {
+EdgeContactPair touch_of(const System& system, const State& s, std::size_t b, std::size_t pair,
+                         const model::RidgePart& part, const RidgeGap& gap) {
   const model::Body& body = system.bodies[b];
-  RidgeTouch t{b, pair, &part, gap, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0};
+  EdgeContactPair t{b, pair, &part, gap, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0};
   double least = INFINITY, lightness = 0;  // kg, 1/kg, of inertia
   for (int k = 0; k < part.weights(); ++k) {
     const std::size_t n = part.node[k];
@@ -62,21 +62,21 @@ RidgeTouch touch_of(const System& system, const State& s, std::size_t b, std::si
   }
   t.gap.n = model::pose_outward(body, s.body[b], gap.n);
   t.carried = model::pose_velocity(body, s.body[b], t.at);
-  t.stiffness = gap.share * kSoft * system.lattices[std::size_t(part.lattice)].touch.omega2 *
+  t.stiffness = gap.share * kSoft * system.lattices[std::size_t(part.lattice)].contact_law.omega2 *
                 (system.fit ? 1 / lightness : least);
   return t;
 }
 
 // J that a pair stores.
-double energy_of(const System& system, const RidgeTouch& t) {
-  const double layer = system.lattices[std::size_t(t.part->lattice)].touch.layer;
+double energy_of(const System& system, const EdgeContactPair& t) {
+  const double layer = system.lattices[std::size_t(t.part->lattice)].contact_law.layer;
   const double depth = std::min(layer - t.gap.distance, layer);
   return depth > 0 ? t.stiffness * math::smooth_ramp_integral(kContactBlend * layer, depth) : 0;
 }
 
 // Finds what touches or may within the reach of the step. With `moves`, notes what that tells of each pair.
 // J that pairs have lost since the last step because their share fell, or they are none any more.
-double find(const System& system, const State& s, State* moves, std::vector<RidgeTouch>& touches) {
+double find(const System& system, const State& s, State* moves, std::vector<EdgeContactPair>& touches) {
   double lost = 0;
   touches.clear();
   for (std::size_t b = 0; b < s.body.size(); ++b) {
@@ -89,7 +89,7 @@ double find(const System& system, const State& s, State* moves, std::vector<Ridg
       Vec3 x[6];
       ridge_places(system, s, b, part, x);
       const RidgeGap gap = ridge_gap(part, system.bodies[b].ridges.ridge[pair.ridge], x, ridge_sine(l));
-      const double left = gap.clearance - l.touch.layer;
+      const double left = gap.clearance - l.contact_law.layer;
       const bool asleep = left > c.reach;
       const bool out = !asleep && belongs_out(system.bodies[b], pair, gap);
       if (moves) {
@@ -121,7 +121,7 @@ struct PairLaw {
   ContactLanes<forces::Lane> lanes;
 };
 
-std::array<double, 4> pair_over(const System& system, const RidgeTouch& t, const RidgeField& f) {
+std::array<double, 4> pair_over(const System& system, const EdgeContactPair& t, const RidgeField& f) {
   std::array<double, 4> over{};
   for (int k = 0; k < t.part->weights(); ++k) {
     const std::size_t n = t.part->node[k];
@@ -130,19 +130,19 @@ std::array<double, 4> pair_over(const System& system, const RidgeTouch& t, const
   return over;
 }
 
-PairLaw pair_law(const System& system, const State& s, const RidgeTouch& t, const ContactCoefficients& c,
+PairLaw pair_law(const System& system, const State& s, const EdgeContactPair& t, const ContactCoefficients& c,
                  const RidgeField& f) {
   const std::array<double, 4> over = pair_over(system, t, f);
   double lightness = 0;
   for (std::size_t k = 0; k < 4; ++k) lightness += t.gap.weight[k] * over[k];
   const model::Body& body = system.bodies[t.body];
-  model::ContactLaw law = touch_law_now(system, s, body, system.lattices[std::size_t(t.part->lattice)]);
+  model::ContactLaw law = current_law(system, s, body, system.lattices[std::size_t(t.part->lattice)]);
   law.omega2 = t.stiffness * lightness;
   return {over, lightness, ContactLanes<forces::Lane>(law, c, body.damping)};
 }
 
 // Adds what an impulse J on the gap does.
-void push(const RidgeTouch& t, const std::array<double, 4>& over, const ContactCoefficients& c,
+void push(const EdgeContactPair& t, const std::array<double, 4>& over, const ContactCoefficients& c,
           const RidgeField& f, const Vec3& j) {
   for (int k = 0; k < t.part->weights(); ++k) {
     const std::size_t n = t.part->node[k];
@@ -154,7 +154,7 @@ void push(const RidgeTouch& t, const std::array<double, 4>& over, const ContactC
   }
 }
 
-Vec3 gap_velocity(const RidgeTouch& t, const RidgeField& f) {
+Vec3 gap_velocity(const EdgeContactPair& t, const RidgeField& f) {
   Vec3 v{0, 0, 0};
   for (int k = 0; k < t.part->weights(); ++k)
     for (std::size_t i = 0; i < 3; ++i) v[i] += t.gap.weight[k] * f.v[i][t.part->node[k]];
@@ -163,23 +163,23 @@ Vec3 gap_velocity(const RidgeTouch& t, const RidgeField& f) {
 
 }  // namespace
 
-double ridge_keep(const System& system, State& s, std::vector<RidgeTouch>& touches) {
+double ridge_keep(const System& system, State& s, std::vector<EdgeContactPair>& touches) {
   return find(system, s, &s, touches);
 }
 
 double ridge_note(const System& system, State& s, double moved) {
-  static thread_local std::vector<RidgeTouch> touches;
+  static thread_local std::vector<EdgeContactPair> touches;
   for (model::BodyContact& body : s.body) body.ridge.reach = std::max(body.ridge.reach, moved);
   return find(system, s, &s, touches);
 }
 
-double ridge_look(const System& system, const State& s, std::vector<RidgeTouch>& touches) {
+double ridge_look(const System& system, const State& s, std::vector<EdgeContactPair>& touches) {
   return find(system, s, nullptr, touches);
 }
 
-void ridge_carry(const System& system, const State& s, const std::vector<RidgeTouch>& touches,
+void ridge_carry(const System& system, const State& s, const std::vector<EdgeContactPair>& touches,
                  const ContactCoefficients& c, const RidgeField& f) {
-  for (const RidgeTouch& t : touches)
+  for (const EdgeContactPair& t : touches)
     push(t, pair_over(system, t, f), c, f, c.kick * s.body[t.body].ridge.pair[t.pair].carry);
 }
 
@@ -195,8 +195,8 @@ struct Given {
 
 // J of a pair, given what all others do; how much it changes the gap's velocity. What is past the ridge is
 // pushed as from the ridge itself, by 1/50 of the layer a step: faster, it would be thrown.
-double pair_respond(const State& s, const RidgeTouch& t, const PairLaw& law, const ContactCoefficients& c,
-                    const RidgeField& f, Given& given) {
+double pair_respond(const State& s, const EdgeContactPair& t, const PairLaw& law,
+                    const ContactCoefficients& c, const RidgeField& f, Given& given) {
   const double k = law.lightness;
   push(t, law.over, c, f, -1.0 * given.impulse);
   const Vec3 free = gap_velocity(t, f), old = c.old_time > 0 || c.new_time > 0 ? t.old : free;
@@ -210,7 +210,7 @@ double pair_respond(const State& s, const RidgeTouch& t, const PairLaw& law, con
   return change;
 }
 
-void sums_add(const State& s, const RidgeTouch& t, const ContactCoefficients& c, const RidgeField& f,
+void sums_add(const State& s, const EdgeContactPair& t, const ContactCoefficients& c, const RidgeField& f,
               const Given& given, RidgeSums& sums) {
   const Vec3 now = gap_velocity(t, f), impulse = -c.impulse * given.impulse;
   const Vec3 old = c.old_time > 0 || c.new_time > 0 ? t.old : now, middle = 0.5 * (old + now) - t.carried;
@@ -222,7 +222,7 @@ void sums_add(const State& s, const RidgeTouch& t, const ContactCoefficients& c,
 
 }  // namespace
 
-void ridge_respond(const System& system, const State& s, const std::vector<RidgeTouch>& touches,
+void ridge_respond(const System& system, const State& s, const std::vector<EdgeContactPair>& touches,
                    const ContactCoefficients& c, const RidgeField& f, State* moves, RidgeSums& sums) {
   static thread_local std::vector<Given> given;
   static thread_local std::vector<PairLaw> laws;
@@ -230,7 +230,7 @@ void ridge_respond(const System& system, const State& s, const std::vector<Ridge
   sums.dissipated = sums.input = 0;
   given.assign(touches.size(), Given{});
   laws.clear();
-  for (const RidgeTouch& t : touches) laws.push_back(pair_law(system, s, t, c, f));
+  for (const EdgeContactPair& t : touches) laws.push_back(pair_law(system, s, t, c, f));
   for (std::size_t k = 0; k < touches.size(); ++k)
     given[k].impulse = c.kick * s.body[touches[k].body].ridge.pair[touches[k].pair].carry;
   double first = 0;
@@ -244,7 +244,7 @@ void ridge_respond(const System& system, const State& s, const std::vector<Ridge
   }
   sums.stop.assign(touches.size(), 0.0);
   for (std::size_t k = 0; k < touches.size(); ++k) {
-    const RidgeTouch& t = touches[k];
+    const EdgeContactPair& t = touches[k];
     sums.stop[k] = given[k].stop;
     sums_add(s, t, c, f, given[k], sums);
     if (!moves) continue;

@@ -11,7 +11,7 @@
 namespace drape::contact {
 
 // What a pair does at t_n.
-struct RidgeTouch {
+struct EdgeContactPair {
   std::size_t body, pair;
   const model::RidgePart* part;
   RidgeGap gap;       // n in space
@@ -44,10 +44,10 @@ double ridge_step_most(const System& system, const State& state);
 
 // Before a step: finds what touches at t_n, and keeps its velocities. Gives J that penalties have lost since
 // the step before otherwise than by their work: as their share fell, or as pairs opened.
-double ridge_keep(const System& system, State& state, std::vector<RidgeTouch>& touches);
+double ridge_keep(const System& system, State& state, std::vector<EdgeContactPair>& touches);
 
 // The same of a state that does not change.
-double ridge_look(const System& system, const State& state, std::vector<RidgeTouch>& touches);
+double ridge_look(const System& system, const State& state, std::vector<EdgeContactPair>& touches);
 
 // Velocities, and in a step places, that touching changes. Inertia is mass over lightness.
 struct RidgeField {
@@ -57,7 +57,7 @@ struct RidgeField {
 };
 
 // Gives in advance what pairs got in the step before.
-void ridge_carry(const System& system, const State& state, const std::vector<RidgeTouch>& touches,
+void ridge_carry(const System& system, const State& state, const std::vector<EdgeContactPair>& touches,
                  const ContactCoefficients& c, const RidgeField& field);
 
 // What touching does to a free motion. `moves`: writes into it what goes on with it, or null. Adds the
@@ -67,7 +67,7 @@ struct RidgeSums {
   std::vector<double> stop;  // [touches] N s along n
   double dissipated, input;
 };
-void ridge_respond(const System& system, const State& state, const std::vector<RidgeTouch>& touches,
+void ridge_respond(const System& system, const State& state, const std::vector<EdgeContactPair>& touches,
                    const ContactCoefficients& c, const RidgeField& field, State* moves, RidgeSums& sums);
 
 // Links and cells of a lattice that are cut by a ridge of a body, or deeper in its layer than anything is to
@@ -85,10 +85,10 @@ RidgeDeep ridge_deepest(const System& system, const State& state, std::size_t bo
 template <class Visit>
 void ridge_each(const System& system, const State& s, Visit visit) {
   if (!ridge_any(s)) return;
-  std::vector<RidgeTouch> touches;
+  std::vector<EdgeContactPair> touches;
   ridge_look(system, s, touches);
-  for (const RidgeTouch& t : touches) {
-    const double layer = system.lattices[std::size_t(t.part->lattice)].touch.layer;
+  for (const EdgeContactPair& t : touches) {
+    const double layer = system.lattices[std::size_t(t.part->lattice)].contact_law.layer;
     const double depth = layer - t.gap.distance;
     const double pressed = std::min(depth, layer);  // past the ridge it is pushed as from the ridge itself
     if (depth > 0)

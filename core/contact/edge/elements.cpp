@@ -55,9 +55,11 @@ void nodes_number(std::size_t nodes, model::RidgeCloth& cloth) {
 
 }  // namespace
 
-double ridge_sine(const model::Lattice& l) { return kSink * l.touch.layer / l.cell; }
+double ridge_sine(const model::Lattice& l) { return kSink * l.contact_law.layer / l.cell; }
 double ridge_margin(const model::Lattice& l) { return kMargin * l.cell; }
-double ridge_near(const model::Lattice& l) { return kStretched * l.cell + l.touch.layer + ridge_margin(l); }
+double ridge_near(const model::Lattice& l) {
+  return kStretched * l.cell + l.contact_law.layer + ridge_margin(l);
+}
 
 void ridges_find(System& system) {
   double sine = INFINITY, near = 0;

@@ -21,7 +21,7 @@ using math::vector3::operator+=;
 
 double layer_most(const System& system) {
   double most = 0;
-  for (const model::Lattice& l : system.lattices) most = std::max(most, l.touch.layer);
+  for (const model::Lattice& l : system.lattices) most = std::max(most, l.contact_law.layer);
   return most;
 }
 
@@ -39,7 +39,7 @@ void block_renew(const System& system, ContactWorkspace& workspace, State& s, st
     x[i] = model::pose_inward(body, s.body[b], at);
     step[i] = model::pose_inward(body, s.body[b], at + ahead * v) - x[i];
   }
-  contact_renew(body.mesh.surface, workspace.voxels[b], s.body[b], node, l.piece, l.touch.layer,
+  contact_renew(body.mesh.surface, workspace.voxels[b], s.body[b], node, l.piece, l.contact_law.layer,
                 {body.ridges, ridge_near(l), ridge_margin(l)}, x, step);
 }
 
@@ -48,11 +48,11 @@ ContactJob job_of(const System& system, ContactWorkspace& workspace, const State
   ContactJob job{};
   workspace.law.clear();
   for (const model::Lattice& l : system.lattices)
-    workspace.law.push_back(touch_law_now(system, s, system.bodies[b], l));
+    workspace.law.push_back(current_law(system, s, system.bodies[b], l));
   job.body = const_cast<model::BodyContact*>(&s.body[b]);  // its grips are written by passes that move
   job.old = workspace.old[b].data();
   job.mass = system.mass.data();
-  if (!workspace.tied.empty()) job.tied = workspace.tied.data(), job.hit = workspace.hit.data();
+  if (!workspace.tied.empty()) job.tied = workspace.tied.data(), job.hit = workspace.touched.data();
   job.law = workspace.law.data();
   job.damping = system.bodies[b].damping;
   job.energy = system.energy;
@@ -66,15 +66,15 @@ double rate_of(double time) { return time > 0 ? 1 / time : kContactUnbound; }
 
 }  // namespace
 
-model::ContactLaw touch_law_now(const System& system, const State& s, const model::Body& body,
-                                const model::Lattice& l) {
-  model::ContactLaw law = l.touch;
+model::ContactLaw current_law(const System& system, const State& s, const model::Body& body,
+                              const model::Lattice& l) {
+  model::ContactLaw law = l.contact_law;
   if (body.has_friction) law.friction = body.friction;
   if (system.fit && (s.fit.sewing || s.fit.settling > 0)) law.friction = {0, 0};
   return law;
 }
 
-ContactCoefficients touch_kick(const TouchStep& step) {
+ContactCoefficients kick_coefficients(const ContactStep& step) {
   ContactCoefficients c;
   c.drift = step.drift;
   c.kick = step.kick;
@@ -90,7 +90,7 @@ ContactCoefficients touch_kick(const TouchStep& step) {
   return c;
 }
 
-ContactCoefficients touch_last_kick(double half, double centred) {
+ContactCoefficients last_kick_coefficients(double half, double centred) {
   ContactCoefficients c;
   c.kick = half / centred;
   c.new_time = half / centred;
@@ -101,7 +101,7 @@ ContactCoefficients touch_last_kick(double half, double centred) {
   return c;
 }
 
-ContactCoefficients touch_force(const System& system, const State& s) {
+ContactCoefficients force_coefficients(const System& system, const State& s) {
   const double h = s.h_old > 0 ? s.h_old : model::step_next(system, s);
   ContactCoefficients c;
   c.kick = 1;
@@ -109,7 +109,7 @@ ContactCoefficients touch_force(const System& system, const State& s) {
   return c;
 }
 
-ContactWorkspace touch_make(const System& system) {
+ContactWorkspace workspace_make(const System& system) {
   ContactWorkspace workspace;
   const double layer = layer_most(system);
   for (const model::Body& body : system.bodies)
@@ -121,7 +121,7 @@ ContactWorkspace touch_make(const System& system) {
   return workspace;
 }
 
-void touch_begin(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace, State& s) {
+void begin(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace, State& s) {
   ridge_begin(system, s);
   for (model::BodyContact& c : s.body) {
     c.blocks = model::ContactBlocks{};
@@ -163,13 +163,13 @@ void touch_keep(const System& system, ContactWorkspace& workspace, State& s) {
   if (system.energy) s.dissipated += lost;
 }
 
-void touch_tie(const System& system, const constraint::Constraints& constraints,
+void mark_tied(const System& system, const constraint::Constraints& constraints,
                ContactWorkspace& workspace) {
   workspace.tied.clear();
-  workspace.hit.clear();
+  workspace.touched.clear();
   if (system.bodies.empty() || constraints.rows.empty()) return;
   workspace.tied.assign(system.nodes, 0.0);
-  workspace.hit.assign(system.nodes / math::kRowUnit, 0);
+  workspace.touched.assign(system.nodes / math::kRowUnit, 0);
   for (const constraint::HeldRow& row : constraints.rows)
     for (std::size_t n : row.on.node) workspace.tied[n] = 1;
   for (const constraint::RigidLink& link : constraints.rigid.link)
@@ -199,12 +199,12 @@ void carry_give(const State& s, double kick, const double* lightness, double* v[
 
 }  // namespace
 
-void touch_carry(const System& system, const ContactWorkspace& workspace, const TouchStep& step, State& s) {
+void touch_carry(const System& system, const ContactWorkspace& workspace, const ContactStep& step, State& s) {
   double* v[] = {s.vx.data(), s.vy.data(), s.vz.data()};
   double* r[] = {s.x.data(), s.y.data(), s.z.data()};
   const double* lightness = s.lightness.empty() ? nullptr : s.lightness.data();
   carry_give(s, step.kick, lightness, v, r, step.drift);
-  ridge_carry(system, s, workspace.ridge, touch_kick(step),
+  ridge_carry(system, s, workspace.ridge, kick_coefficients(step),
               {{v[0], v[1], v[2]}, {r[0], r[1], r[2]}, lightness});
 }
 
@@ -218,9 +218,9 @@ void touch_carry_synchronous(const System& system, ContactWorkspace& workspace, 
   ridge_carry(system, s, workspace.ridge, c, {{vx, vy, vz}, {}, nullptr});
 }
 
-void touch_apply(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
-                 const TouchStep& step, State& s) {
-  std::fill(workspace.hit.begin(), workspace.hit.end(), char(0));
+void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
+           const ContactStep& step, State& s) {
+  std::fill(workspace.touched.begin(), workspace.touched.end(), char(0));
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     model::BodyContact& body = s.body[b];
     if (body.blocks.order.empty()) continue;
@@ -229,8 +229,8 @@ void touch_apply(const System& system, const ContactKernel& kernel, ContactWorks
     job.r[0] = s.x.data(), job.r[1] = s.y.data(), job.r[2] = s.z.data();
     job.v[0] = s.vx.data(), job.v[1] = s.vy.data(), job.v[2] = s.vz.data();
     if (!s.lightness.empty()) job.lightness = s.lightness.data();
-    job.c = touch_kick(step);
-    job.told = touch_last_kick(step.half_old, step.told_centred);
+    job.c = kick_coefficients(step);
+    job.told = last_kick_coefficients(step.half_old, step.told_centred);
     job.begins = step.begins && step.half_old > 0;
     job.moves = true;
     kernel.run[system.bodies[b].moves](job);
@@ -240,10 +240,10 @@ void touch_apply(const System& system, const ContactKernel& kernel, ContactWorks
     s.input += sum[7];
   }
   if (workspace.ridge.empty()) return;
-  for (const RidgeTouch& t : workspace.ridge)
-    for (int k = 0; !workspace.hit.empty() && k < t.part->weights(); ++k)
-      workspace.hit[t.part->node[k] / math::kRowUnit] = 1;
-  ridge_respond(system, s, workspace.ridge, touch_kick(step),
+  for (const EdgeContactPair& t : workspace.ridge)
+    for (int k = 0; !workspace.touched.empty() && k < t.part->weights(); ++k)
+      workspace.touched[t.part->node[k] / math::kRowUnit] = 1;
+  ridge_respond(system, s, workspace.ridge, kick_coefficients(step),
                 {{s.vx.data(), s.vy.data(), s.vz.data()},
                  {s.x.data(), s.y.data(), s.z.data()},
                  s.lightness.empty() ? nullptr : s.lightness.data()},
@@ -327,7 +327,7 @@ void touch_watch(const System& system, const ContactKernel& kernel, ContactWorks
   }
 }
 
-void touch_synchronous(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
+void apply_synchronous(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
                        const State& s, double half, double centred, double* vx, double* vy, double* vz) {
   workspace.dissipated = half > 0 && system.energy ? workspace.ridge_lost : 0;
   workspace.input = 0;
@@ -341,7 +341,7 @@ void touch_synchronous(const System& system, const ContactKernel& kernel, Contac
     for (std::size_t k = 0; k < 3; ++k)
       job.r[k] = const_cast<double*>(r[k]->data());  // read only: nothing moves
     job.v[0] = vx, job.v[1] = vy, job.v[2] = vz;
-    job.c = half > 0 ? touch_last_kick(half, centred) : touch_force(system, s);
+    job.c = half > 0 ? last_kick_coefficients(half, centred) : force_coefficients(system, s);
     if (half == 0) {
       if (!s.lightness.empty()) job.stiff = s.lightness.data();
       job.old = nullptr;
@@ -354,7 +354,7 @@ void touch_synchronous(const System& system, const ContactKernel& kernel, Contac
   }
   if (workspace.ridge.empty()) return;
   ridge_respond(system, s, workspace.ridge,
-                half > 0 ? touch_last_kick(half, centred) : touch_force(system, s),
+                half > 0 ? last_kick_coefficients(half, centred) : force_coefficients(system, s),
                 {{vx, vy, vz}, {}, nullptr}, nullptr, workspace.ridge_sums);
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     workspace.load[b].force += workspace.ridge_sums.load[b].force;
@@ -381,15 +381,15 @@ double touch_step_most(const System& system, const State& s) {
   return std::min(longest, ridge_step_most(system, s));
 }
 
-bool touch_any(const State& s) {
+bool any_near(const State& s) {
   return std::any_of(s.body.begin(), s.body.end(), [](const model::BodyContact& c) {
     return !c.blocks.order.empty() || !c.ridge.pair.empty();
   });
 }
 
-double touch_omega2(const System& system, const State& s, int lattice) {
-  const double omega2 = system.lattices[std::size_t(lattice)].touch.omega2;
-  return (touch_any(s) ? omega2 : 0) + (ridge_any(s) ? omega2 : 0) + (self_any(s) ? omega2 : 0);
+double added_omega2(const System& system, const State& s, int lattice) {
+  const double omega2 = system.lattices[std::size_t(lattice)].contact_law.omega2;
+  return (any_near(s) ? omega2 : 0) + (ridge_any(s) ? omega2 : 0) + (self_any(s) ? omega2 : 0);
 }
 
 }  // namespace drape::contact

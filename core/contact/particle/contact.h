@@ -12,31 +12,30 @@ struct ContactWorkspace {
   std::vector<body::Voxels> voxels;  // [bodies]
   std::vector<Array> old;            // [bodies][blocks x 3 x kRowUnit] v_{n-1/2}
   std::vector<std::size_t> due;      // [nodes / kRowUnit] first nodes of blocks to look at anew
-  Array tied;             // [nodes] 1 where pins and welds tie a particle to others; empty: nowhere
-  std::vector<char> hit;  // [nodes / kRowUnit] where tied nodes have been touched in the present step
+  Array tied;                 // [nodes] 1 where pins and welds tie a particle to others; empty: nowhere
+  std::vector<char> touched;  // [nodes / kRowUnit] where tied nodes have been touched in the present step
   std::vector<model::ContactLaw> law;  // [lattices] of the present body
-  std::vector<RidgeTouch> ridge;       // links and cells on ridges, of the present pass
+  std::vector<EdgeContactPair> ridge;  // links and cells on ridges, of the present pass
   RidgeSums ridge_sums;
   double ridge_lost = 0;  // J, of ridge_look
   bool told = false;      // what bodies were told of the half step before this advance is taken out already
   std::vector<math::Wrench> load;    // [bodies] of the last synchronous pass
   double dissipated = 0, input = 0;  // J, likewise
 };
-ContactWorkspace touch_make(const System& system);
+ContactWorkspace workspace_make(const System& system);
 
 // Looks at all surroundings; for a new state.
-void touch_begin(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
-                 State& state);
+void begin(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace, State& state);
 
 // Pieces that start inside a body, or nearer to one than the cloth's thickness lets them.
-void touch_start_check(const System& system, const Scene& scene, ContactWorkspace& workspace,
-                       const State& state, std::vector<Problem>& problems);
+void check_start(const System& system, const Scene& scene, ContactWorkspace& workspace, const State& state,
+                 std::vector<Problem>& problems);
 
 // What is on ridges, and the velocities of all that is near, before a step changes them.
 void touch_keep(const System& system, ContactWorkspace& workspace, State& state);
 
 // What a step is to contact.
-struct TouchStep {
+struct ContactStep {
   double drift, keep, kick;   // of the step
   double half_old, half_new;  // s, h_o/2 and h/2
   double centred;             // 1 + c h/2
@@ -45,30 +44,30 @@ struct TouchStep {
 };
 
 // What the kick of a step, and the last half kick of `half` s, which turns v_{n-1/2} into v_n, do.
-ContactCoefficients touch_kick(const TouchStep& step);
-ContactCoefficients touch_last_kick(double half, double centred);
+ContactCoefficients kick_coefficients(const ContactStep& step);
+ContactCoefficients last_kick_coefficients(double half, double centred);
 
 // The same of accelerations, with stops as in the last step; before the first and at the rest of a fit, in
 // the next.
-ContactCoefficients touch_force(const System& system, const State& state);
+ContactCoefficients force_coefficients(const System& system, const State& state);
 
 // How a lattice touches a body now: in a fit nothing rubs while seams are to be closed, and until what has
 // been sewn has settled.
-model::ContactLaw touch_law_now(const System& system, const State& state, const model::Body& body,
-                                const model::Lattice& lattice);
+model::ContactLaw current_law(const System& system, const State& state, const model::Body& body,
+                              const model::Lattice& lattice);
 
 // Notes which particles are tied to others; for new constraints.
-void touch_tie(const System& system, const constraint::Constraints& constraints, ContactWorkspace& workspace);
+void mark_tied(const System& system, const constraint::Constraints& constraints, ContactWorkspace& workspace);
 
 // Before pins and welds: gives particles that are not alone what the bodies did to them in the step before.
-void touch_carry(const System& system, const ContactWorkspace& workspace, const TouchStep& step,
+void touch_carry(const System& system, const ContactWorkspace& workspace, const ContactStep& step,
                  State& state);
 void touch_carry_synchronous(const System& system, ContactWorkspace& workspace, const State& state,
                              double half, double centred, double* vx, double* vy, double* vz);
 
 // Adds to a free step what the bodies do. Needs touch_keep.
-void touch_apply(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
-                 const TouchStep& step, State& state);
+void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
+           const ContactStep& step, State& state);
 
 // After the particles and bodies have moved, or velocities have jumped: looks at the surroundings of those
 // that may have come near something else, or will. `drift`: how long they moved since the last watch, s;
@@ -81,33 +80,33 @@ void touch_hurry(State& state);
 
 // What contact does to synchronous velocities [nodes] in the last half kick of `half` s, which is what
 // room.load then holds, as impulses; or to accelerations (half = 0), as forces.
-void touch_synchronous(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
+void apply_synchronous(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
                        const State& state, double half, double centred, double* vx, double* vy, double* vz);
 
 // The longest step (s) in which no particle goes past what its surroundings were searched for.
 double touch_step_most(const System& system, const State& state);
 
-bool touch_any(const State& state);  // a particle is near a body, or a link near a ridge
+bool any_near(const State& state);  // a particle is near a body, or a link near a ridge
 
 // omega^2 that contact adds to that of a lattice, 1/s^2.
-double touch_omega2(const System& system, const State& state, int lattice);
+double added_omega2(const System& system, const State& state, int lattice);
 
 // What stops hold now beyond the penalties, N along the normals: of particles that touch and of the pairs of
 // ridge_look, in their order. Empty where nothing is so deep.
-struct TouchStops {
+struct ContactStops {
   std::vector<double> particle, pair;
 };
-bool touch_stopped(const System& system, const State& state);  // something is, nearly
+bool any_stopped(const System& system, const State& state);  // something is, nearly
 
 // Of the accelerations a [nodes] that all else leaves, carry given.
-TouchStops touch_stops(const System& system, const State& state, const std::vector<RidgeTouch>& pairs,
-                       double* const a[3]);
+ContactStops stop_forces(const System& system, const State& state, const std::vector<EdgeContactPair>& pairs,
+                         double* const a[3]);
 
 // What touches now, and the energy of the penalties, J.
-model::ContactSummary touch_summary(const System& system, const State& state, const TouchStops& stops);
-double touch_energy(const System& system, const State& state);
+model::ContactSummary contact_summary(const System& system, const State& state, const ContactStops& stops);
+double contact_energy(const System& system, const State& state);
 
 // The pressure of bodies on each node, Pa, summed over the surfaces that it touches.
-std::vector<double> touch_pressure(const System& system, const State& state, const TouchStops& stops);
+std::vector<double> contact_pressure(const System& system, const State& state, const ContactStops& stops);
 
 }  // namespace drape::contact

@@ -30,7 +30,7 @@ void each_touching(const System& system, const State& s, Visit visit) {
   for (std::size_t k = 0; k < s.body.size(); ++k)
     for (const model::ContactPlace& place : s.body[k].blocks.order) {
       const model::ContactBlock& b = s.body[k].blocks.pool[place.block];
-      const model::ContactLaw& law = system.lattices[std::size_t(b.lattice)].touch;
+      const model::ContactLaw& law = system.lattices[std::size_t(b.lattice)].contact_law;
       for (int i = 0; i < math::kRowUnit; ++i) {
         if (b.offset[i] == -model::kFar) continue;
         const std::size_t n = b.node + std::size_t(i);
@@ -55,30 +55,30 @@ bool is_deep(double layer, double depth) { return depth >= kNearStop * kContactD
 
 double stop_of(const std::vector<double>& stops, std::size_t k) { return stops.empty() ? 0 : stops[k]; }
 
-double layer_of(const System& system, const RidgeTouch& t) {
-  return system.lattices[std::size_t(t.part->lattice)].touch.layer;
+double layer_of(const System& system, const EdgeContactPair& t) {
+  return system.lattices[std::size_t(t.part->lattice)].contact_law.layer;
 }
 
 }  // namespace
 
-bool touch_stopped(const System& system, const State& s) {
+bool any_stopped(const System& system, const State& s) {
   bool deep = false;
   each_touching(system, s, [&](const Touching& t) { deep = deep || is_deep(t.law->layer, t.depth()); });
-  ridge_each(system, s, [&](const RidgeTouch& t, std::size_t, double depth, double) {
+  ridge_each(system, s, [&](const EdgeContactPair& t, std::size_t, double depth, double) {
     deep = deep || is_deep(layer_of(system, t), depth);
   });
   return deep;
 }
 
-TouchStops touch_stops(const System& system, const State& s, const std::vector<RidgeTouch>& pairs,
-                       double* const a[3]) {
-  TouchStops stops;
-  const ContactCoefficients c = touch_force(system, s);
+ContactStops stop_forces(const System& system, const State& s, const std::vector<EdgeContactPair>& pairs,
+                         double* const a[3]) {
+  ContactStops stops;
+  const ContactCoefficients c = force_coefficients(system, s);
   each_touching(system, s, [&](const Touching& t) {
     const model::Body& body = system.bodies[t.body];
     const std::size_t n = t.node;
     const ContactLanes<forces::Lane> law(
-        touch_law_now(system, s, body, system.lattices[std::size_t(t.block->lattice)]), c, body.damping);
+        current_law(system, s, body, system.lattices[std::size_t(t.block->lattice)]), c, body.damping);
     const Vec3 out = model::pose_outward(body, s.body[t.body], {t.gap.n.x.v, t.gap.n.y.v, t.gap.n.z.v});
     const Vec3 carried = model::pose_acceleration(body, s.body[t.body], {s.x[n], s.y[n], s.z[n]});
     simd::Vec<forces::Lane> free;  // against the body
@@ -91,8 +91,8 @@ TouchStops touch_stops(const System& system, const State& s, const std::vector<R
     for (std::size_t k = 0; k < 3; ++k) a[k][n] = (*to[k] + dv[k]).v + carried[k];
     stops.particle.push_back(system.mass[n] * hit.stop.v);
   });
-  std::vector<RidgeTouch> accelerated = pairs;
-  for (RidgeTouch& t : accelerated)
+  std::vector<EdgeContactPair> accelerated = pairs;
+  for (EdgeContactPair& t : accelerated)
     t.carried = model::pose_acceleration(system.bodies[t.body], s.body[t.body], t.at);
   RidgeSums sums;
   ridge_respond(system, s, accelerated, c, {{a[0], a[1], a[2]}, {}, nullptr}, nullptr, sums);
@@ -100,7 +100,7 @@ TouchStops touch_stops(const System& system, const State& s, const std::vector<R
   return stops;
 }
 
-model::ContactSummary touch_summary(const System& system, const State& s, const TouchStops& stops) {
+model::ContactSummary contact_summary(const System& system, const State& s, const ContactStops& stops) {
   model::ContactSummary sum;
   std::vector<char> counted(system.nodes, 0);  // a particle in a groove counts once
   std::size_t k = 0;
@@ -110,7 +110,7 @@ model::ContactSummary touch_summary(const System& system, const State& s, const 
     sum.penetration = std::max(sum.penetration, t.depth());
     sum.pressure = std::max(sum.pressure, pressure_of(system, s, t, stop_of(stops.particle, k++)));
   });
-  ridge_each(system, s, [&](const RidgeTouch& t, std::size_t pair, double depth, double force) {
+  ridge_each(system, s, [&](const EdgeContactPair& t, std::size_t pair, double depth, double force) {
     if (t.gap.share == 0 && !is_deep(layer_of(system, t), depth)) return;  // only a stop would touch it
     double area = INFINITY;
     for (int i = 0; i < t.part->weights(); ++i) area = std::min(area, system.area[t.part->node[i]]);
@@ -121,13 +121,13 @@ model::ContactSummary touch_summary(const System& system, const State& s, const 
   return sum;
 }
 
-std::vector<double> touch_pressure(const System& system, const State& s, const TouchStops& stops) {
+std::vector<double> contact_pressure(const System& system, const State& s, const ContactStops& stops) {
   std::vector<double> pressure(system.nodes, 0.0);
   std::size_t k = 0;
   each_touching(system, s, [&](const Touching& t) {
     pressure[t.node] += pressure_of(system, s, t, stop_of(stops.particle, k++));
   });
-  ridge_each(system, s, [&](const RidgeTouch& t, std::size_t pair, double, double force) {
+  ridge_each(system, s, [&](const EdgeContactPair& t, std::size_t pair, double, double force) {
     for (int i = 0; i < t.part->weights(); ++i)
       pressure[t.part->node[i]] +=
           t.gap.weight[i] * (force + stop_of(stops.pair, pair)) / system.area[t.part->node[i]];
@@ -135,13 +135,13 @@ std::vector<double> touch_pressure(const System& system, const State& s, const T
   return pressure;
 }
 
-double touch_energy(const System& system, const State& s) {
+double contact_energy(const System& system, const State& s) {
   double sum = 0;
   each_touching(system, s, [&](const Touching& t) {
     sum += model::inertia_of(system, s, t.node) * t.law->omega2 *
            math::smooth_ramp_integral(kContactBlend * t.law->layer, t.depth());
   });
-  ridge_each(system, s, [&](const RidgeTouch& t, std::size_t, double depth, double) {
+  ridge_each(system, s, [&](const EdgeContactPair& t, std::size_t, double depth, double) {
     const double layer = layer_of(system, t);
     sum += t.stiffness * math::smooth_ramp_integral(kContactBlend * layer, std::min(depth, layer));
   });

@@ -32,13 +32,13 @@ void lane_clear(model::ContactBlock& b, std::size_t i) {
   b.shared[i] = 0;
 }
 
-void lane_set(model::ContactBlock& b, std::size_t i, const body::Touch& touch, double grip) {
+void lane_set(model::ContactBlock& b, std::size_t i, const body::ClosestFeature& contact, double grip) {
   for (std::size_t k = 0; k < 3; ++k) {
-    b.side[k][i] = touch.side[k];
-    b.point[k][i] = touch.point[k];
+    b.side[k][i] = contact.side[k];
+    b.point[k][i] = contact.point[k];
   }
-  for (std::size_t k = 0; k < 6; ++k) b.shape[k][i] = touch.shape[k];
-  b.offset[i] = dot(touch.side, touch.point);
+  for (std::size_t k = 0; k < 6; ++k) b.shape[k][i] = contact.shape[k];
+  b.offset[i] = dot(contact.side, contact.point);
   b.grip[i] = grip;
 }
 
@@ -79,18 +79,18 @@ void block_insert(model::ContactBlocks& blocks, std::size_t at, std::uint32_t no
 
 // Puts what one particle touches into the blocks of its node. `shared`: its links may meet ridges as well.
 void lane_write(model::ContactBlocks& blocks, std::uint32_t node, int lattice, std::size_t lane,
-                const std::vector<body::Touch>& touch, bool shared) {
+                const std::vector<body::ClosestFeature>& contact, bool shared) {
   const std::size_t first = place_first(blocks, node), count = places_of(blocks, first, node);
   const double grip = count > 0 ? blocks.pool[blocks.order[first].block].grip[lane] : 0;
-  for (std::size_t k = touch.size(); k < count; ++k)
+  for (std::size_t k = contact.size(); k < count; ++k)
     lane_clear(blocks.pool[blocks.order[first + k].block], lane);
-  for (std::size_t k = 0; k < touch.size(); ++k) {
+  for (std::size_t k = 0; k < contact.size(); ++k) {
     if (k >= count) block_insert(blocks, first + k, node, lattice);
     model::ContactBlock& b = blocks.pool[blocks.order[first + k].block];
-    lane_set(b, lane, touch[k], k == 0 ? grip : 0);
-    b.shared[lane] = touch.size() > 1 || shared ? 1 : 0;
+    lane_set(b, lane, contact[k], k == 0 ? grip : 0);
+    b.shared[lane] = contact.size() > 1 || shared ? 1 : 0;
   }
-  for (std::size_t k = 0; k < std::max(count, touch.size()); ++k) {
+  for (std::size_t k = 0; k < std::max(count, contact.size()); ++k) {
     model::ContactBlock& b = blocks.pool[blocks.order[first + k].block];
     b.shares = std::any_of(b.shared, b.shared + math::kRowUnit, [](double is) { return is > 0; });
     b.flat = is_flat(b);
@@ -143,7 +143,7 @@ double ridge_way(const RidgeNear& of, model::RidgeContact& c, std::size_t n, con
 void contact_renew(const body::BodySurface& surface, body::Voxels& voxels, model::BodyContact& c,
                    std::size_t node, int lattice, double layer, const RidgeNear& ridges, const Vec3* x,
                    const Vec3* step) {
-  static thread_local body::Nearest found;
+  static thread_local body::ClosestFeatures found;
   const auto name = std::uint32_t(node / math::kRowUnit);
   for (std::size_t i = 0; i < std::size_t(math::kRowUnit); ++i) {
     const std::size_t n = node + i;
@@ -154,10 +154,10 @@ void contact_renew(const body::BodySurface& surface, body::Voxels& voxels, model
     found.budget = near.clearance - layer;
     Vec3 side{};
     if (near.triangle)
-      body::nearest_find(surface, *near.triangle, x[i], layer,
-                         std::min(std::max(kKept * layer, layer + kAhead * norm(step[i])), voxels.reach),
-                         voxels.reach, near.listed, side_known(c.blocks, name, i, side) ? &side : nullptr,
-                         found);
+      body::closest_features_find(
+          surface, *near.triangle, x[i], layer,
+          std::min(std::max(kKept * layer, layer + kAhead * norm(step[i])), voxels.reach), voxels.reach,
+          near.listed, side_known(c.blocks, name, i, side) ? &side : nullptr, found);
     const double way = ridge_way(ridges, c.ridge, n, x[i], near.clearance, norm(step[i]));
     const double budget = std::max(std::min(found.budget, way), kLeast * layer);
     c.x[n] = x[i][0], c.y[n] = x[i][1], c.z[n] = x[i][2];

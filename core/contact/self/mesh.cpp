@@ -150,10 +150,10 @@ model::SelfMesh self_mesh_make(const System& system, const State& start) {
   for (const constraint::FixedNode& f : system.constraints.fixed) mesh.fixed[f.node] = 1;
   mesh.cell_least = INFINITY;
   for (const model::Lattice& l : system.lattices) {
-    mesh.layer = std::max(mesh.layer, 2 * l.touch.layer);
+    mesh.layer = std::max(mesh.layer, 2 * l.contact_law.layer);
     mesh.cell_least = std::min(mesh.cell_least, l.cell);
-    mesh.stands_out.push_back(l.touch.layer / (4 * l.cell));
-    mesh.apart.push_back(std::max(kApart, int(std::ceil(kApartThick * 2 * l.touch.layer / l.cell))));
+    mesh.stands_out.push_back(l.contact_law.layer / (4 * l.cell));
+    mesh.apart.push_back(std::max(kApart, int(std::ceil(kApartThick * 2 * l.contact_law.layer / l.cell))));
   }
   seams_near(system, mesh);
   layers_ease(system, start, mesh);

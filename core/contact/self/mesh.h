@@ -13,8 +13,8 @@ bool self_cells_adjoin(const model::SelfMesh& mesh, const model::SelfCell& a, co
 
 // m, at which the middles of two layers touch.
 inline double self_layer(const System& system, int lattice_a, int lattice_b) {
-  return system.lattices[std::size_t(lattice_a)].touch.layer +
-         system.lattices[std::size_t(lattice_b)].touch.layer;
+  return system.lattices[std::size_t(lattice_a)].contact_law.layer +
+         system.lattices[std::size_t(lattice_b)].contact_law.layer;
 }
 
 }  // namespace drape::contact

@@ -19,8 +19,9 @@ namespace {
 
 using namespace math::vector3;
 
-SelfTouch touch_of(const model::NodeIndex* node, bool cross, const Vec3& arm, double distance, double layer) {
-  SelfTouch t{};
+SelfContactPair touch_of(const model::NodeIndex* node, bool cross, const Vec3& arm, double distance,
+                         double layer) {
+  SelfContactPair t{};
   std::copy(node, node + 4, t.node.begin());
   t.cross = cross;
   t.arm = arm;
@@ -32,7 +33,7 @@ SelfTouch touch_of(const model::NodeIndex* node, bool cross, const Vec3& arm, do
 }
 
 // Every node at which the foot of `a` has weight is one of b's triangle, and b is nearer.
-bool nearer_there(const SelfTouch& b, const SelfTouch& a, bool b_first) {
+bool nearer_there(const SelfContactPair& b, const SelfContactPair& a, bool b_first) {
   if (!(b.distance < a.distance || (b.distance == a.distance && b_first))) return false;
   int shared = 0, wanted = 0;
   for (int k = 1; k < 4; ++k) {
@@ -44,20 +45,21 @@ bool nearer_there(const SelfTouch& b, const SelfTouch& a, bool b_first) {
 }
 
 // Keeps the local minima among those of one particle, from `first` on.
-void minima_keep(std::vector<SelfTouch>& touch, std::size_t first) {
-  if (touch.size() - first < 2) return;
-  for (std::size_t a = first; a < touch.size(); ++a)
-    for (std::size_t b = first; b < touch.size(); ++b)
-      if (a != b && nearer_there(touch[b], touch[a], b < a)) touch[a].drop = true;
-  const auto from = touch.begin() + std::ptrdiff_t(first);
-  touch.erase(std::remove_if(from, touch.end(), [](const SelfTouch& t) { return t.drop; }), touch.end());
+void minima_keep(std::vector<SelfContactPair>& contact, std::size_t first) {
+  if (contact.size() - first < 2) return;
+  for (std::size_t a = first; a < contact.size(); ++a)
+    for (std::size_t b = first; b < contact.size(); ++b)
+      if (a != b && nearer_there(contact[b], contact[a], b < a)) contact[a].drop = true;
+  const auto from = contact.begin() + std::ptrdiff_t(first);
+  contact.erase(std::remove_if(from, contact.end(), [](const SelfContactPair& t) { return t.drop; }),
+                contact.end());
 }
 
 struct Looking {
   const System& system;
   const Vec3* place;
   double reach;
-  SelfTouches& all;
+  SelfContactPairs& all;
 };
 
 // The directions from an edge into its triangles, of length 1; their number.
@@ -109,10 +111,10 @@ double point_look(const Looking& l, const model::SelfPoint& p) {
   const double distance = std::sqrt(foot.distance2);
   if (distance - p.layer > l.reach) return distance - p.layer;
   if (!(p.layer > 0) || !(distance > 0)) return 0;
-  SelfTouch t = touch_of(p.node, false, foot.arm, distance, p.layer);
+  SelfContactPair t = touch_of(p.node, false, foot.arm, distance, p.layer);
   t.weight[0] = 1;
   for (int k = 0; k < 3; ++k) t.weight[k + 1] = -foot.weight[k], t.turn[k + 1] = 1;
-  l.all.touch.push_back(t);
+  l.all.pair.push_back(t);
   return 0;
 }
 
@@ -123,14 +125,14 @@ double cross_look(const Looking& l, const model::SelfCross& p) {
   const double distance = std::sqrt(foot.distance2);
   if (distance - p.layer > l.reach) return distance - p.layer;
   if (!foot.crosses || !(p.layer > 0) || !(distance > 0)) return 0;
-  SelfTouch t = touch_of(p.node, true, foot.arm, distance, p.layer);
+  SelfContactPair t = touch_of(p.node, true, foot.arm, distance, p.layer);
   const double out = std::min(stands_out(l, p.edge[0], t.n), stands_out(l, p.edge[1], -1.0 * t.n));
   if (!(out > 1)) return 0;
   const double rise = std::min(out - 1, 1.0);
   t.share = rise * rise * (3 - 2 * rise);
   const double weight[4] = {1 - foot.share[0], foot.share[0], foot.share[1] - 1, -foot.share[1]};
   for (int k = 0; k < 4; ++k) t.weight[k] = weight[k], t.turn[k] = 1;
-  l.all.touch.push_back(t);
+  l.all.pair.push_back(t);
   return 0;
 }
 
@@ -142,8 +144,9 @@ void places_take(const model::SelfMesh& mesh, const State& s, std::vector<Vec3>&
 
 }  // namespace
 
-void self_look(const System& system, const State& s, double reach, SelfTouches& all, model::SelfState* wake) {
-  all.touch.clear();
+void self_look(const System& system, const State& s, double reach, SelfContactPairs& all,
+               model::SelfState* wake) {
+  all.pair.clear();
   const std::vector<double>& blocks = s.self.wake_block;
   const double now = s.self.way;
   if (std::none_of(blocks.begin(), blocks.end(), [&](double b) { return b <= now + reach; })) return;
@@ -163,8 +166,8 @@ void self_look(const System& system, const State& s, double reach, SelfTouches& 
       if (until <= now + reach) {
         const bool point = k < points;
         if (const model::NodeIndex n = point ? pairs.point[k].node[0] : model::kNoNode; n != particle) {
-          minima_keep(all.touch, first);
-          first = all.touch.size();
+          minima_keep(all.pair, first);
+          first = all.pair.size();
           particle = n;
         }
         const double left =
@@ -176,7 +179,7 @@ void self_look(const System& system, const State& s, double reach, SelfTouches& 
     }
     if (wake) wake->wake_block[block] = soonest;
   }
-  if (particle != model::kNoNode) minima_keep(all.touch, first);
+  if (particle != model::kNoNode) minima_keep(all.pair, first);
 }
 
 }  // namespace drape::contact

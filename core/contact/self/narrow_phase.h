@@ -25,7 +25,7 @@ struct SelfNode {
   Vec3 impulse{0, 0, 0};  // N s
 };
 
-struct SelfTouch {
+struct SelfContactPair {
   std::array<model::NodeIndex, 4> node;
   bool cross, drop = false;
   double weight[4], turn[4];  // W, u
@@ -45,10 +45,10 @@ struct SelfTouch {
   Vec3 friction{0, 0, 0};                   // N s
 };
 
-struct SelfTouches {
+struct SelfContactPairs {
   std::vector<Vec3> place;   // [nodes] m, of particles
   std::vector<char> stands;  // [edges] whether they may stand out, once somebody has asked
-  std::vector<SelfTouch> touch;
+  std::vector<SelfContactPair> pair;
   std::vector<SelfNode> node;
   std::vector<int> index;  // [nodes] in `node`, or -1
 };
@@ -56,18 +56,18 @@ struct SelfTouches {
 // Finds the pairs of a state that are nearer than their layer and `reach` (m), each local minimum of the
 // distance once; points first, in the order of their nodes. With `wake`, tells pairs when they are to be
 // looked at again.
-void self_look(const System& system, const State& state, double reach, SelfTouches& touches,
+void self_look(const System& system, const State& state, double reach, SelfContactPairs& touches,
                model::SelfState* wake);
 
 // Room for the nodes of `touch`, and all that does not depend on velocities.
-void self_prepare(const System& system, const State& state, bool inertia_of_fit, SelfTouches& touches);
+void self_prepare(const System& system, const State& state, bool inertia_of_fit, SelfContactPairs& touches);
 
 // What a kick gives: impulses of all nodes. Needs old and v of the nodes. Sweeps over the pairs until the
 // velocities change by less than `settled` of the first change, `sweeps` times at most.
-void self_respond(const ContactCoefficients& c, double settled, int sweeps, SelfTouches& touches);
+void self_respond(const ContactCoefficients& c, double settled, int sweeps, SelfContactPairs& touches);
 
 // J that damping, stops and friction have taken.
-double self_dissipated(const ContactCoefficients& c, SelfTouches& touches);
+double self_dissipated(const ContactCoefficients& c, SelfContactPairs& touches);
 
 inline constexpr double kSelfBlend = kContactBlend / 2;  // of the layer, which is that of two cloths
 

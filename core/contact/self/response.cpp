@@ -42,7 +42,7 @@ void inverse_set(const double* i, double* to) {
 }
 
 // p_k and I^-1; only what rubs needs them.
-void levers_set(const SelfTouches& all, SelfTouch& t) {
+void levers_set(const SelfContactPairs& all, SelfContactPair& t) {
   if (t.inverse[0] > 0) return;
   Vec3 mean{0, 0, 0};
   double sum = 0;
@@ -66,10 +66,10 @@ void levers_set(const SelfTouches& all, SelfTouch& t) {
   inverse_set(inertia, t.inverse);
 }
 
-void law_set(const System& system, const std::vector<SelfNode>& node, SelfTouch& t) {
+void law_set(const System& system, const std::vector<SelfNode>& node, SelfContactPair& t) {
   const auto& of = system.self.lattice_of;
-  const model::ContactLaw &a = system.lattices[std::size_t(of[t.node[0]])].touch,
-                          &b = system.lattices[std::size_t(of[t.node[t.cross ? 2 : 1]])].touch;
+  const model::ContactLaw &a = system.lattices[std::size_t(of[t.node[0]])].contact_law,
+                          &b = system.lattices[std::size_t(of[t.node[t.cross ? 2 : 1]])].contact_law;
   double least = INFINITY;
   t.lightness = 0;
   for (int k = 0; k < 4; ++k) {
@@ -84,14 +84,14 @@ void law_set(const System& system, const std::vector<SelfNode>& node, SelfTouch&
 }
 
 // sum W_k of a field of the nodes
-Vec3 gap_rate(const SelfTouches& all, const SelfTouch& t, Vec3 SelfNode::* field) {
+Vec3 gap_rate(const SelfContactPairs& all, const SelfContactPair& t, Vec3 SelfNode::* field) {
   Vec3 sum{0, 0, 0};
   for (int k = 0; k < 4; ++k) sum += t.weight[k] * (all.node[std::size_t(t.at[k])].*field);
   return sum;
 }
 
 // The tangential w.
-Vec3 slip(const SelfTouches& all, SelfTouch& t, Vec3 SelfNode::* field) {
+Vec3 slip(const SelfContactPairs& all, SelfContactPair& t, Vec3 SelfNode::* field) {
   levers_set(all, t);
   Vec3 turning{0, 0, 0};
   for (int k = 0; k < 4; ++k) turning += t.turn[k] * cross(t.lever[k], all.node[std::size_t(t.at[k])].*field);
@@ -104,11 +104,11 @@ void node_push(SelfNode& n, const Vec3& f) {
   n.impulse += f;
 }
 
-void normal_push(SelfTouches& all, const SelfTouch& t, double p) {
+void normal_push(SelfContactPairs& all, const SelfContactPair& t, double p) {
   for (int k = 0; k < 4; ++k) node_push(all.node[std::size_t(t.at[k])], (t.weight[k] * p) * t.n);
 }
 
-void tangential_push(SelfTouches& all, SelfTouch& t, const Vec3& j) {
+void tangential_push(SelfContactPairs& all, SelfContactPair& t, const Vec3& j) {
   levers_set(all, t);
   const Vec3 turned = times(t.inverse, cross(t.arm, j));
   for (int k = 0; k < 4; ++k)
@@ -116,7 +116,7 @@ void tangential_push(SelfTouches& all, SelfTouch& t, const Vec3& j) {
 }
 
 // The penalty; the change of w_n.
-double normal_begin(const ContactCoefficients& c, SelfTouches& all, SelfTouch& t) {
+double normal_begin(const ContactCoefficients& c, SelfContactPairs& all, SelfContactPair& t) {
   const double blend = kSelfBlend * t.layer, depth = t.layer - t.distance;
   if (!(depth > 0)) return 0;
   const double u = std::min(depth / blend, 1.0);
@@ -128,7 +128,7 @@ double normal_begin(const ContactCoefficients& c, SelfTouches& all, SelfTouch& t
 }
 
 // With damping: what P is to be, given what all others do.
-double normal_sweep(const ContactCoefficients& c, SelfTouches& all, SelfTouch& t) {
+double normal_sweep(const ContactCoefficients& c, SelfContactPairs& all, SelfContactPair& t) {
   if (t.stored == 0) return 0;
   const double rest = dot(t.n, gap_rate(all, t, &SelfNode::v)) - t.lightness * t.normal;
   const double after =
@@ -139,7 +139,7 @@ double normal_sweep(const ContactCoefficients& c, SelfTouches& all, SelfTouch& t
   return t.lightness * std::abs(more);
 }
 
-double stop_sweep(const ContactCoefficients& c, SelfTouches& all, SelfTouch& t) {
+double stop_sweep(const ContactCoefficients& c, SelfContactPairs& all, SelfContactPair& t) {
   const double w = dot(t.n, gap_rate(all, t, &SelfNode::v)), workspace = t.distance - kLeast * t.layer;
   const double wanted = -workspace * (workspace >= 0 ? c.stop_rate : c.push_rate);
   const double stop = std::max(t.stop + (wanted - w) / t.lightness, 0.0), more = stop - t.stop;
@@ -150,14 +150,14 @@ double stop_sweep(const ContactCoefficients& c, SelfTouches& all, SelfTouch& t) 
 }
 
 // J no larger than friction allows.
-Vec3 friction_bounded(SelfTouch& t, const Vec3& j) {
+Vec3 friction_bounded(SelfContactPair& t, const Vec3& j) {
   const double pressed = t.normal + t.stop, size = norm(j);
   t.slides = size > (t.stuck ? t.stick : t.slide) * pressed;
   if (!t.slides) return j;
   return size > 0 ? (t.slide * pressed / size) * j : j;
 }
 
-double friction_change(SelfTouches& all, SelfTouch& t, const Vec3& wanted) {
+double friction_change(SelfContactPairs& all, SelfContactPair& t, const Vec3& wanted) {
   const Vec3 j = friction_bounded(t, wanted), more = j - t.friction;
   const double size = norm(more);
   if (size == 0) return 0;
@@ -168,10 +168,10 @@ double friction_change(SelfTouches& all, SelfTouch& t, const Vec3& wanted) {
 
 }  // namespace
 
-void self_prepare(const System& system, const State& s, bool inertia_of_fit, SelfTouches& all) {
+void self_prepare(const System& system, const State& s, bool inertia_of_fit, SelfContactPairs& all) {
   all.node.clear();
   all.index.resize(system.nodes, -1);
-  for (SelfTouch& t : all.touch)
+  for (SelfContactPair& t : all.pair)
     for (int k = 0; k < 4; ++k) {
       const model::NodeIndex n = t.node[std::size_t(k)];
       int& at = all.index[n];
@@ -189,10 +189,10 @@ void self_prepare(const System& system, const State& s, bool inertia_of_fit, Sel
       t.at[k] = at;
     }
   for (const SelfNode& n : all.node) all.index[n.node] = -1;
-  for (SelfTouch& t : all.touch) law_set(system, all.node, t);
-  std::erase_if(all.touch, [](const SelfTouch& t) { return !(t.lightness > 0); });  // held on both sides
-  auto held = s.self.hold.begin();                                                  // in the same order
-  for (SelfTouch& t : all.touch) {
+  for (SelfContactPair& t : all.pair) law_set(system, all.node, t);
+  std::erase_if(all.pair, [](const SelfContactPair& t) { return !(t.lightness > 0); });  // held on both sides
+  auto held = s.self.hold.begin();                                                       // in the same order
+  for (SelfContactPair& t : all.pair) {
     const auto before = [&](const model::SelfHold& h) {
       return h.cross != t.cross ? t.cross : h.node < t.node;
     };
@@ -203,14 +203,14 @@ void self_prepare(const System& system, const State& s, bool inertia_of_fit, Sel
   }
 }
 
-void self_respond(const ContactCoefficients& c, double settled, int sweeps, SelfTouches& all) {
+void self_respond(const ContactCoefficients& c, double settled, int sweeps, SelfContactPairs& all) {
   double first = 0;
-  for (SelfTouch& t : all.touch) first = std::max(first, normal_begin(c, all, t));
-  for (SelfTouch& t : all.touch)
+  for (SelfContactPair& t : all.pair) first = std::max(first, normal_begin(c, all, t));
+  for (SelfContactPair& t : all.pair)
     if (t.normal > 0) friction_change(all, t, c.kick * t.hold);
   for (int k = 0; k < sweeps; ++k) {
     double most = 0;
-    for (SelfTouch& t : all.touch) {
+    for (SelfContactPair& t : all.pair) {
       most = std::max(most, normal_sweep(c, all, t));
       most = std::max(most, stop_sweep(c, all, t));
       if (!(t.normal + t.stop > 0) && dot(t.friction, t.friction) == 0) continue;
@@ -222,9 +222,9 @@ void self_respond(const ContactCoefficients& c, double settled, int sweeps, Self
   }
 }
 
-double self_dissipated(const ContactCoefficients& c, SelfTouches& all) {
+double self_dissipated(const ContactCoefficients& c, SelfContactPairs& all) {
   double sum = 0;
-  for (SelfTouch& t : all.touch) {
+  for (SelfContactPair& t : all.pair) {
     if (!(t.stored + t.stop > 0)) continue;
     const double w = dot(t.n, gap_rate(all, t, &SelfNode::old) + gap_rate(all, t, &SelfNode::v)) / 2;
     const Vec3 along = 0.5 * (slip(all, t, &SelfNode::old) + slip(all, t, &SelfNode::v));

@@ -62,22 +62,22 @@ void search(const System& system, State& s, double h) {
   self.wake_block.assign((self.pairs->size() + model::kWakeBlock - 1) / model::kWakeBlock, self.way);
 }
 
-void holds_set(const ContactCoefficients& c, const SelfTouches& all, model::SelfState& self) {
+void holds_set(const ContactCoefficients& c, const SelfContactPairs& all, model::SelfState& self) {
   self.hold.clear();
-  for (const SelfTouch& t : all.touch)
+  for (const SelfContactPair& t : all.pair)
     if (t.normal + t.stop > 0) self.hold.push_back({t.node, t.cross, !t.slides, (1 / c.kick) * t.friction});
 }
 
 }  // namespace
 
 void self_begin(const System& system, State& s) {
-  if (!self_touches(system)) return;
+  if (!self_enabled(system)) return;
   s.self = model::SelfState{};
   s.self.speed = speed_of(system, s);
   search(system, s, model::step_next(system, s));
 }
 
-void self_start_check(const System& system, const Scene& scene, const State& s,
+void self_check_start(const System& system, const Scene& scene, const State& s,
                       std::vector<Problem>& problems) {
   std::map<std::array<int, 2>, std::vector<Vec3>> found;
   for (const SelfCut& cut : self_cuts(system.self, s))
@@ -96,7 +96,7 @@ void self_start_check(const System& system, const Scene& scene, const State& s,
 }
 
 void self_hurry(const System& system, State& s, double moved) {
-  if (!self_touches(system)) return;
+  if (!self_enabled(system)) return;
   s.self.speed = std::max(s.self.speed, speed_of(system, s));
   s.self.way += 2 * moved;
 }
@@ -108,13 +108,13 @@ void self_keep(const System& system, SelfContactWorkspace& workspace, State& s, 
   self_prepare(system, s, true, workspace.touches);
 }
 
-void self_apply(const System& system, SelfContactWorkspace& workspace, const TouchStep& step, State& s) {
-  SelfTouches& all = workspace.touches;
-  if (all.touch.empty()) {
+void self_apply(const System& system, SelfContactWorkspace& workspace, const ContactStep& step, State& s) {
+  SelfContactPairs& all = workspace.touches;
+  if (all.pair.empty()) {
     s.self.hold.clear();
     return;
   }
-  const ContactCoefficients c = touch_kick(step);
+  const ContactCoefficients c = kick_coefficients(step);
   for (SelfNode& n : all.node) n.v = n.fixed ? n.old : Vec3{s.vx[n.node], s.vy[n.node], s.vz[n.node]};
   self_respond(c, kSettled, kSweeps, all);
   for (const SelfNode& n : all.node) {
@@ -134,11 +134,12 @@ void self_watch(const System& system, State& s, double drift) {
 
 void self_synchronous(const System& system, SelfContactWorkspace& workspace, const State& s, double half,
                       double centred, double* vx, double* vy, double* vz) {
-  SelfTouches& all = workspace.touches;
+  SelfContactPairs& all = workspace.touches;
   workspace.dissipated = 0;
   self_look(system, s, 0, all, nullptr);
   self_prepare(system, s, false, all);
-  const ContactCoefficients c = half > 0 ? touch_last_kick(half, centred) : touch_force(system, s);
+  const ContactCoefficients c =
+      half > 0 ? last_kick_coefficients(half, centred) : force_coefficients(system, s);
   for (SelfNode& n : all.node) {
     n.v = {vx[n.node], vy[n.node], vz[n.node]};
     if (n.fixed) n.v = half > 0 ? n.old : Vec3{0, 0, 0};
@@ -153,19 +154,19 @@ void self_synchronous(const System& system, SelfContactWorkspace& workspace, con
 
 namespace {
 
-std::vector<SelfTouch> touching(const System& system, const State& s) {
-  SelfTouches all;
+std::vector<SelfContactPair> touching(const System& system, const State& s) {
+  SelfContactPairs all;
   if (!self_any(s)) return {};
   self_look(system, s, 0, all, nullptr);
   self_prepare(system, s, false, all);
-  return all.touch;
+  return all.pair;
 }
 
 }  // namespace
 
 model::ContactSummary self_summary(const System& system, const State& s) {
   model::ContactSummary sum;
-  for (const SelfTouch& t : touching(system, s)) {
+  for (const SelfContactPair& t : touching(system, s)) {
     const double depth = t.layer - t.distance;
     double area = INFINITY;
     for (model::NodeIndex n : t.node) area = std::min(area, system.area[n]);
@@ -179,7 +180,7 @@ model::ContactSummary self_summary(const System& system, const State& s) {
 
 double self_energy(const System& system, const State& s) {
   double sum = 0;
-  for (const SelfTouch& t : touching(system, s))
+  for (const SelfContactPair& t : touching(system, s))
     sum += t.stiffness * math::smooth_ramp_integral(kSelfBlend * t.layer, t.layer - t.distance);
   return sum;
 }

@@ -7,13 +7,13 @@ namespace drape::contact {
 
 // Room of one step; made once per System.
 struct SelfContactWorkspace {
-  SelfTouches touches;
+  SelfContactPairs touches;
   double dissipated = 0;  // J, of the last synchronous pass
 };
 
-inline bool self_touches(const System& system) { return !system.self.cell.empty(); }
-inline bool self_hits(const SelfContactWorkspace& workspace) {
-  return !workspace.touches.touch.empty();
+inline bool self_enabled(const System& system) { return !system.self.cell.empty(); }
+inline bool self_any_touching(const SelfContactWorkspace& workspace) {
+  return !workspace.touches.pair.empty();
 }                                                                                          // in the last pass
 inline bool self_any(const State& s) { return s.self.pairs && s.self.pairs->size() > 0; }  // near each other
 
@@ -21,7 +21,7 @@ inline bool self_any(const State& s) { return s.self.pairs && s.self.pairs->size
 void self_begin(const System& system, State& state);
 
 // Pieces that go through each other or themselves at the start: what is tangled would stay so.
-void self_start_check(const System& system, const Scene& scene, const State& state,
+void self_check_start(const System& system, const Scene& scene, const State& state,
                       std::vector<Problem>& problems);
 
 // After velocities have changed otherwise than in a step, or places by as much as `moved` (m).
@@ -31,7 +31,7 @@ void self_hurry(const System& system, State& state, double moved);
 void self_keep(const System& system, SelfContactWorkspace& workspace, State& state, double h);
 
 // Adds to a free step what touching does. Needs self_keep.
-void self_apply(const System& system, SelfContactWorkspace& workspace, const TouchStep& step, State& state);
+void self_apply(const System& system, SelfContactWorkspace& workspace, const ContactStep& step, State& state);
 
 // After the particles have moved for `drift` s.
 void self_watch(const System& system, State& state, double drift);

@@ -210,7 +210,7 @@ double step_limit_omega2(const System& system, const Kernel& kernel, const State
   for (const model::Lattice& l : system.lattices) {
     const double omega2 = step_limit_lattice(system, kernel, l, state, ahead);
     most = most_of(
-        step_limit_rated(system, l, omega2, drag, seams, contact::touch_omega2(system, state, l.piece)),
+        step_limit_rated(system, l, omega2, drag, seams, contact::added_omega2(system, state, l.piece)),
         most);
   }
   return most;

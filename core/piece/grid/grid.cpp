@@ -31,9 +31,9 @@ Vec2 grid_origin(const Scene& scene, int index, const Grid& grid) {
       if (pin.piece != index || is_curved(piece, edge)) continue;
       const Vec2 p = turned(grid, piece.outline[std::size_t(edge)]);
       const Vec2 q = turned(grid, piece.outline[(std::size_t(edge) + 1) % n]);
-      const double touch = kSnap * std::max(piece.cell, std::hypot(q[0] - p[0], q[1] - p[1]));
+      const double contact = kSnap * std::max(piece.cell, std::hypot(q[0] - p[0], q[1] - p[1]));
       for (std::size_t a = 0; a < 2; ++a)
-        if (!held[a] && std::abs(p[a] - q[a]) <= touch) origin[a] = p[a], held[a] = true;
+        if (!held[a] && std::abs(p[a] - q[a]) <= contact) origin[a] = p[a], held[a] = true;
     }
   return origin;
 }

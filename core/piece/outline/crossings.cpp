@@ -26,21 +26,21 @@ double end_distance(const Segment& s, Vec2 point) {
 }
 
 // True if `b` lies to one side of the line of `a`.
-bool is_aside(const Segment& a, double p, double q, double touch) {
-  return std::min(p, q) > touch * a.length || std::max(p, q) < -touch * a.length;
+bool is_aside(const Segment& a, double p, double q, double contact) {
+  return std::min(p, q) > contact * a.length || std::max(p, q) < -contact * a.length;
 }
 
 // The place where two segments meet, if they do. Of neighbours, which share an end, only the other ends
 // count.
-bool segments_meet(const Segment& a, const Segment& b, bool follows, bool precedes, double touch,
+bool segments_meet(const Segment& a, const Segment& b, bool follows, bool precedes, double contact,
                    OutlineCrossing& found) {
   for (std::size_t k = 0; k < 2; ++k)
-    if (std::max(a.p[k], a.q[k]) + touch < std::min(b.p[k], b.q[k]) ||
-        std::max(b.p[k], b.q[k]) + touch < std::min(a.p[k], a.q[k]))
+    if (std::max(a.p[k], a.q[k]) + contact < std::min(b.p[k], b.q[k]) ||
+        std::max(b.p[k], b.q[k]) + contact < std::min(a.p[k], a.q[k]))
       return false;
   const double bp = cross(a.p, a.q, b.p), bq = cross(a.p, a.q, b.q);
   const double ap = cross(b.p, b.q, a.p), aq = cross(b.p, b.q, a.q);
-  if (is_aside(a, bp, bq, touch) || is_aside(b, ap, aq, touch)) return false;
+  if (is_aside(a, bp, bq, contact) || is_aside(b, ap, aq, contact)) return false;
   if (!follows && !precedes && bp * bq < 0 && ap * aq < 0) {
     const double t = ap / (ap - aq);
     found.at = {a.p[0] + t * (a.q[0] - a.p[0]), a.p[1] + t * (a.q[1] - a.p[1])};
@@ -49,7 +49,7 @@ bool segments_meet(const Segment& a, const Segment& b, bool follows, bool preced
   }
   found.crosses = false;
   const auto near = [&](const Segment& s, Vec2 end) {
-    if (end_distance(s, end) > touch) return false;
+    if (end_distance(s, end) > contact) return false;
     found.at = end;
     return true;
   };
@@ -70,36 +70,36 @@ int slot(const Buckets& b, double v, std::size_t k) {
 
 // Adds a segment to every bucket that it comes close to: column by column, the rows from where it enters the
 // column to where it leaves it.
-void bucket_fill(Buckets& b, const Segment& segment, int number, double touch) {
+void bucket_fill(Buckets& b, const Segment& segment, int number, double contact) {
   Vec2 p = segment.p, q = segment.q;
   if (p[0] > q[0]) std::swap(p, q);
   const auto height_at = [&](double x) {
     return p[1] + (q[1] - p[1]) * std::clamp((x - p[0]) / (q[0] - p[0]), 0.0, 1.0);
   };
-  const int last = slot(b, q[0] + touch, 0);
-  for (int i = slot(b, p[0] - touch, 0); i <= last; ++i) {
-    const double left = b.low[0] + i * b.size - 2 * touch, right = left + b.size + 4 * touch;
+  const int last = slot(b, q[0] + contact, 0);
+  for (int i = slot(b, p[0] - contact, 0); i <= last; ++i) {
+    const double left = b.low[0] + i * b.size - 2 * contact, right = left + b.size + 4 * contact;
     double from = p[1], to = q[1];
-    if (q[0] - p[0] > touch) from = height_at(left), to = height_at(right);
+    if (q[0] - p[0] > contact) from = height_at(left), to = height_at(right);
     if (from > to) std::swap(from, to);
-    const int top = slot(b, to + 2 * touch, 1);
-    for (int j = slot(b, from - 2 * touch, 1); j <= top; ++j)
+    const int top = slot(b, to + 2 * contact, 1);
+    for (int j = slot(b, from - 2 * contact, 1); j <= top; ++j)
       b.segments[std::size_t(j) * std::size_t(b.columns) + std::size_t(i)].push_back(number);
   }
 }
 
-Buckets buckets_make(const std::vector<Segment>& segments, double touch) {
+Buckets buckets_make(const std::vector<Segment>& segments, double contact) {
   Buckets b;
   Vec2 high{-INFINITY, -INFINITY};
   for (const Segment& s : segments)
     for (std::size_t k = 0; k < 2; ++k)
-      b.low[k] = std::min(b.low[k], s.p[k] - 2 * touch), high[k] = std::max(high[k], s.p[k] + 2 * touch);
+      b.low[k] = std::min(b.low[k], s.p[k] - 2 * contact), high[k] = std::max(high[k], s.p[k] + 2 * contact);
   const double width = high[0] - b.low[0], height = high[1] - b.low[1], count = double(segments.size());
   b.size = std::max(std::sqrt(width * height / count) / 2, std::max(width, height) / (2 * count));
   b.columns = int(width / b.size) + 1;
   b.rows = int(height / b.size) + 1;
   b.segments.resize(std::size_t(b.columns) * std::size_t(b.rows));
-  for (std::size_t s = 0; s < segments.size(); ++s) bucket_fill(b, segments[s], int(s), touch);
+  for (std::size_t s = 0; s < segments.size(); ++s) bucket_fill(b, segments[s], int(s), contact);
   return b;
 }
 
@@ -115,7 +115,7 @@ std::vector<Segment> segments_of(const std::vector<OutlineLoop>& loops) {
 
 }  // namespace
 
-std::vector<OutlineCrossing> outline_crossings(const std::vector<OutlineLoop>& loops, double touch,
+std::vector<OutlineCrossing> outline_crossings(const std::vector<OutlineLoop>& loops, double contact,
                                                std::size_t most) {
   const std::vector<Segment> segments = segments_of(loops);
   std::map<std::array<int, 4>, OutlineCrossing> found;
@@ -124,11 +124,11 @@ std::vector<OutlineCrossing> outline_crossings(const std::vector<OutlineLoop>& l
     const bool follows = a.loop == b.loop && (a.index + 1) % n == b.index;
     const bool precedes = a.loop == b.loop && (b.index + 1) % n == a.index;
     OutlineCrossing c{{a.loop, b.loop}, {a.edge, b.edge}, {}, false};
-    if (!segments_meet(a, b, follows, precedes, touch, c)) return;
+    if (!segments_meet(a, b, follows, precedes, contact, c)) return;
     if (a.loop == b.loop && a.edge > b.edge) std::swap(c.edge[0], c.edge[1]);
     found.insert({{c.loop[0], c.edge[0], c.loop[1], c.edge[1]}, c});
   };
-  for (const std::vector<int>& bucket : buckets_make(segments, touch).segments)
+  for (const std::vector<int>& bucket : buckets_make(segments, contact).segments)
     for (std::size_t u = 0; u < bucket.size() && found.size() < most; ++u)
       for (std::size_t v = u + 1; v < bucket.size() && found.size() < most; ++v)
         compare(segments[std::size_t(bucket[u])], segments[std::size_t(bucket[v])]);

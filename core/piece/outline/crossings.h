@@ -11,7 +11,7 @@ struct OutlineCrossing {
 };
 
 // The first `most` pairs of edges that come closer than `touch`, apart from the ends that neighbours share.
-std::vector<OutlineCrossing> outline_crossings(const std::vector<OutlineLoop>& loops, double touch,
+std::vector<OutlineCrossing> outline_crossings(const std::vector<OutlineLoop>& loops, double contact,
                                                std::size_t most);
 
 }  // namespace drape::piece

@@ -28,19 +28,19 @@ void extent_grow(Extent& e, Vec2 p) {
 }
 
 // True if all points lie on a line.
-bool is_flat(const std::vector<Vec2>& points, double touch) {
+bool is_flat(const std::vector<Vec2>& points, double contact) {
   const Vec2 p = points[0];
   Vec2 far{0, 0};  // from p
   for (const Vec2& q : points)
     if (std::hypot(q[0] - p[0], q[1] - p[1]) > std::hypot(far[0], far[1])) far = {q[0] - p[0], q[1] - p[1]};
   const double length = std::hypot(far[0], far[1]);
   return std::all_of(points.begin(), points.end(), [&](Vec2 q) {
-    return std::abs(far[0] * (q[1] - p[1]) - far[1] * (q[0] - p[0])) <= touch * length;
+    return std::abs(far[0] * (q[1] - p[1]) - far[1] * (q[0] - p[0])) <= contact * length;
   });
 }
 
 // Points as they are given: enough of them, none repeated by its successor.
-bool points_check(const std::vector<Vec2>& points, const std::string& path, double touch,
+bool points_check(const std::vector<Vec2>& points, const std::string& path, double contact,
                   Problems& problems) {
   const std::size_t before = problems.size(), n = points.size();
   if (n < 3) {
@@ -49,20 +49,21 @@ bool points_check(const std::vector<Vec2>& points, const std::string& path, doub
   }
   for (std::size_t k = 0; k < n; ++k) {
     const Vec2 p = points[k], q = points[(k + 1) % n];
-    if (std::hypot(q[0] - p[0], q[1] - p[1]) > touch) continue;
+    if (std::hypot(q[0] - p[0], q[1] - p[1]) > contact) continue;
     if (k + 1 == n)
       problems.push_back({path, "repeats its first point at the end; an outline closes by itself"});
     else
       problems.push_back({scene::entry(path, k + 1), "= " + scene::point_text(q) + " repeats point " +
                                                          std::to_string(k) + "; allowed: more than " +
-                                                         scene::rounded(touch) + " m away"});
+                                                         scene::rounded(contact) + " m away"});
   }
   return problems.size() == before;
 }
 
 // Of straight edges only: curves may enclose area between points on a line.
-bool area_check(const std::vector<Vec2>& points, const std::string& path, double touch, Problems& problems) {
-  if (!is_flat(points, touch)) return true;
+bool area_check(const std::vector<Vec2>& points, const std::string& path, double contact,
+                Problems& problems) {
+  if (!is_flat(points, contact)) return true;
   problems.push_back({path, "encloses no area"});
   return false;
 }
@@ -164,21 +165,22 @@ void polygon_problems(const std::vector<Vec2>& polygon, const std::string& path,
   if (polygon.empty()) return;  // could not be read
   scene::PieceSpec piece;
   piece.outline = polygon;
-  const double touch = outline_touch(piece);
-  if (!points_check(polygon, path, touch, problems) || !area_check(polygon, path, touch, problems)) return;
-  crossings_tell(outline_crossings(outline_flatten(piece), touch, kMostCrossings), {""}, path, problems);
+  const double contact = outline_touch(piece);
+  if (!points_check(polygon, path, contact, problems) || !area_check(polygon, path, contact, problems))
+    return;
+  crossings_tell(outline_crossings(outline_flatten(piece), contact, kMostCrossings), {""}, path, problems);
 }
 
 void outline_problems(const scene::PieceSpec& piece, const std::string& path, Problems& problems) {
   if (piece.outline.empty()) return;  // could not be read
   const std::size_t before = problems.size();
-  const double touch = outline_touch(piece);
-  if (points_check(piece.outline, path + ".outline", touch, problems) && piece.curves.empty())
-    area_check(piece.outline, path + ".outline", touch, problems);
+  const double contact = outline_touch(piece);
+  if (points_check(piece.outline, path + ".outline", contact, problems) && piece.curves.empty())
+    area_check(piece.outline, path + ".outline", contact, problems);
   for (std::size_t h = 0; h < piece.holes.size(); ++h)
     if (const std::string at = scene::entry(path + ".holes", h);
-        points_check(piece.holes[h], at, touch, problems))
-      area_check(piece.holes[h], at, touch, problems);
+        points_check(piece.holes[h], at, contact, problems))
+      area_check(piece.holes[h], at, contact, problems);
   curves_check(piece, path, problems);
   if (problems.size() > before) return;
 
@@ -190,10 +192,10 @@ void outline_problems(const scene::PieceSpec& piece, const std::string& path, Pr
   std::vector<std::string> name;
   for (std::size_t l = 0; l < loops.size(); ++l) name.push_back(loop_name(l));
   const std::vector<OutlineCrossing> found =
-      outline_crossings(loops, touch + 2e-9 * drawn.cell, kMostCrossings);
+      outline_crossings(loops, contact + 2e-9 * drawn.cell, kMostCrossings);
   crossings_tell(found, name, path + ".", problems);
   if (!found.empty()) return;
-  if (is_flat(loops[0].points, touch)) problems.push_back({path + ".outline", "encloses no area"});
+  if (is_flat(loops[0].points, contact)) problems.push_back({path + ".outline", "encloses no area"});
   nesting_check(loops, path, problems);
 }
 

@@ -61,14 +61,14 @@ TEST(Nearest, IsTheNearestOfAllTrianglesAndItsBudgetIsKept) {
       for (double& v : x) v += far * shift(random);
       const double exact = mesh_distance(body.mesh.surface, x);
       const Neighbourhood near = voxels_at(voxels, x);
-      Nearest found;
+      ClosestFeatures found;
       if (!near.triangle) {
         EXPECT_LE(near.clearance, exact + 1e-12);
         EXPECT_GT(near.clearance, contact);
         continue;
       }
-      nearest_find(body.mesh.surface, *near.triangle, x, contact, 3 * contact, reach, near.listed, nullptr,
-                   found);
+      closest_features_find(body.mesh.surface, *near.triangle, x, contact, 3 * contact, reach, near.listed,
+                            nullptr, found);
       if (exact > 3 * contact) {
         EXPECT_TRUE(found.touch.empty());
         EXPECT_LE(found.budget, exact - contact + 1e-12);
@@ -126,14 +126,14 @@ TEST(Nearest, CountsLocalMinima) {
   const model::Body body = body_of(folder, groove);
   EXPECT_FALSE(body.mesh.surface.solid);
   const std::vector<int> all{0, 1, 2, 3};
-  Nearest found;
-  nearest_find(body.mesh.surface, all, {0, 0, 0.01}, 0.01, 0.02, 1, 1, nullptr, found);
+  ClosestFeatures found;
+  closest_features_find(body.mesh.surface, all, {0, 0, 0.01}, 0.01, 0.02, 1, 1, nullptr, found);
   ASSERT_EQ(found.touch.size(), 2u);
-  for (const Touch& t : found.touch) {
+  for (const ClosestFeature& t : found.touch) {
     EXPECT_NEAR(t.distance, 0.01 / std::sqrt(2.0), 1e-15);
     EXPECT_GT(t.side[2], 0);
   }
-  nearest_find(body.mesh.surface, all, {0, 0, -0.01}, 0.01, 0.02, 1, 1, nullptr, found);
+  closest_features_find(body.mesh.surface, all, {0, 0, -0.01}, 0.01, 0.02, 1, 1, nullptr, found);
   ASSERT_EQ(found.touch.size(), 1u);
   EXPECT_NEAR(found.touch[0].distance, 0.01, 1e-15);
   EXPECT_LT(found.touch[0].side[2], 0);

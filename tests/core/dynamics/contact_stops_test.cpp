@@ -20,18 +20,18 @@ Assembled held_up(const SceneFolder& folder, bool over_ridge, double height) {
   body.moves = true;
   if (!over_ridge) body.position = {0, 0, -0.05};
   Assembled a = assemble(scene);
-  for (std::size_t n : a.system.particle) a.state.z[n] = height * a.system.lattices[0].touch.layer;
-  contact::touch_begin(a.system, a.motion.kernel->contact, a.motion.touch, a.state);
+  for (std::size_t n : a.system.particle) a.state.z[n] = height * a.system.lattices[0].contact_law.layer;
+  contact::begin(a.system, a.motion.kernel->contact, a.motion.contact, a.state);
   return a;
 }
 
 // The sum of what is held against particles whose free acceleration is `a` along z.
 double held(const Assembled& of, double a) {
-  std::vector<contact::RidgeTouch> pairs;
+  std::vector<contact::EdgeContactPair> pairs;
   contact::ridge_look(of.system, of.state, pairs);
   Array x(of.system.nodes, 0.0), y = x, z(of.system.nodes, a);
   double* const field[] = {x.data(), y.data(), z.data()};
-  const contact::TouchStops stops = contact::touch_stops(of.system, of.state, pairs, field);
+  const contact::ContactStops stops = contact::stop_forces(of.system, of.state, pairs, field);
   double sum = 0;
   for (double s : stops.particle) sum += s;
   for (double s : stops.pair) sum += s;

@@ -31,7 +31,7 @@ Scene to_sew(const SceneFolder& folder) {
 }
 
 Vec2 friction_of(const Assembled& a) {
-  return contact::touch_law_now(a.system, a.state, a.system.bodies[0], a.system.lattices[0]).friction;
+  return contact::current_law(a.system, a.state, a.system.bodies[0], a.system.lattices[0]).friction;
 }
 
 bool is_sewn(const Assembled& a) { return !seams_to_close(a.system, a.state); }
@@ -62,10 +62,10 @@ TEST(Settling, EndsWhenATenthOfTheLoadIsLeft) {
   EXPECT_LT(waited, 0.9);  // not by the clock
   EXPECT_LE(a.state.fit.residual, 0.1);
   EXPECT_GT(before, 0.1);
-  EXPECT_EQ(friction_of(a), a.system.lattices[0].touch.friction);
+  EXPECT_EQ(friction_of(a), a.system.lattices[0].contact_law.friction);
   crumple(a, 1e-4, 3);  // what has settled does not begin anew
   sewn_advance(a, 0.01);
-  EXPECT_EQ(friction_of(a), a.system.lattices[0].touch.friction);
+  EXPECT_EQ(friction_of(a), a.system.lattices[0].contact_law.friction);
 }
 
 // Where the forces left do not come down (they are not looked at while a pin is on its way), 1 s after the

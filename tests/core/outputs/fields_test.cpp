@@ -29,7 +29,7 @@ TEST(Fields, PressureIsThatOfTheSummary) {
   const Assembled a = on_ball(folder);
   Fields fields;
   fields_fill(fields, a.system, a.state, {});
-  const model::ContactSummary sum = contact::touch_summary(a.system, a.state, {});
+  const model::ContactSummary sum = contact::contact_summary(a.system, a.state, {});
   std::size_t count = 0;
   double most = 0, weight = 0;
   for (const double p : fields.pressure) count += p > 0, most = std::max(most, p);
@@ -59,7 +59,7 @@ TEST(Fields, PressureAtRestIsWeightOverArea) {
       body_add(scene, folder, "table", box(2, 2, 0.1)).position = {0, 0, -0.05};
       Assembled a = assemble(scene);
       for (double t = 0; t < 2 && !a.state.fit.at_rest; t += 0.1) advance(a, 0.1);
-      const contact::TouchStops stops = dynamics::leapfrog_stops(a.system, a.motion, a.state);
+      const contact::ContactStops stops = dynamics::leapfrog_stops(a.system, a.motion, a.state);
       EXPECT_EQ(stops.particle.empty(), slope > 1) << "the penalty holds it";
       Fields fields;
       fields_fill(fields, a.system, a.state, stops);
@@ -73,7 +73,7 @@ TEST(Fields, PressureAtRestIsWeightOverArea) {
       EXPECT_NEAR(force, weight, 2e-5 * weight);
       EXPECT_NEAR(-body_force(a)[2], mode == scene::Mode::kFit ? force : force * a.state.h_old / 2,
                   2e-5 * weight);
-      EXPECT_NEAR(contact::touch_summary(a.system, a.state, stops).pressure, wanted, 1e-4 * wanted);
+      EXPECT_NEAR(contact::contact_summary(a.system, a.state, stops).pressure, wanted, 1e-4 * wanted);
     }
 }
 
@@ -103,8 +103,8 @@ TEST(Fields, AParticleCountsOnceByHoweverManySurfaces) {
       a.state.x[n] = 0;
       a.state.z[n] = 0.0004 * std::sqrt(2.0);
     }
-    contact::touch_begin(a.system, a.motion.kernel->contact, a.motion.touch, a.state);
-    EXPECT_EQ(contact::touch_summary(a.system, a.state, {}).count, a.system.particle.size()) << halves;
+    contact::begin(a.system, a.motion.kernel->contact, a.motion.contact, a.state);
+    EXPECT_EQ(contact::contact_summary(a.system, a.state, {}).count, a.system.particle.size()) << halves;
   }
 }
 

@@ -88,7 +88,7 @@ TEST(Ridge, ATautStripRestsOnItByALink) {
     for (double t = 0; t < 20 && !s.a.state.fit.at_rest; t += 0.1) advance(s.a, 0.1);
     ASSERT_TRUE(s.a.state.fit.at_rest) << "residual " << s.a.state.fit.residual;
     const int i = s.over();
-    const double layer = s.a.system.lattices[0].touch.layer, width = 0.01;
+    const double layer = s.a.system.lattices[0].contact_law.layer, width = 0.01;
     const Vec3 force = body_force(s.a), e = s.along(i);
     const double left = kSlope * width * s.strain(i - 1), right = kSlope * width * s.strain(i + 1);
     const Vec3 pulled = right * s.along(i + 1) - left * s.along(i - 1);
@@ -177,9 +177,9 @@ TEST(Ridge, MomentumIsBalancedOverEveryAdvance) {
     };
     ASSERT_EQ(dynamics::leapfrog_advance(a.system, a.motion, a.state, 1e-3, event, anew),
               dynamics::Advance::kDone);
-    on_ridges += a.motion.touch.ridge.size();
+    on_ridges += a.motion.contact.ridge.size();
     const Vec3 after = now(), gained = after - before;
-    const Vec3 told = a.state.body[0].impulse.force + a.motion.touch.load[0].force;
+    const Vec3 told = a.state.body[0].impulse.force + a.motion.contact.load[0].force;
     worst = std::max(worst, norm(gained - (Vec3{0, 0, -9.81e-3 * mass} - told)));
     most = std::max(most, norm(told));
     before = after;
@@ -275,7 +275,7 @@ TEST(Ridge, AClothRestsOnRoofAndTip) {
     for (double t = 0; t < 20 && !a.state.fit.at_rest; t += 0.1) advance(a, 0.1);
     EXPECT_TRUE(a.state.fit.at_rest) << "residual " << a.state.fit.residual;
     expect_weight(a);
-    EXPECT_FALSE(a.motion.touch.ridge.empty());
+    EXPECT_FALSE(a.motion.contact.ridge.empty());
   }
 }
 
@@ -399,22 +399,22 @@ TEST(Ridge, PenaltyStaysWithinTheBoundOfTheStep) {
   body_add(scene, folder, "knife", roof(1.3));
   Assembled a = assemble(scene);
   const model::Lattice& l = a.system.lattices[0];
-  const double sum = l.touch.omega2 / 2;
+  const double sum = l.contact_law.omega2 / 2;
   double least = INFINITY, most = -INFINITY, largest = 0;
-  std::vector<RidgeTouch> touches;
+  std::vector<EdgeContactPair> touches;
   for (int at = 0; at < 450; ++at) {
     const double foot = -0.62 + 0.005 * at, tilt = foot < 0.5 ? -1.15 : 1.15;
     for (int j = 0; j < 2; ++j)
       for (int i = 0; i < 2; ++i) {  // a plane tilted about y, 0.6 layers over the ridge
-        const double along = (i - foot) * 0.01, up = 0.6 * l.touch.layer;
+        const double along = (i - foot) * 0.01, up = 0.6 * l.contact_law.layer;
         const std::size_t n = l.node(i, j);
         a.state.x[n] = along * std::cos(tilt) + up * std::sin(tilt);
         a.state.z[n] = -along * std::sin(tilt) + up * std::cos(tilt);
         a.state.y[n] = 0.01 * j;
       }
-    touch_begin(a.system, a.motion.kernel->contact, a.motion.touch, a.state);
+    begin(a.system, a.motion.kernel->contact, a.motion.contact, a.state);
     ridge_keep(a.system, a.state, touches);
-    for (const RidgeTouch& t : touches) {
+    for (const EdgeContactPair& t : touches) {
       ASSERT_EQ(t.part->weights(), 2);
       const double *w = t.gap.weight, spread = std::abs(w[0]) + std::abs(w[1]);
       const double m[2] = {a.system.mass[t.part->node[0]], a.system.mass[t.part->node[1]]};
@@ -445,7 +445,7 @@ TEST(Ridge, ASmoothBodyPaysNothing) {
   EXPECT_TRUE(a.system.bodies[0].ridges.ridge.empty());
   EXPECT_TRUE(a.system.ridge_cloth.part.empty());
   EXPECT_TRUE(a.state.body[0].ridge.near.empty());
-  EXPECT_TRUE(touch_any(a.state));
+  EXPECT_TRUE(any_near(a.state));
 }
 
 // Links that start through a ridge, or in its layer deeper than they may be, are one fault.
@@ -455,7 +455,7 @@ TEST(Ridge, AStartThroughItIsOneFault) {
     Scene scene = over_roof(0.05, 0.01, height, 0.5, folder);
     Assembled a = assemble(scene);
     std::vector<Problem> problems;
-    touch_start_check(a.system, a.scene, a.motion.touch, a.state, problems);
+    check_start(a.system, a.scene, a.motion.contact, a.state, problems);
     if (height > 0.0001) {
       EXPECT_TRUE(problems.empty());
       continue;

@@ -41,7 +41,7 @@ Assembled on_incline(const SceneFolder& folder, double mu, double angle) {
   State state;
   std::vector<Problem> problems;
   const System system = assembly::system_assemble(scene, state, problems);
-  scene.pieces[0].place.origin[2] -= depth_under(system.lattices[0].touch, 9.81 * std::cos(angle));
+  scene.pieces[0].place.origin[2] -= depth_under(system.lattices[0].contact_law, 9.81 * std::cos(angle));
   return assemble(scene);
 }
 
@@ -85,7 +85,7 @@ TEST(Touch, SticksForTenSeconds) {
 TEST(Touch, KineticFrictionActsOnceItSlides) {
   const SceneFolder folder;
   Assembled cloth = on_incline(folder, 0.5, std::atan(0.4));
-  for (model::Lattice& l : cloth.system.lattices) l.touch.friction = {0.5, 0.3};
+  for (model::Lattice& l : cloth.system.lattices) l.contact_law.friction = {0.5, 0.3};
   const Eigen::VectorXd start = positions(cloth);
   advance(cloth, 0.2);
   EXPECT_LT((positions(cloth) - start).cwiseAbs().maxCoeff(), 1e-9);
@@ -183,7 +183,7 @@ TEST(Touch, MomentumIsBalancedOverEveryAdvance) {
     Synchronous now = synchronous(a);
     const Vec3 after = momentum(a, now.v), gained = after - before;
     const Vec3 told =
-        a.state.body[0].impulse.force + (touch_any(a.state) ? a.motion.touch.load[0].force : Vec3{});
+        a.state.body[0].impulse.force + (any_near(a.state) ? a.motion.contact.load[0].force : Vec3{});
     const Vec3 weight{0, 0, -9.81e-3 * mass};
     worst = std::max(worst, norm(gained - (weight - told)));
     most = std::max(most, norm(told));
@@ -215,7 +215,7 @@ TEST(Touch, NothingGetsThroughAtFiftyMetresPerSecond) {
     else body_add(scene, folder, "ridge", ridge);
     Assembled a = assemble(scene);
     for (std::size_t n : a.system.particle) a.state.y[n] += 0.004 * shift(random);
-    touch_begin(a.system, a.motion.kernel->contact, a.motion.touch, a.state);
+    begin(a.system, a.motion.kernel->contact, a.motion.contact, a.state);
     advance(a, 0.01);
     for (std::size_t n : a.system.particle) {
       const double z = a.state.z[n], y = a.state.y[n];
@@ -267,7 +267,7 @@ TEST(Touch, OrderIsTwoWhileNoContactOpensOrCloses) {
     scene.step = h;
     Assembled a = assemble(scene);
     advance(a, time);
-    EXPECT_EQ(touch_summary(a.system, a.state, {}).count, a.system.particle.size());
+    EXPECT_EQ(contact_summary(a.system, a.state, {}).count, a.system.particle.size());
     errors.push_back((positions(a) - exact.r).cwiseAbs().maxCoeff());
   }
   for (std::size_t k = 1; k < errors.size(); ++k)
@@ -303,10 +303,10 @@ TEST(Touch, LoadsOfThePastAreNotToldAgain) {
   Assembled a = on_incline(folder, 0.4, 0.1);
   advance(a, 0.01);
   synchronous(a);
-  EXPECT_LT(a.motion.touch.load[0].force[2], 0);
+  EXPECT_LT(a.motion.contact.load[0].force[2], 0);
   for (std::size_t n : a.system.particle) a.state.z[n] += 0.1;
-  touch_begin(a.system, a.motion.kernel->contact, a.motion.touch, a.state);
-  ASSERT_FALSE(touch_any(a.state));
+  begin(a.system, a.motion.kernel->contact, a.motion.contact, a.state);
+  ASSERT_FALSE(any_near(a.state));
   a.state.body[0].impulse = {};
   a.state.advance_begins = false;
   dynamics::leapfrog_complete(a.system, a.motion, a.state);

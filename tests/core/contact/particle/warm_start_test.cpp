@@ -135,13 +135,13 @@ TEST(Tied, WeldsLeftAloneAreMetAlready) {
     else body_add(scene, folder, "body", ball(0.03, 40)).position = {0.002, 0.022, -0.03};
     Assembled a = assemble(scene);
     sewn_advance(a, 1e-3);
-    EXPECT_FALSE(a.motion.touch.hit.empty());
-    if (all) a.motion.touch.hit.clear();
+    EXPECT_FALSE(a.motion.contact.touched.empty());
+    if (all) a.motion.contact.touched.clear();
     outputs::energy_begin(a.system, a.state);
     int met = 0;  // advances whose last step touched a weld
     for (int k = 0; k < 60; ++k) {
       sewn_advance(a, 1e-3);
-      met += std::count(a.motion.touch.hit.begin(), a.motion.touch.hit.end(), 1) > 0;
+      met += std::count(a.motion.contact.touched.begin(), a.motion.contact.touched.end(), 1) > 0;
     }
     if (!all) {
       EXPECT_GT(met, 5) << ridges;

@@ -50,7 +50,7 @@ TEST(SelfContact, RestsAtTheThickness) {
   scene.damping = 30;
   Assembled a = assemble(scene);
   advance(a, 1);
-  const model::ContactLaw& law = a.system.lattices[1].touch;
+  const model::ContactLaw& law = a.system.lattices[1].contact_law;
   const double layer = scene.fabrics[0].thickness;
   double deepest = 0;
   while (law.omega2 * math::smooth_ramp(kSelfBlend * layer, deepest) < 8 * 9.81) deepest += 1e-8;
