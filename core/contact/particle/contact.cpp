@@ -43,21 +43,21 @@ void block_renew(const System& system, ContactWorkspace& workspace, State& s, st
                 {body.ridges, ridge_near(l), ridge_margin(l)}, x, step);
 }
 
-ContactJob job_of(const System& system, ContactWorkspace& workspace, const State& s, std::size_t b,
-                  double* sum) {
-  ContactJob job{};
+ContactPass contact_pass_of(const System& system, ContactWorkspace& workspace, const State& s, std::size_t b,
+                            double* sum) {
+  ContactPass pass{};
   workspace.law.clear();
   for (const model::Lattice& l : system.lattices)
     workspace.law.push_back(current_law(system, s, system.bodies[b], l));
-  job.body = const_cast<model::BodyContact*>(&s.body[b]);  // its grips are written by passes that move
-  job.old = workspace.old[b].data();
-  job.mass = system.mass.data();
-  if (!workspace.tied.empty()) job.tied = workspace.tied.data(), job.hit = workspace.touched.data();
-  job.law = workspace.law.data();
-  job.damping = system.bodies[b].damping;
-  job.energy = system.energy;
-  job.sum = sum;
-  return job;
+  pass.body = const_cast<model::BodyContact*>(&s.body[b]);  // its grips are written by passes that move
+  pass.old = workspace.old[b].data();
+  pass.mass = system.mass.data();
+  if (!workspace.tied.empty()) pass.tied = workspace.tied.data(), pass.hit = workspace.touched.data();
+  pass.law = workspace.law.data();
+  pass.damping = system.bodies[b].damping;
+  pass.energy = system.energy;
+  pass.sum = sum;
+  return pass;
 }
 
 math::Wrench load_of(const double* sum) { return {{sum[0], sum[1], sum[2]}, {sum[3], sum[4], sum[5]}}; }
@@ -225,15 +225,15 @@ void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& 
     model::BodyContact& body = s.body[b];
     if (body.blocks.order.empty()) continue;
     double sum[8]{};
-    ContactJob job = job_of(system, workspace, s, b, sum);
-    job.r[0] = s.x.data(), job.r[1] = s.y.data(), job.r[2] = s.z.data();
-    job.v[0] = s.vx.data(), job.v[1] = s.vy.data(), job.v[2] = s.vz.data();
-    if (!s.lightness.empty()) job.lightness = s.lightness.data();
-    job.c = kick_coefficients(step);
-    job.told = last_kick_coefficients(step.half_old, step.told_centred);
-    job.begins = step.begins && step.half_old > 0;
-    job.moves = true;
-    kernel.run[system.bodies[b].moves](job);
+    ContactPass pass = contact_pass_of(system, workspace, s, b, sum);
+    pass.r[0] = s.x.data(), pass.r[1] = s.y.data(), pass.r[2] = s.z.data();
+    pass.v[0] = s.vx.data(), pass.v[1] = s.vy.data(), pass.v[2] = s.vz.data();
+    if (!s.lightness.empty()) pass.lightness = s.lightness.data();
+    pass.c = kick_coefficients(step);
+    pass.told = last_kick_coefficients(step.half_old, step.told_centred);
+    pass.begins = step.begins && step.half_old > 0;
+    pass.moves = true;
+    kernel.run[system.bodies[b].moves](pass);
     body.impulse.force += load_of(sum).force;
     body.impulse.torque += load_of(sum).torque;
     s.dissipated += sum[6];
@@ -336,18 +336,18 @@ void apply_synchronous(const System& system, const ContactKernel& kernel, Contac
     workspace.load[b] = math::Wrench{};
     if (s.body[b].blocks.order.empty()) continue;
     double sum[8]{};
-    ContactJob job = job_of(system, workspace, s, b, sum);
+    ContactPass pass = contact_pass_of(system, workspace, s, b, sum);
     const Array* r[] = {&s.x, &s.y, &s.z};
     for (std::size_t k = 0; k < 3; ++k)
-      job.r[k] = const_cast<double*>(r[k]->data());  // read only: nothing moves
-    job.v[0] = vx, job.v[1] = vy, job.v[2] = vz;
-    job.c = half > 0 ? last_kick_coefficients(half, centred) : force_coefficients(system, s);
+      pass.r[k] = const_cast<double*>(r[k]->data());  // read only: nothing moves
+    pass.v[0] = vx, pass.v[1] = vy, pass.v[2] = vz;
+    pass.c = half > 0 ? last_kick_coefficients(half, centred) : force_coefficients(system, s);
     if (half == 0) {
-      if (!s.lightness.empty()) job.stiff = s.lightness.data();
-      job.old = nullptr;
-      job.energy = false;
+      if (!s.lightness.empty()) pass.stiff = s.lightness.data();
+      pass.old = nullptr;
+      pass.energy = false;
     }
-    kernel.run[system.bodies[b].moves](job);
+    kernel.run[system.bodies[b].moves](pass);
     workspace.load[b] = load_of(sum);
     workspace.dissipated += sum[6];
     workspace.input += sum[7];

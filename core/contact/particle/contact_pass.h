@@ -23,7 +23,7 @@ struct ContactCoefficients {
          told_centred = 1;  // v_n = (v_{n-1/2} + told_share (v - keep v_{n-1/2}))/told_centred
 };
 
-struct ContactJob {
+struct ContactPass {
   model::BodyContact* body;
   double *r[3], *v[3];             // [nodes]
   const double* old;               // [blocks in order x 3 x kRowUnit] v_{n-1/2}; null: v stands for it
@@ -49,7 +49,7 @@ struct ContactWatch {
 
 // Each of bodies that stay and of bodies that move.
 struct ContactKernel {
-  void (*run[2])(const ContactJob&);
+  void (*run[2])(const ContactPass&);
   // The first nodes of the blocks to look at anew, into `due`; their number.
   std::size_t (*watch[2])(const ContactWatch&, std::size_t* due);
 };

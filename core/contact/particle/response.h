@@ -192,28 +192,28 @@ DRAPE_INLINE void block_fetch(const model::ContactBlock& b) {
 }
 
 template <class L, bool kMoves>
-void contact_run(const ContactJob& job) {
-  const PoseLanes<L, kMoves> pose(*job.body);
-  const ContactCoefficients& c = job.c;
+void contact_run(const ContactPass& pass) {
+  const PoseLanes<L, kMoves> pose(*pass.body);
+  const ContactCoefficients& c = pass.c;
   ContactSums<L> sums;
   int lattice = 0;  // of the laws
-  ContactLanes<L> law(job.law[0], c, job.damping), told(job.law[0], job.told, job.damping);
-  const model::ContactBlocks& blocks = job.body->blocks;
+  ContactLanes<L> law(pass.law[0], c, pass.damping), told(pass.law[0], pass.told, pass.damping);
+  const model::ContactBlocks& blocks = pass.body->blocks;
   for (std::size_t k = 0; k < blocks.order.size(); ++k) {
-    model::ContactBlock& b = job.body->blocks.pool[blocks.order[k].block];
+    model::ContactBlock& b = pass.body->blocks.pool[blocks.order[k].block];
     if (k + 1 < blocks.order.size()) block_fetch(blocks.pool[blocks.order[k + 1].block]);
     if (b.lattice != lattice) {
       lattice = b.lattice;
-      law = ContactLanes<L>(job.law[lattice], c, job.damping);
-      told = ContactLanes<L>(job.law[lattice], job.told, job.damping);
+      law = ContactLanes<L>(pass.law[lattice], c, pass.damping);
+      told = ContactLanes<L>(pass.law[lattice], pass.told, pass.damping);
     }
     const bool given = b.carries;  // in advance
-    if (job.moves) b.carries = false;
+    if (pass.moves) b.carries = false;
     for (int i = 0, part = 0; i < math::kRowUnit; i += L::kWidth, ++part) {
       const std::size_t n = b.node + std::size_t(i);
-      const simd::Row r{job.r[0] + n, job.r[1] + n, job.r[2] + n},
-          v{job.v[0] + n, job.v[1] + n, job.v[2] + n};
-      const L light = job.lightness ? L::load(job.lightness + n) : L(1.0);
+      const simd::Row r{pass.r[0] + n, pass.r[1] + n, pass.r[2] + n},
+          v{pass.v[0] + n, pass.v[1] + n, pass.v[2] + n};
+      const L light = pass.lightness ? L::load(pass.lightness + n) : L(1.0);
       simd::Vec<L> free = simd::vec_load<L>(v, 0), moved = simd::vec_load<L>(r, 0);
       if (given) {
         const simd::Vec<L> carried_on =
@@ -230,44 +230,44 @@ void contact_run(const ContactJob& job) {
               fma(L::load(b.side[1] + i), x.y, fms(L::load(b.side[2] + i), x.z, L::load(b.offset + i))));
       const L nearer = L(c.reach_time) * (abs(w.x) + abs(w.y) + abs(w.z));
       if (!any(gt(law.layer, s - nearer))) {
-        if (job.moves) L::store(b.grip + i, L(0.0));
+        if (pass.moves) L::store(b.grip + i, L(0.0));
         if (given) {
           simd::vec_store(v, 0, free);
-          if (job.moves) simd::vec_store(r, 0, moved);
-          if (job.moves && job.hit) job.hit[b.node / math::kRowUnit] = 1;
-          if (job.moves) carry_store(b, i, simd::Vec<L>{L(0.0), L(0.0), L(0.0)});
+          if (pass.moves) simd::vec_store(r, 0, moved);
+          if (pass.moves && pass.hit) pass.hit[b.node / math::kRowUnit] = 1;
+          if (pass.moves) carry_store(b, i, simd::Vec<L>{L(0.0), L(0.0), L(0.0)});
         }
         continue;
       }
       const Gap<L> gap = contact_gap(b, i, x, s);
       const simd::Vec<L> normal = pose.outward(gap.n);
       const L grip = L::load(b.grip + i);
-      const L stiff = job.stiff ? L(1.0) / max(L::load(job.stiff + n), L(1e-300)) : L(1.0);
-      const double* kept = job.old ? job.old + 3 * math::kRowUnit * k + std::size_t(i) : nullptr;
+      const L stiff = pass.stiff ? L(1.0) / max(L::load(pass.stiff + n), L(1e-300)) : L(1.0);
+      const double* kept = pass.old ? pass.old + 3 * math::kRowUnit * k + std::size_t(i) : nullptr;
       const simd::Vec<L> old = kept ? simd::Vec<L>{L::load(kept), L::load(kept + math::kRowUnit),
                                                    L::load(kept + 2 * math::kRowUnit)}
                                     : free;
       const ContactHit<L> hit = contact_hit(law, normal, gap.distance, w, old - carried, grip, stiff);
-      const L inertia = select(gt(light, L(0.0)), L::load(job.mass + n) / light, L(0.0)) * L(c.impulse);
+      const L inertia = select(gt(light, L(0.0)), L::load(pass.mass + n) / light, L(0.0)) * L(c.impulse);
       simd::Vec<L> impulse = hit.dv * (L(0.0) - inertia);
-      if (job.moves) L::store(b.grip + i, hit.grip);
+      if (pass.moves) L::store(b.grip + i, hit.grip);
       const simd::Vec<L> now = free + hit.dv;
       simd::vec_store(v, 0, now);
-      if (job.moves) simd::vec_store(r, 0, moved + hit.dv * L(c.drift));
-      if (job.moves && (given || job.tied || b.shares)) {
-        const L tied = job.tied ? L::load(job.tied + n) : L(0.0);
-        if (job.hit && (given || any(gt(tied * (abs(hit.dv.x) + abs(hit.dv.y) + abs(hit.dv.z)), L(0.0)))))
-          job.hit[b.node / math::kRowUnit] = 1;
+      if (pass.moves) simd::vec_store(r, 0, moved + hit.dv * L(c.drift));
+      if (pass.moves && (given || pass.tied || b.shares)) {
+        const L tied = pass.tied ? L::load(pass.tied + n) : L(0.0);
+        if (pass.hit && (given || any(gt(tied * (abs(hit.dv.x) + abs(hit.dv.y) + abs(hit.dv.z)), L(0.0)))))
+          pass.hit[b.node / math::kRowUnit] = 1;
         carry_store(b, i, carry_of(c, normal, hit, max(tied, L::load(b.shared + i)), light));
       }
-      if (job.energy) {
+      if (pass.energy) {
         // J of the rest moves against v_mid - v_b, all of J with v_b
         const simd::Vec<L> middle = (old + now) * L(0.5) - carried;
         const L rest = simd::dot(impulse, middle) + inertia * hit.stored * simd::dot(normal, middle);
         sums.sum[6][part] = sums.sum[6][part] + rest;
         sums.sum[7][part] = sums.sum[7][part] - simd::dot(impulse, carried);
       }
-      if (job.begins) {
+      if (pass.begins) {
         // the advance before has been told what turned its last half kick into v_n
         const simd::Vec<L> kicked = free - old * L(c.keep);
         const simd::Vec<L> half = (old + kicked * L(c.told_share)) * L(1 / c.told_centred) - carried;
@@ -277,7 +277,7 @@ void contact_run(const ContactJob& job) {
       sums.add(part, impulse, arm);
     }
   }
-  sums.give(job.sum);
+  sums.give(pass.sum);
 }
 
 // Over the lanes.
@@ -296,10 +296,10 @@ double smallest(L a) {
 
 // The largest speed of nodes.
 template <class L>
-DRAPE_INLINE double contact_speed(const ContactWatch& job, std::size_t begin, std::size_t end) {
+DRAPE_INLINE double contact_speed(const ContactWatch& pass, std::size_t begin, std::size_t end) {
   L most(0.0);
   for (std::size_t i = begin; i < end; i += L::kWidth) {
-    const L x = L::load(job.v[0] + i), y = L::load(job.v[1] + i), z = L::load(job.v[2] + i);
+    const L x = L::load(pass.v[0] + i), y = L::load(pass.v[1] + i), z = L::load(pass.v[2] + i);
     most = max(most, fma(x, x, fma(y, y, z * z)));
   }
   return __builtin_sqrt(largest(most));
@@ -308,28 +308,28 @@ DRAPE_INLINE double contact_speed(const ContactWatch& job, std::size_t begin, st
 // Blocks of nodes of which one has moved as far as it may, or will in the next step. Against a body that
 // stays a group is not looked at as long as its fastest node could not have.
 template <class L, bool kMoves>
-std::size_t contact_watch(const ContactWatch& job, std::size_t* due) {
+std::size_t contact_watch(const ContactWatch& pass, std::size_t* due) {
   constexpr double kRounding = 1 - 1e-9;
-  const PoseLanes<L, kMoves> pose(*job.body);
-  model::BodyContact& b = *job.body;
+  const PoseLanes<L, kMoves> pose(*pass.body);
+  model::BodyContact& b = *pass.body;
   std::size_t count = 0;
-  for (std::size_t begin = job.begin; begin < job.end; begin += kWatchGroup) {
-    const std::size_t end = begin + kWatchGroup < job.end ? begin + kWatchGroup : job.end;
+  for (std::size_t begin = pass.begin; begin < pass.end; begin += kWatchGroup) {
+    const std::size_t end = begin + kWatchGroup < pass.end ? begin + kWatchGroup : pass.end;
     if constexpr (!kMoves) {
-      const double speed = contact_speed<L>(job, begin, end);
+      const double speed = contact_speed<L>(pass, begin, end);
       double& ease = b.ease[begin / math::kRowUnit];
-      ease -= __builtin_fabs(job.drift) * speed;  // stages of order 4 and 6 go partly back
-      if (ease > job.ahead * speed) continue;
+      ease -= __builtin_fabs(pass.drift) * speed;  // stages of order 4 and 6 go partly back
+      if (ease > pass.ahead * speed) continue;
     }
     L left(model::kFar);
     for (std::size_t n = begin; n < end; n += math::kRowUnit) {
       bool moved = false;
       for (std::size_t i = n; i < n + math::kRowUnit; i += L::kWidth) {
         const simd::Vec<L> from{L::load(b.x.data() + i), L::load(b.y.data() + i), L::load(b.z.data() + i)};
-        const simd::Vec<L> at{L::load(job.r[0] + i), L::load(job.r[1] + i), L::load(job.r[2] + i)};
-        const simd::Vec<L> v{L::load(job.v[0] + i), L::load(job.v[1] + i), L::load(job.v[2] + i)};
+        const simd::Vec<L> at{L::load(pass.r[0] + i), L::load(pass.r[1] + i), L::load(pass.r[2] + i)};
+        const simd::Vec<L> v{L::load(pass.v[0] + i), L::load(pass.v[1] + i), L::load(pass.v[2] + i)};
         const simd::Vec<L> along = v - pose.velocity_at(at - pose.origin);
-        const simd::Vec<L> d = pose.inward(at + along * L(job.ahead)) - from;
+        const simd::Vec<L> d = pose.inward(at + along * L(pass.ahead)) - from;
         const L budget2 = L::load(b.budget2.data() + i);
         moved = moved || any(ge(simd::dot(d, d), budget2));
         if constexpr (!kMoves) left = min(left, sqrt(budget2) - sqrt(simd::dot(at - from, at - from)));
