@@ -25,8 +25,8 @@ double layer_most(const System& system) {
   return most;
 }
 
-void block_renew(const System& system, ContactWorkspace& workspace, State& s, std::size_t b, std::size_t node,
-                 double ahead) {
+void block_update(const System& system, ContactWorkspace& workspace, State& s, std::size_t b,
+                  std::size_t node, double ahead) {
   const model::Body& body = system.bodies[b];
   const model::Lattice& l = model::system_lattice_of(system, node);
   const math::RigidMotion& frame = s.body[b].motion;
@@ -39,8 +39,8 @@ void block_renew(const System& system, ContactWorkspace& workspace, State& s, st
     x[i] = model::pose_inward(body, s.body[b], at);
     step[i] = model::pose_inward(body, s.body[b], at + ahead * v) - x[i];
   }
-  contact_renew(body.mesh.surface, workspace.voxels[b], s.body[b], node, l.piece, l.contact_law.layer,
-                {body.ridges, ridge_near(l), ridge_margin(l)}, x, step);
+  update_neighbours(body.mesh.surface, workspace.voxels[b], s.body[b], node, l.piece, l.contact_law.layer,
+                    {body.ridges, ridge_near(l), ridge_margin(l)}, x, step);
 }
 
 ContactPass contact_pass_of(const System& system, ContactWorkspace& workspace, const State& s, std::size_t b,
@@ -114,7 +114,7 @@ ContactWorkspace workspace_make(const System& system) {
   const double layer = layer_most(system);
   for (const model::Body& body : system.bodies)
     workspace.voxels.push_back(body::voxels_make(*body.mesh.library, *body.mesh.query, body.mesh.surface,
-                                                 contact_reach(body.mesh.surface, layer)));
+                                                 search_reach(body.mesh.surface, layer)));
   workspace.old.resize(system.bodies.size());
   workspace.load.resize(system.bodies.size());
   if (!system.bodies.empty()) workspace.due.resize(system.nodes / math::kRowUnit);
@@ -270,7 +270,7 @@ StepBound step_bound(const System& system, const State& s, std::size_t b) {
   const body::BodySurface& surface = system.bodies[b].mesh.surface;
   const double layer = layer_most(system);
   const math::RigidMotion& frame = s.body[b].motion;
-  return {kWay * (contact_reach(surface, layer) - layer),
+  return {kWay * (search_reach(surface, layer) - layer),
           math::vector3::norm(frame.velocity) + math::vector3::norm(frame.angular_velocity) * surface.size};
 }
 
@@ -318,7 +318,7 @@ void touch_watch(const System& system, const ContactKernel& kernel, ContactWorks
     const bool chosen = count > 0 && system.step_given == 0 && !system.fit;
     const StepBound bound = chosen ? step_bound(system, s, b) : StepBound{};
     for (std::size_t k = 0; k < count; ++k) {
-      block_renew(system, workspace, s, b, workspace.due[k], ahead);
+      block_update(system, workspace, s, b, workspace.due[k], ahead);
       if (chosen &&
           outruns(system, s, b, bound, workspace.due[k], std::max(ahead, model::step_next(system, s))))
         s.watch_wait = 0;

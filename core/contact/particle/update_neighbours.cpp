@@ -119,8 +119,8 @@ bool side_known(const model::ContactBlocks& blocks, std::uint32_t node, std::siz
 
 }  // namespace
 
-double contact_reach(const body::BodySurface& surface, double layer) {
-  return std::max(kSeen * layer, layer + kSeenEdges * surface.edge_mean);
+double search_reach(const body::BodySurface& surface, double layer) {
+  return std::max(kListedDistances * layer, layer + kSeenEdges * surface.edge_mean);
 }
 
 namespace {
@@ -140,9 +140,9 @@ double ridge_way(const RidgeNear& of, model::RidgeContact& c, std::size_t n, con
 
 }  // namespace
 
-void contact_renew(const body::BodySurface& surface, body::Voxels& voxels, model::BodyContact& c,
-                   std::size_t node, int lattice, double layer, const RidgeNear& ridges, const Vec3* x,
-                   const Vec3* step) {
+void update_neighbours(const body::BodySurface& surface, body::Voxels& voxels, model::BodyContact& c,
+                       std::size_t node, int lattice, double layer, const RidgeNear& ridges, const Vec3* x,
+                       const Vec3* step) {
   static thread_local body::ClosestFeatures found;
   const auto name = std::uint32_t(node / math::kRowUnit);
   for (std::size_t i = 0; i < std::size_t(math::kRowUnit); ++i) {
@@ -156,8 +156,8 @@ void contact_renew(const body::BodySurface& surface, body::Voxels& voxels, model
     if (near.triangle)
       body::closest_features_find(
           surface, *near.triangle, x[i], layer,
-          std::min(std::max(kKept * layer, layer + kAhead * norm(step[i])), voxels.reach), voxels.reach,
-          near.listed, side_known(c.blocks, name, i, side) ? &side : nullptr, found);
+          std::min(std::max(kKeptDistances * layer, layer + kAhead * norm(step[i])), voxels.reach),
+          voxels.reach, near.listed, side_known(c.blocks, name, i, side) ? &side : nullptr, found);
     const double way = ridge_way(ridges, c.ridge, n, x[i], near.clearance, norm(step[i]));
     const double budget = std::max(std::min(found.budget, way), kLeast * layer);
     c.x[n] = x[i][0], c.y[n] = x[i][1], c.z[n] = x[i][2];

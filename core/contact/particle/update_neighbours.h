@@ -7,10 +7,10 @@ namespace drape::contact {
 
 // Surfaces within so many layers of a particle are kept in its block; up to kSeen layers away, triangles are
 // listed.
-inline constexpr double kKept = 3, kSeen = 4;
+inline constexpr double kKeptDistances = 3, kListedDistances = 4;
 
 // How far around triangles are listed (m), for the thickest layer.
-double contact_reach(const body::BodySurface& surface, double layer);
+double search_reach(const body::BodySurface& surface, double layer);
 
 // How near nodes must be to a ridge to be noted, and for how far that is good at least.
 struct RidgeNear {
@@ -20,8 +20,8 @@ struct RidgeNear {
 
 // Of kRowUnit nodes from `node` on, those at x (in the body's frame) that have used up most of their budgets,
 // or will by the next step, which moves them by `step` (m).
-void contact_renew(const body::BodySurface& surface, body::Voxels& voxels, model::BodyContact& contact,
-                   std::size_t node, int lattice, double layer, const RidgeNear& ridges, const Vec3* x,
-                   const Vec3* step);
+void update_neighbours(const body::BodySurface& surface, body::Voxels& voxels, model::BodyContact& contact,
+                       std::size_t node, int lattice, double layer, const RidgeNear& ridges, const Vec3* x,
+                       const Vec3* step);
 
 }  // namespace drape::contact

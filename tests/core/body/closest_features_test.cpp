@@ -51,7 +51,7 @@ TEST(Nearest, IsTheNearestOfAllTrianglesAndItsBudgetIsKept) {
   std::uniform_real_distribution<double> shift(-1, 1);
   for (const command::Mesh& mesh : {ball(0.1, 16), box(0.2, 0.1, 0.01), cylinder(0.05, 0.2, 12)}) {
     const model::Body body = body_of(folder, mesh);
-    const double contact = 0.001, reach = contact::contact_reach(body.mesh.surface, contact);
+    const double contact = 0.001, reach = contact::search_reach(body.mesh.surface, contact);
     Voxels voxels = voxels_make(*body.mesh.library, *body.mesh.query, body.mesh.surface, reach);
     int touched = 0;
     for (int k = 0; k < 4000; ++k) {
