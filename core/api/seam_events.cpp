@@ -38,7 +38,7 @@ void closed_tell(const drape_cloth& c, const std::vector<std::size_t>& due) {
 bool sewing_go(drape_cloth& c) {
   if (c.system.seams.seam.empty()) return false;
   bool changed = dynamics::seams_pull_begin(c.system, c.state);
-  const std::vector<std::size_t> due = dynamics::seams_due(c.system, c.state);
+  const std::vector<std::size_t> due = dynamics::seams_within_tolerance(c.system, c.state);
   if (!due.empty()) {
     dynamics::leapfrog_complete(c.system, c.motion, c.state);
     const double before = balance_error(c);

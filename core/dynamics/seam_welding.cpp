@@ -47,7 +47,7 @@ bool seams_to_close(const System& system, const State& s) {
   return false;
 }
 
-std::vector<std::size_t> seams_due(const System& system, const State& s) {
+std::vector<std::size_t> seams_within_tolerance(const System& system, const State& s) {
   std::vector<std::size_t> due;
   for (const model::Seam& seam : system.seams.seam)
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p)

@@ -12,7 +12,7 @@ bool seams_pull_begin(const System& system, State& state);
 bool seams_to_close(const System& system, const State& state);
 
 // The pulled pairs whose gap is at most their seam's tolerance.
-std::vector<std::size_t> seams_due(const System& system, const State& state);
+std::vector<std::size_t> seams_within_tolerance(const System& system, const State& state);
 
 // Welds pairs at the synchronous velocity: positions and velocities move to the weld, and to it only, by the
 // least change in the norm of the masses, which keeps the momentum. Pins are told the impulse.

@@ -117,7 +117,7 @@ ContactWorkspace workspace_make(const System& system) {
                                                  search_reach(body.mesh.surface, layer)));
   workspace.old.resize(system.bodies.size());
   workspace.load.resize(system.bodies.size());
-  if (!system.bodies.empty()) workspace.due.resize(system.nodes / math::kRowUnit);
+  if (!system.bodies.empty()) workspace.stale.resize(system.nodes / math::kRowUnit);
   return workspace;
 }
 
@@ -311,16 +311,16 @@ void touch_watch(const System& system, const ContactKernel& kernel, ContactWorks
                          ahead,
                          l.first,
                          l.first + std::size_t(l.rows) * std::size_t(l.stride)};
-      count += kernel.watch[system.bodies[b].moves](watch, workspace.due.data() + count);
+      count += kernel.watch[system.bodies[b].moves](watch, workspace.stale.data() + count);
       watch.begin = l.twin_first, watch.end = l.end();
-      count += kernel.watch[system.bodies[b].moves](watch, workspace.due.data() + count);
+      count += kernel.watch[system.bodies[b].moves](watch, workspace.stale.data() + count);
     }
     const bool chosen = count > 0 && system.step_given == 0 && !system.fit;
     const StepBound bound = chosen ? step_bound(system, s, b) : StepBound{};
     for (std::size_t k = 0; k < count; ++k) {
-      block_update(system, workspace, s, b, workspace.due[k], ahead);
+      block_update(system, workspace, s, b, workspace.stale[k], ahead);
       if (chosen &&
-          outruns(system, s, b, bound, workspace.due[k], std::max(ahead, model::step_next(system, s))))
+          outruns(system, s, b, bound, workspace.stale[k], std::max(ahead, model::step_next(system, s))))
         s.watch_wait = 0;
     }
     ridge_watch(system, s, b, ahead);

@@ -293,7 +293,7 @@ TEST(SelfContact, SeamsCloseThroughIt) {
   for (int k = 0; k < 300; ++k) {
     if (dynamics::seams_pull_begin(a.system, a.state))
       dynamics::leapfrog_retuned(a.system, a.motion, a.state);
-    if (const auto due = dynamics::seams_due(a.system, a.state); !due.empty()) {
+    if (const auto due = dynamics::seams_within_tolerance(a.system, a.state); !due.empty()) {
       dynamics::seams_weld(a.system, a.motion, a.state, due);
       dynamics::leapfrog_retuned(a.system, a.motion, a.state);
     }
