@@ -105,9 +105,9 @@ struct BodyContact {
   math::Wrench
       impulse;    // N s, N m s of the cloth on the body in the last advance, but for its last half step
   Array x, y, z;  // [nodes] m, where a particle was when its surroundings were last looked at
-  Array budget2;  // [nodes] m^2, of the distance that it may move from there; infinite at unused nodes
-  Array ease;  // [nodes / kRowUnit] m, that all nodes of a group may still move before one must be compared
-               // with its budget: at the group's first block, where the body stays
+  Array free_distance2;  // [nodes] m^2, of the distance that it may move from there; infinite at unused nodes
+  Array group_clearance;  // [nodes / kRowUnit] m, that all nodes of a group may still move before one must be
+                          // compared with its budget: at the group's first block, where the body stays
   ContactBlocks blocks;
   RidgeContact ridge;
 };

@@ -126,9 +126,9 @@ void begin(const System& system, const ContactKernel& kernel, ContactWorkspace& 
   for (model::BodyContact& c : s.body) {
     c.blocks = model::ContactBlocks{};
     c.x = s.x, c.y = s.y, c.z = s.z;
-    c.budget2.assign(system.nodes, INFINITY);
-    for (std::size_t n : system.particle) c.budget2[n] = 0;
-    c.ease.assign(system.nodes / math::kRowUnit, 0.0);
+    c.free_distance2.assign(system.nodes, INFINITY);
+    for (std::size_t n : system.particle) c.free_distance2[n] = 0;
+    c.group_clearance.assign(system.nodes / math::kRowUnit, 0.0);
   }
   touch_watch(system, kernel, workspace, s, 0, model::step_next(system, s));
   for (std::size_t b = 0; b < s.body.size(); ++b) {  // what is at rest on a body sticks to it
@@ -275,7 +275,8 @@ StepBound step_bound(const System& system, const State& s, std::size_t b) {
 }
 
 double way2_of(const StepBound& bound, const model::BodyContact& c, std::size_t n) {
-  return std::max(bound.listed * bound.listed, c.budget2.empty() ? 0 : kLeft * kLeft * c.budget2[n]);
+  return std::max(bound.listed * bound.listed,
+                  c.free_distance2.empty() ? 0 : kLeft * kLeft * c.free_distance2[n]);
 }
 
 double speed2_of(const State& s, std::size_t n) {
@@ -296,7 +297,7 @@ bool outruns(const System& system, const State& s, std::size_t b, const StepBoun
 }  // namespace
 
 void touch_hurry(State& s) {
-  for (model::BodyContact& c : s.body) std::fill(c.ease.begin(), c.ease.end(), 0.0);
+  for (model::BodyContact& c : s.body) std::fill(c.group_clearance.begin(), c.group_clearance.end(), 0.0);
 }
 
 void touch_watch(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace, State& s,

@@ -317,7 +317,7 @@ std::size_t contact_watch(const ContactWatch& pass, std::size_t* due) {
     const std::size_t end = begin + kWatchGroup < pass.end ? begin + kWatchGroup : pass.end;
     if constexpr (!kMoves) {
       const double speed = contact_speed<L>(pass, begin, end);
-      double& ease = b.ease[begin / math::kRowUnit];
+      double& ease = b.group_clearance[begin / math::kRowUnit];
       ease -= __builtin_fabs(pass.drift) * speed;  // stages of order 4 and 6 go partly back
       if (ease > pass.ahead * speed) continue;
     }
@@ -330,13 +330,13 @@ std::size_t contact_watch(const ContactWatch& pass, std::size_t* due) {
         const simd::Vec<L> v{L::load(pass.v[0] + i), L::load(pass.v[1] + i), L::load(pass.v[2] + i)};
         const simd::Vec<L> along = v - pose.velocity_at(at - pose.origin);
         const simd::Vec<L> d = pose.inward(at + along * L(pass.ahead)) - from;
-        const L budget2 = L::load(b.budget2.data() + i);
+        const L budget2 = L::load(b.free_distance2.data() + i);
         moved = moved || any(ge(simd::dot(d, d), budget2));
         if constexpr (!kMoves) left = min(left, sqrt(budget2) - sqrt(simd::dot(at - from, at - from)));
       }
       if (moved) due[count++] = n, left = L(0.0);
     }
-    if constexpr (!kMoves) b.ease[begin / math::kRowUnit] = kRounding * smallest(left);
+    if constexpr (!kMoves) b.group_clearance[begin / math::kRowUnit] = kRounding * smallest(left);
   }
   return count;
 }

@@ -148,7 +148,7 @@ void update_neighbours(const body::BodySurface& surface, body::Voxels& voxels, m
   for (std::size_t i = 0; i < std::size_t(math::kRowUnit); ++i) {
     const std::size_t n = node + i;
     const Vec3 moved = x[i] + step[i] - Vec3{c.x[n], c.y[n], c.z[n]};
-    if (!(dot(moved, moved) >= kUsed * kUsed * c.budget2[n])) continue;
+    if (!(dot(moved, moved) >= kUsed * kUsed * c.free_distance2[n])) continue;
     const body::Neighbourhood near = body::voxels_at(voxels, x[i]);
     found.touch.clear();
     found.budget = near.clearance - layer;
@@ -161,7 +161,7 @@ void update_neighbours(const body::BodySurface& surface, body::Voxels& voxels, m
     const double way = ridge_way(ridges, c.ridge, n, x[i], near.clearance, norm(step[i]));
     const double budget = std::max(std::min(found.budget, way), kLeast * layer);
     c.x[n] = x[i][0], c.y[n] = x[i][1], c.z[n] = x[i][2];
-    c.budget2[n] = budget * budget;
+    c.free_distance2[n] = budget * budget;
     lane_write(c.blocks, name, lattice, i, found.touch, !c.ridge.near.empty() && c.ridge.near[n]);
   }
   blocks_prune(c.blocks, name);

@@ -34,8 +34,8 @@ TEST(Watch, FindsWhatEveryComparisonWould) {
       model::BodyContact body;
       body.rotation = {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
       body.x = body.y = body.z = Array(kNodes, 0.0);
-      body.budget2.assign(kNodes, 0.0);
-      body.ease.assign(kBlocks, 0.0);
+      body.free_distance2.assign(kNodes, 0.0);
+      body.group_clearance.assign(kBlocks, 0.0);
       std::vector<std::size_t> due(kBlocks);
       std::size_t asleep = 0, awake = 0;
       for (int step = 0; step < 400; ++step)
@@ -61,7 +61,7 @@ TEST(Watch, FindsWhatEveryComparisonWould) {
               const double x = r[0][n] + kStep * v[0][n] - body.x[n],
                            y = r[1][n] + kStep * v[1][n] - body.y[n],
                            z = r[2][n] + kStep * v[2][n] - body.z[n];
-              is = is || x * x + y * y + z * z >= body.budget2[n];
+              is = is || x * x + y * y + z * z >= body.free_distance2[n];
             }
             if (is) wanted.push_back(b);
           }
@@ -71,7 +71,7 @@ TEST(Watch, FindsWhatEveryComparisonWould) {
           for (std::size_t b : wanted)
             for (std::size_t n = b; n < b + math::kRowUnit; ++n) {
               body.x[n] = r[0][n], body.y[n] = r[1][n], body.z[n] = r[2][n];
-              body.budget2[n] = budget(random) * budget(random) * 10;
+              body.free_distance2[n] = budget(random) * budget(random) * 10;
             }
         }
       EXPECT_GT(asleep, 40u);
