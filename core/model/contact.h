@@ -50,7 +50,7 @@ struct alignas(kLine) ContactBlock {
   double offset[math::kRowUnit];    // m, side . point
   double point[3][math::kRowUnit];  // m
   double shape[6][math::kRowUnit];  // D: xx xy xz yy yz zz
-  double grip[math::kRowUnit];      // 1 where the particle sticks, else 0
+  double sticking[math::kRowUnit];  // 1 where the particle sticks, else 0
   double carry[3][math::kRowUnit];  // m/s^2, what a particle that is not alone got in the last step
   double shared[math::kRowUnit];    // 1 where other surfaces are near as well, else 0
   bool flat;                        // every surface in it is a face: D = side side^T
@@ -79,7 +79,7 @@ struct ContactBlocks {
 struct RidgePair {
   std::uint32_t part, ridge;
   bool outside = false;  // known to belong out of the body
-  double grip = 0;       // 1 where it sticks, else 0
+  double sticking = 0;   // 1 where it sticks, else 0
   double share = 0;      // of its penalty
   double stored = 0;     // J, of its penalty
   Vec3 carry{0, 0, 0};   // N, what it got in the last step

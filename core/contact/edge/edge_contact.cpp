@@ -96,7 +96,7 @@ double find(const System& system, const State& s, State* moves, std::vector<Edge
         model::RidgeContact& to = moves->body[b].ridge;
         to.wake[p] = asleep ? to.way + left : to.way;
         to.pair[p].outside = out;
-        if (!out) to.pair[p].grip = 0, to.pair[p].carry = {0, 0, 0};
+        if (!out) to.pair[p].sticking = 0, to.pair[p].carry = {0, 0, 0};
       }
       double stored = 0, kept = pair.stored;  // J: now; and now with the share of before
       if (out) {
@@ -190,7 +190,7 @@ struct Given {
   Vec3 impulse{0, 0, 0};  // J, N s over what is taken out of v after the kick
   double stored = 0;      // of it along n, what the penalty's potential gives
   double stop = 0;        // likewise the stop
-  double grip = 0;
+  double sticking = 0;
 };
 
 // J of a pair, given what all others do; how much it changes the gap's velocity. What is past the ridge is
@@ -202,10 +202,10 @@ double pair_respond(const State& s, const EdgeContactPair& t, const PairLaw& law
   const Vec3 free = gap_velocity(t, f), old = c.old_time > 0 || c.new_time > 0 ? t.old : free;
   const ContactHit<forces::Lane> hit = contact_hit(
       law.lanes, lanes(t.gap.n), forces::Lane(std::max(t.gap.distance, 0.0)), lanes(free - t.carried),
-      lanes(old - t.carried), forces::Lane(s.body[t.body].ridge.pair[t.pair].grip), forces::Lane(1.0));
+      lanes(old - t.carried), forces::Lane(s.body[t.body].ridge.pair[t.pair].sticking), forces::Lane(1.0));
   const Vec3 impulse = (1 / k) * vector(hit.dv);
   const double change = k * norm(impulse - given.impulse);
-  given = {impulse, hit.stored.v / k, hit.stop.v / k, hit.grip.v};
+  given = {impulse, hit.stored.v / k, hit.stop.v / k, hit.sticking.v};
   push(t, law.over, c, f, impulse);
   return change;
 }
@@ -249,7 +249,7 @@ void ridge_respond(const System& system, const State& s, const std::vector<EdgeC
     sums_add(s, t, c, f, given[k], sums);
     if (!moves) continue;
     model::RidgePair& to = moves->body[t.body].ridge.pair[t.pair];
-    to.grip = given[k].grip;
+    to.sticking = given[k].sticking;
     to.carry = 1 / c.kick * (given[k].impulse - given[k].stop * t.gap.n);  // stops would swing
   }
 }

@@ -211,10 +211,10 @@ void ridge_stick(const System& system, State& s) {
     if (system.bodies[b].moves) continue;
     for (model::RidgePair& pair : s.body[b].ridge.pair) {
       const model::RidgePart& part = system.ridge_cloth.part[pair.part];
-      pair.grip = 1;
+      pair.sticking = 1;
       for (int k = 0; k < part.weights(); ++k) {
         const std::size_t n = part.node[k];
-        if (s.vx[n] != 0 || s.vy[n] != 0 || s.vz[n] != 0) pair.grip = 0;
+        if (s.vx[n] != 0 || s.vy[n] != 0 || s.vz[n] != 0) pair.sticking = 0;
       }
     }
   }

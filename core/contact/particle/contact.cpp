@@ -136,7 +136,7 @@ void begin(const System& system, const ContactKernel& kernel, ContactWorkspace& 
     for (model::ContactBlock& block : s.body[b].blocks.pool)
       for (std::size_t i = 0; i < std::size_t(math::kRowUnit); ++i) {
         const std::size_t n = block.node + i;
-        if (s.vx[n] == 0 && s.vy[n] == 0 && s.vz[n] == 0) block.grip[i] = 1;
+        if (s.vx[n] == 0 && s.vy[n] == 0 && s.vz[n] == 0) block.sticking[i] = 1;
       }
   }
   ridge_stick(system, s);

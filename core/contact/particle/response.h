@@ -67,7 +67,7 @@ struct ContactLanes {
 template <class L>
 struct ContactHit {
   simd::Vec<L> dv;
-  L grip, stored, stop;  // stored, stop: along n
+  L sticking, stored, stop;  // stored, stop: along n
 };
 
 template <class L>
@@ -187,7 +187,7 @@ struct ContactSums {
 
 // What a pass reads of every block.
 DRAPE_INLINE void block_fetch(const model::ContactBlock& b) {
-  for (const double* row : {b.side[0], b.side[1], b.side[2], b.offset, b.grip}) __builtin_prefetch(row);
+  for (const double* row : {b.side[0], b.side[1], b.side[2], b.offset, b.sticking}) __builtin_prefetch(row);
   __builtin_prefetch(&b.node);
 }
 
@@ -230,7 +230,7 @@ void contact_run(const ContactPass& pass) {
               fma(L::load(b.side[1] + i), x.y, fms(L::load(b.side[2] + i), x.z, L::load(b.offset + i))));
       const L nearer = L(c.reach_time) * (abs(w.x) + abs(w.y) + abs(w.z));
       if (!any(gt(law.layer, s - nearer))) {
-        if (pass.moves) L::store(b.grip + i, L(0.0));
+        if (pass.moves) L::store(b.sticking + i, L(0.0));
         if (given) {
           simd::vec_store(v, 0, free);
           if (pass.moves) simd::vec_store(r, 0, moved);
@@ -241,7 +241,7 @@ void contact_run(const ContactPass& pass) {
       }
       const Gap<L> gap = contact_gap(b, i, x, s);
       const simd::Vec<L> normal = pose.outward(gap.n);
-      const L grip = L::load(b.grip + i);
+      const L grip = L::load(b.sticking + i);
       const L stiff = pass.stiff ? L(1.0) / max(L::load(pass.stiff + n), L(1e-300)) : L(1.0);
       const double* kept = pass.old ? pass.old + 3 * math::kRowUnit * k + std::size_t(i) : nullptr;
       const simd::Vec<L> old = kept ? simd::Vec<L>{L::load(kept), L::load(kept + math::kRowUnit),
@@ -250,7 +250,7 @@ void contact_run(const ContactPass& pass) {
       const ContactHit<L> hit = contact_hit(law, normal, gap.distance, w, old - carried, grip, stiff);
       const L inertia = select(gt(light, L(0.0)), L::load(pass.mass + n) / light, L(0.0)) * L(c.impulse);
       simd::Vec<L> impulse = hit.dv * (L(0.0) - inertia);
-      if (pass.moves) L::store(b.grip + i, hit.grip);
+      if (pass.moves) L::store(b.sticking + i, hit.grip);
       const simd::Vec<L> now = free + hit.dv;
       simd::vec_store(v, 0, now);
       if (pass.moves) simd::vec_store(r, 0, moved + hit.dv * L(c.drift));

@@ -27,7 +27,7 @@ model::ContactBlock block_make(std::size_t node, int lattice) {
 void lane_clear(model::ContactBlock& b, std::size_t i) {
   for (auto& row : b.side) row[i] = 0;
   b.offset[i] = -model::kFar;
-  b.grip[i] = 0;
+  b.sticking[i] = 0;
   for (auto& row : b.carry) row[i] = 0;
   b.shared[i] = 0;
 }
@@ -39,7 +39,7 @@ void lane_set(model::ContactBlock& b, std::size_t i, const body::ClosestFeature&
   }
   for (std::size_t k = 0; k < 6; ++k) b.shape[k][i] = contact.shape[k];
   b.offset[i] = dot(contact.side, contact.point);
-  b.grip[i] = grip;
+  b.sticking[i] = grip;
 }
 
 bool is_flat(const model::ContactBlock& b) {
@@ -81,7 +81,7 @@ void block_insert(model::ContactBlocks& blocks, std::size_t at, std::uint32_t no
 void lane_write(model::ContactBlocks& blocks, std::uint32_t node, int lattice, std::size_t lane,
                 const std::vector<body::ClosestFeature>& contact, bool shared) {
   const std::size_t first = place_first(blocks, node), count = places_of(blocks, first, node);
-  const double grip = count > 0 ? blocks.pool[blocks.order[first].block].grip[lane] : 0;
+  const double grip = count > 0 ? blocks.pool[blocks.order[first].block].sticking[lane] : 0;
   for (std::size_t k = contact.size(); k < count; ++k)
     lane_clear(blocks.pool[blocks.order[first + k].block], lane);
   for (std::size_t k = 0; k < contact.size(); ++k) {
