@@ -80,7 +80,7 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
                 begins ? stage.half : 0,
                 begins ? stage.centred : 1,
                 stage.before};
-  if (touches) contact::touch_carry(system, motion.contact, contact, s);
+  if (touches) contact::warm_start(system, motion.contact, contact, s);
   constraints_meet(system, motion.constraints, step, motion.held, s);
   if (rubs) contact::self_apply(system, motion.self, contact, s);
   if (touches) contact::apply(system, motion.kernel->contact, motion.contact, contact, s);
@@ -173,7 +173,7 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
 void synchronous_meet(const System& system, Motion& motion, const State& s, Rate which, double half,
                       double centred, Field f, std::vector<math::Wrench>* load) {
   held_rates(motion.constraints, s, which, motion.held);
-  contact::touch_carry_synchronous(system, motion.contact, s, half, centred, f.x, f.y, f.z);
+  contact::warm_start_synchronous(system, motion.contact, s, half, centred, f.x, f.y, f.z);
   constraints_project(system, motion.constraints, motion.held, f, load);
   if (contact::self_enabled(system))
     contact::self_synchronous(system, motion.self, s, half, centred, f.x, f.y, f.z);

@@ -46,17 +46,17 @@ struct ContactLaw {
 // offset = -kFar.
 inline constexpr double kFar = 1e300;
 struct alignas(kLine) ContactBlock {
-  double side[3][math::kRowUnit];   // unit vector out of the surface, in the body's frame
-  double offset[math::kRowUnit];    // m, side . point
-  double point[3][math::kRowUnit];  // m
-  double shape[6][math::kRowUnit];  // D: xx xy xz yy yz zz
-  double sticking[math::kRowUnit];  // 1 where the particle sticks, else 0
-  double carry[3][math::kRowUnit];  // m/s^2, what a particle that is not alone got in the last step
-  double shared[math::kRowUnit];    // 1 where other surfaces are near as well, else 0
-  bool flat;                        // every surface in it is a face: D = side side^T
-  bool shares;                      // somewhere
-  bool carries;                     // a carry is not 0
-  std::size_t node;                 // the first of them
+  double side[3][math::kRowUnit];        // unit vector out of the surface, in the body's frame
+  double offset[math::kRowUnit];         // m, side . point
+  double point[3][math::kRowUnit];       // m
+  double shape[6][math::kRowUnit];       // D: xx xy xz yy yz zz
+  double sticking[math::kRowUnit];       // 1 where the particle sticks, else 0
+  double warm_start[3][math::kRowUnit];  // m/s^2, what a particle that is not alone got in the last step
+  double shared[math::kRowUnit];         // 1 where other surfaces are near as well, else 0
+  bool flat;                             // every surface in it is a face: D = side side^T
+  bool shares;                           // somewhere
+  bool has_warm_start;                   // a carry is not 0
+  std::size_t node;                      // the first of them
   int lattice;
   bool empty() const {
     for (double o : offset)
@@ -78,11 +78,11 @@ struct ContactBlocks {
 // A link or cell of the cloth (a number of RidgeCloth) near a ridge of the body.
 struct RidgePair {
   std::uint32_t part, ridge;
-  bool outside = false;  // known to belong out of the body
-  double sticking = 0;   // 1 where it sticks, else 0
-  double share = 0;      // of its penalty
-  double stored = 0;     // J, of its penalty
-  Vec3 carry{0, 0, 0};   // N, what it got in the last step
+  bool outside = false;      // known to belong out of the body
+  double sticking = 0;       // 1 where it sticks, else 0
+  double share = 0;          // of its penalty
+  double stored = 0;         // J, of its penalty
+  Vec3 warm_start{0, 0, 0};  // N, what it got in the last step
 };
 
 // Which pairs are near. `way` grows by the most that any of the nodes moves against the body.

@@ -61,7 +61,7 @@ EdgeContactPair touch_of(const System& system, const State& s, std::size_t b, st
     lightness += w * w / inertia;
   }
   t.gap.n = model::pose_outward(body, s.body[b], gap.n);
-  t.carried = model::pose_velocity(body, s.body[b], t.at);
+  t.body_velocity = model::pose_velocity(body, s.body[b], t.at);
   t.stiffness = gap.share * kSoft * system.lattices[std::size_t(part.lattice)].contact_law.omega2 *
                 (system.fit ? 1 / lightness : least);
   return t;
@@ -96,7 +96,7 @@ double find(const System& system, const State& s, State* moves, std::vector<Edge
         model::RidgeContact& to = moves->body[b].ridge;
         to.wake[p] = asleep ? to.way + left : to.way;
         to.pair[p].outside = out;
-        if (!out) to.pair[p].sticking = 0, to.pair[p].carry = {0, 0, 0};
+        if (!out) to.pair[p].sticking = 0, to.pair[p].warm_start = {0, 0, 0};
       }
       double stored = 0, kept = pair.stored;  // J: now; and now with the share of before
       if (out) {
@@ -177,10 +177,10 @@ double ridge_look(const System& system, const State& s, std::vector<EdgeContactP
   return find(system, s, nullptr, touches);
 }
 
-void ridge_carry(const System& system, const State& s, const std::vector<EdgeContactPair>& touches,
-                 const ContactCoefficients& c, const RidgeField& f) {
+void edge_warm_start(const System& system, const State& s, const std::vector<EdgeContactPair>& touches,
+                     const ContactCoefficients& c, const RidgeField& f) {
   for (const EdgeContactPair& t : touches)
-    push(t, pair_over(system, t, f), c, f, c.kick * s.body[t.body].ridge.pair[t.pair].carry);
+    push(t, pair_over(system, t, f), c, f, c.kick * s.body[t.body].ridge.pair[t.pair].warm_start);
 }
 
 namespace {
@@ -200,9 +200,10 @@ double pair_respond(const State& s, const EdgeContactPair& t, const PairLaw& law
   const double k = law.lightness;
   push(t, law.over, c, f, -1.0 * given.impulse);
   const Vec3 free = gap_velocity(t, f), old = c.old_time > 0 || c.new_time > 0 ? t.old : free;
-  const ContactHit<forces::Lane> hit = contact_hit(
-      law.lanes, lanes(t.gap.n), forces::Lane(std::max(t.gap.distance, 0.0)), lanes(free - t.carried),
-      lanes(old - t.carried), forces::Lane(s.body[t.body].ridge.pair[t.pair].sticking), forces::Lane(1.0));
+  const ContactHit<forces::Lane> hit =
+      contact_hit(law.lanes, lanes(t.gap.n), forces::Lane(std::max(t.gap.distance, 0.0)),
+                  lanes(free - t.body_velocity), lanes(old - t.body_velocity),
+                  forces::Lane(s.body[t.body].ridge.pair[t.pair].sticking), forces::Lane(1.0));
   const Vec3 impulse = (1 / k) * vector(hit.dv);
   const double change = k * norm(impulse - given.impulse);
   given = {impulse, hit.stored.v / k, hit.stop.v / k, hit.sticking.v};
@@ -213,11 +214,12 @@ double pair_respond(const State& s, const EdgeContactPair& t, const PairLaw& law
 void sums_add(const State& s, const EdgeContactPair& t, const ContactCoefficients& c, const RidgeField& f,
               const Given& given, RidgeSums& sums) {
   const Vec3 now = gap_velocity(t, f), impulse = -c.impulse * given.impulse;
-  const Vec3 old = c.old_time > 0 || c.new_time > 0 ? t.old : now, middle = 0.5 * (old + now) - t.carried;
+  const Vec3 old = c.old_time > 0 || c.new_time > 0 ? t.old : now,
+             middle = 0.5 * (old + now) - t.body_velocity;
   sums.load[t.body].force += impulse;
   sums.load[t.body].torque += cross(t.at - s.body[t.body].motion.position, impulse);
   sums.dissipated += dot(impulse, middle) + c.impulse * given.stored * dot(t.gap.n, middle);
-  sums.input -= dot(impulse, t.carried);
+  sums.input -= dot(impulse, t.body_velocity);
 }
 
 }  // namespace
@@ -232,7 +234,7 @@ void ridge_respond(const System& system, const State& s, const std::vector<EdgeC
   laws.clear();
   for (const EdgeContactPair& t : touches) laws.push_back(pair_law(system, s, t, c, f));
   for (std::size_t k = 0; k < touches.size(); ++k)
-    given[k].impulse = c.kick * s.body[touches[k].body].ridge.pair[touches[k].pair].carry;
+    given[k].impulse = c.kick * s.body[touches[k].body].ridge.pair[touches[k].pair].warm_start;
   double first = 0;
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     double most = 0;
@@ -250,7 +252,7 @@ void ridge_respond(const System& system, const State& s, const std::vector<EdgeC
     if (!moves) continue;
     model::RidgePair& to = moves->body[t.body].ridge.pair[t.pair];
     to.sticking = given[k].sticking;
-    to.carry = 1 / c.kick * (given[k].impulse - given[k].stop * t.gap.n);  // stops would swing
+    to.warm_start = 1 / c.kick * (given[k].impulse - given[k].stop * t.gap.n);  // stops would swing
   }
 }
 

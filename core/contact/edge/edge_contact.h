@@ -14,11 +14,11 @@ namespace drape::contact {
 struct EdgeContactPair {
   std::size_t body, pair;
   const model::RidgePart* part;
-  RidgeGap gap;       // n in space
-  Vec3 at;            // m, of the cloth: sum W_k r_k
-  Vec3 carried;       // m/s, of the body there
-  Vec3 old{0, 0, 0};  // m/s, of the cloth there at t_{n-1/2}
-  double stiffness;   // N/m
+  RidgeGap gap;        // n in space
+  Vec3 at;             // m, of the cloth: sum W_k r_k
+  Vec3 body_velocity;  // m/s, of the body there
+  Vec3 old{0, 0, 0};   // m/s, of the cloth there at t_{n-1/2}
+  double stiffness;    // N/m
 };
 
 inline bool ridge_any(const State& s) {  // a pair is near
@@ -57,8 +57,8 @@ struct RidgeField {
 };
 
 // Gives in advance what pairs got in the step before.
-void ridge_carry(const System& system, const State& state, const std::vector<EdgeContactPair>& touches,
-                 const ContactCoefficients& c, const RidgeField& field);
+void edge_warm_start(const System& system, const State& state, const std::vector<EdgeContactPair>& touches,
+                     const ContactCoefficients& c, const RidgeField& field);
 
 // What touching does to a free motion. `moves`: writes into it what goes on with it, or null. Adds the
 // impulses to load [bodies], J to dissipated and input.

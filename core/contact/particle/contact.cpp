@@ -179,17 +179,17 @@ void mark_tied(const System& system, const constraint::Constraints& constraints,
 namespace {
 
 // Gives particles that are not alone in advance what they got in the step before.
-void carry_give(const State& s, double kick, const double* lightness, double* v[3], double* r[3],
-                double drift) {
+void warm_start_apply(const State& s, double kick, const double* lightness, double* v[3], double* r[3],
+                      double drift) {
   for (const model::BodyContact& body : s.body)
     for (const model::ContactPlace& place : body.blocks.order) {
       const model::ContactBlock& b = body.blocks.pool[place.block];
-      if (!b.carries) continue;
+      if (!b.has_warm_start) continue;
       for (std::size_t i = 0; i < std::size_t(math::kRowUnit); ++i) {
         const std::size_t n = b.node + i;
         const double given = kick * (lightness ? lightness[n] : 1);
         for (std::size_t k = 0; k < 3; ++k) {
-          const double dv = b.carry[k][i] * given;
+          const double dv = b.warm_start[k][i] * given;
           v[k][n] += dv;
           if (r) r[k][n] += dv * drift;
         }
@@ -199,23 +199,23 @@ void carry_give(const State& s, double kick, const double* lightness, double* v[
 
 }  // namespace
 
-void touch_carry(const System& system, const ContactWorkspace& workspace, const ContactStep& step, State& s) {
+void warm_start(const System& system, const ContactWorkspace& workspace, const ContactStep& step, State& s) {
   double* v[] = {s.vx.data(), s.vy.data(), s.vz.data()};
   double* r[] = {s.x.data(), s.y.data(), s.z.data()};
   const double* lightness = s.lightness.empty() ? nullptr : s.lightness.data();
-  carry_give(s, step.kick, lightness, v, r, step.drift);
-  ridge_carry(system, s, workspace.ridge, kick_coefficients(step),
-              {{v[0], v[1], v[2]}, {r[0], r[1], r[2]}, lightness});
+  warm_start_apply(s, step.kick, lightness, v, r, step.drift);
+  edge_warm_start(system, s, workspace.ridge, kick_coefficients(step),
+                  {{v[0], v[1], v[2]}, {r[0], r[1], r[2]}, lightness});
 }
 
-void touch_carry_synchronous(const System& system, ContactWorkspace& workspace, const State& s, double half,
-                             double centred, double* vx, double* vy, double* vz) {
+void warm_start_synchronous(const System& system, ContactWorkspace& workspace, const State& s, double half,
+                            double centred, double* vx, double* vy, double* vz) {
   double* v[] = {vx, vy, vz};
   ContactCoefficients c;
   c.kick = half > 0 ? half / centred : 1;
-  carry_give(s, c.kick, nullptr, v, nullptr, 0);
+  warm_start_apply(s, c.kick, nullptr, v, nullptr, 0);
   workspace.ridge_lost = ridge_look(system, s, workspace.ridge);
-  ridge_carry(system, s, workspace.ridge, c, {{vx, vy, vz}, {}, nullptr});
+  edge_warm_start(system, s, workspace.ridge, c, {{vx, vy, vz}, {}, nullptr});
 }
 
 void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
@@ -264,7 +264,7 @@ constexpr double kLeft = 0.25;  // of a budget
 
 // What a step may move a particle by, whatever its budget (m), and the speed of a body's fastest point (m/s).
 struct StepBound {
-  double listed, carried;
+  double listed, body_speed;
 };
 StepBound step_bound(const System& system, const State& s, std::size_t b) {
   const body::BodySurface& surface = system.bodies[b].mesh.surface;
@@ -289,7 +289,7 @@ bool outruns(const System& system, const State& s, std::size_t b, const StepBoun
              double step) {
   for (std::size_t n = node; n < node + std::size_t(math::kRowUnit); ++n)
     if (system.mass[n] > 0 &&
-        step * (std::sqrt(speed2_of(s, n)) + bound.carried) > std::sqrt(way2_of(bound, s.body[b], n)))
+        step * (std::sqrt(speed2_of(s, n)) + bound.body_speed) > std::sqrt(way2_of(bound, s.body[b], n)))
       return true;
   return false;
 }
@@ -373,8 +373,8 @@ double touch_step_most(const System& system, const State& s) {
     double least2 = INFINITY;  // s^2, of bodies that stay
     for (std::size_t n : system.particle) {
       const double way2 = way2_of(bound, s.body[b], n), speed2 = speed2_of(s, n);
-      if (bound.carried > 0)
-        longest = std::min(longest, std::sqrt(way2) / (std::sqrt(speed2) + bound.carried));
+      if (bound.body_speed > 0)
+        longest = std::min(longest, std::sqrt(way2) / (std::sqrt(speed2) + bound.body_speed));
       else least2 = std::min(least2, way2 / speed2);
     }
     longest = std::min(longest, std::sqrt(least2));

@@ -60,10 +60,10 @@ model::ContactLaw current_law(const System& system, const State& state, const mo
 void mark_tied(const System& system, const constraint::Constraints& constraints, ContactWorkspace& workspace);
 
 // Before pins and welds: gives particles that are not alone what the bodies did to them in the step before.
-void touch_carry(const System& system, const ContactWorkspace& workspace, const ContactStep& step,
-                 State& state);
-void touch_carry_synchronous(const System& system, ContactWorkspace& workspace, const State& state,
-                             double half, double centred, double* vx, double* vy, double* vz);
+void warm_start(const System& system, const ContactWorkspace& workspace, const ContactStep& step,
+                State& state);
+void warm_start_synchronous(const System& system, ContactWorkspace& workspace, const State& state,
+                            double half, double centred, double* vx, double* vy, double* vz);
 
 // Adds to a free step what the bodies do. Needs touch_keep.
 void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,

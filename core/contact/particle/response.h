@@ -150,16 +150,16 @@ DRAPE_INLINE Gap<L> contact_gap(const model::ContactBlock& b, int i, const simd:
 
 // What a particle that is not alone is given in advance in the next step: all but stops, which would swing.
 template <class L>
-DRAPE_INLINE simd::Vec<L> carry_of(const ContactCoefficients& c, const simd::Vec<L>& n,
-                                   const ContactHit<L>& hit, L shares, L light) {
+DRAPE_INLINE simd::Vec<L> warm_start_of(const ContactCoefficients& c, const simd::Vec<L>& n,
+                                        const ContactHit<L>& hit, L shares, L light) {
   return (hit.dv - n * hit.stop) * select(gt(light, L(0.0)), shares / (L(c.kick) * light), L(0.0));
 }
 template <class L>
-DRAPE_INLINE void carry_store(model::ContactBlock& b, int i, const simd::Vec<L>& carry) {
-  L::store(b.carry[0] + i, carry.x);
-  L::store(b.carry[1] + i, carry.y);
-  L::store(b.carry[2] + i, carry.z);
-  b.carries = b.carries || any(gt(abs(carry.x) + abs(carry.y) + abs(carry.z), L(0.0)));
+DRAPE_INLINE void warm_start_store(model::ContactBlock& b, int i, const simd::Vec<L>& carry) {
+  L::store(b.warm_start[0] + i, carry.x);
+  L::store(b.warm_start[1] + i, carry.y);
+  L::store(b.warm_start[2] + i, carry.z);
+  b.has_warm_start = b.has_warm_start || any(gt(abs(carry.x) + abs(carry.y) + abs(carry.z), L(0.0)));
 }
 
 // Sums over the blocks, one for each place of a block: the same bits for every width of a lane.
@@ -207,8 +207,8 @@ void contact_run(const ContactPass& pass) {
       law = ContactLanes<L>(pass.law[lattice], c, pass.damping);
       told = ContactLanes<L>(pass.law[lattice], pass.told, pass.damping);
     }
-    const bool given = b.carries;  // in advance
-    if (pass.moves) b.carries = false;
+    const bool given = b.has_warm_start;  // in advance
+    if (pass.moves) b.has_warm_start = false;
     for (int i = 0, part = 0; i < math::kRowUnit; i += L::kWidth, ++part) {
       const std::size_t n = b.node + std::size_t(i);
       const simd::Row r{pass.r[0] + n, pass.r[1] + n, pass.r[2] + n},
@@ -217,7 +217,8 @@ void contact_run(const ContactPass& pass) {
       simd::Vec<L> free = simd::vec_load<L>(v, 0), moved = simd::vec_load<L>(r, 0);
       if (given) {
         const simd::Vec<L> carried_on =
-            simd::Vec<L>{L::load(b.carry[0] + i), L::load(b.carry[1] + i), L::load(b.carry[2] + i)} *
+            simd::Vec<L>{L::load(b.warm_start[0] + i), L::load(b.warm_start[1] + i),
+                         L::load(b.warm_start[2] + i)} *
             (L(c.kick) * light);
         free = free - carried_on;
         moved = moved - carried_on * L(c.drift);
@@ -235,7 +236,7 @@ void contact_run(const ContactPass& pass) {
           simd::vec_store(v, 0, free);
           if (pass.moves) simd::vec_store(r, 0, moved);
           if (pass.moves && pass.hit) pass.hit[b.node / math::kRowUnit] = 1;
-          if (pass.moves) carry_store(b, i, simd::Vec<L>{L(0.0), L(0.0), L(0.0)});
+          if (pass.moves) warm_start_store(b, i, simd::Vec<L>{L(0.0), L(0.0), L(0.0)});
         }
         continue;
       }
@@ -258,7 +259,7 @@ void contact_run(const ContactPass& pass) {
         const L tied = pass.tied ? L::load(pass.tied + n) : L(0.0);
         if (pass.hit && (given || any(gt(tied * (abs(hit.dv.x) + abs(hit.dv.y) + abs(hit.dv.z)), L(0.0)))))
           pass.hit[b.node / math::kRowUnit] = 1;
-        carry_store(b, i, carry_of(c, normal, hit, max(tied, L::load(b.shared + i)), light));
+        warm_start_store(b, i, warm_start_of(c, normal, hit, max(tied, L::load(b.shared + i)), light));
       }
       if (pass.energy) {
         // J of the rest moves against v_mid - v_b, all of J with v_b

@@ -83,7 +83,7 @@ ContactStops stop_forces(const System& system, const State& s, const std::vector
     const Vec3 carried = model::pose_acceleration(body, s.body[t.body], {s.x[n], s.y[n], s.z[n]});
     simd::Vec<forces::Lane> free;  // against the body
     forces::Lane* to[] = {&free.x, &free.y, &free.z};
-    for (std::size_t k = 0; k < 3; ++k) *to[k] = a[k][n] - t.block->carry[k][t.lane] - carried[k];
+    for (std::size_t k = 0; k < 3; ++k) *to[k] = a[k][n] - t.block->warm_start[k][t.lane] - carried[k];
     const ContactHit<forces::Lane> hit = contact_hit(
         law, simd::Vec<forces::Lane>{out[0], out[1], out[2]}, t.gap.distance, free, free,
         forces::Lane(t.block->sticking[t.lane]), forces::Lane(s.lightness.empty() ? 1 : 1 / s.lightness[n]));
@@ -93,7 +93,7 @@ ContactStops stop_forces(const System& system, const State& s, const std::vector
   });
   std::vector<EdgeContactPair> accelerated = pairs;
   for (EdgeContactPair& t : accelerated)
-    t.carried = model::pose_acceleration(system.bodies[t.body], s.body[t.body], t.at);
+    t.body_velocity = model::pose_acceleration(system.bodies[t.body], s.body[t.body], t.at);
   RidgeSums sums;
   ridge_respond(system, s, accelerated, c, {{a[0], a[1], a[2]}, {}, nullptr}, nullptr, sums);
   stops.pair = sums.stop;

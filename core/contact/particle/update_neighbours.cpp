@@ -28,7 +28,7 @@ void lane_clear(model::ContactBlock& b, std::size_t i) {
   for (auto& row : b.side) row[i] = 0;
   b.offset[i] = -model::kFar;
   b.sticking[i] = 0;
-  for (auto& row : b.carry) row[i] = 0;
+  for (auto& row : b.warm_start) row[i] = 0;
   b.shared[i] = 0;
 }
 
