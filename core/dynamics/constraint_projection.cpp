@@ -114,12 +114,12 @@ bool is_hit(const constraint::RowPart& part, const char* hit) {
 }
 
 // m [v_{n-1/2} + h_o a/2 - (1 + c h_o/2) v_n] over m, from what the free step left.
-Vec3 told(const HeldStep& step, const Vec3& old, const Vec3& free, const Vec3& rate) {
+Vec3 reported(const HeldStep& step, const Vec3& old, const Vec3& free, const Vec3& rate) {
   return step.before * old + (step.half / step.kick) * (free - step.keep * old) - step.centred * rate;
 }
 
 // The same of a change of the velocity since.
-Vec3 told_again(const HeldStep& step, const Vec3& change) { return (step.half / step.kick) * change; }
+Vec3 reported_change(const HeldStep& step, const Vec3& change) { return (step.half / step.kick) * change; }
 
 // The work of an impulse on the outside world while what it acts on goes from one velocity to the next.
 double work(const Vec3& impulse, const Vec3& old, const Vec3& now) { return -0.5 * dot(impulse, old + now); }
@@ -133,8 +133,8 @@ void fixed_apply(const System& system, const constraint::Constraints& c, const H
     Vec3 impulse = (system.mass[n] * step.impulse) * (free - kept);
     if (system.energy) s.input += work(impulse, step.before * at(held.old, k), kept);
     if (step.begins)
-      impulse -= system.mass[n] * (step.again ? told_again(step, free - kept)
-                                              : told(step, at(held.old, k), free, at(held.rate, k)));
+      impulse -= system.mass[n] * (step.again ? reported_change(step, free - kept)
+                                              : reported(step, at(held.old, k), free, at(held.rate, k)));
     load_add(c, held.arm, c.fixed[k].target, impulse, s.pin_impulse);
     set(v, n, kept);
     set(r, n, next);
@@ -145,17 +145,17 @@ void rows_apply(const System& system, const constraint::Constraints& c, const He
                 HeldMotion& held, State& s) {
   const Field r{s.x.data(), s.y.data(), s.z.data()}, v{s.vx.data(), s.vy.data(), s.vz.data()};
   const std::size_t fixed = c.fixed.size();
-  const bool tells = step.begins && !step.again;
+  const bool reports = step.begins && !step.again;
   std::size_t entry = fixed;
   const auto old_of = [&](const math::SparseRow& row) {
     Vec3 sum{0, 0, 0};
     for (double w : row.weight) sum += w * at(held.old, entry++);
     return sum;
   };
-  if (tells) {
+  if (reports) {
     for (std::size_t k = 0; k < c.rows.size(); ++k) {
       const math::SparseRow& row = c.rows[k].on;
-      set(held.z, k, told(step, old_of(row), row_sum(row, v), at(held.rate, fixed + k)));
+      set(held.z, k, reported(step, old_of(row), row_sum(row, v), at(held.rate, fixed + k)));
     }
     for (const constraint::RowPart& part : c.part) math::cholesky_solve(part.factor, &held.z[3 * part.begin]);
   }
@@ -175,7 +175,7 @@ void rows_apply(const System& system, const constraint::Constraints& c, const He
   }
   for (std::size_t k : c.led) {
     Vec3 impulse = impulse_of(k);
-    if (step.begins) impulse -= tells ? at(held.z, k) : told_again(step, (1 / step.h) * at(held.y, k));
+    if (step.begins) impulse -= reports ? at(held.z, k) : reported_change(step, (1 / step.h) * at(held.y, k));
     load_add(c, held.arm, c.rows[k].target, impulse, s.pin_impulse);
   }
 }
@@ -247,22 +247,24 @@ void rigid_apply(const System& system, const constraint::Constraints& c, const H
   const std::size_t fixed = c.fixed.size();
   constraint::RigidNow& now = held.rigid;
   std::size_t entry = fixed;
-  const bool tells = step.begins && !step.again;
+  const bool reports = step.begins && !step.again;
   std::vector<Vec3> old;
   for (const constraint::HeldRow& row : c.rows) {
     Vec3 sum{0, 0, 0};
     for (double w : row.on.weight) sum += w * at(held.old, entry++);
     old.push_back(sum);
   }
-  if (tells) {
+  if (reports) {
     rigid_ask(
         c, now,
-        [&](std::size_t k) { return told(step, old[k], row_sum(c.rows[k].on, v), at(held.rate, fixed + k)); },
+        [&](std::size_t k) {
+          return reported(step, old[k], row_sum(c.rows[k].on, v), at(held.rate, fixed + k));
+        },
         [&](std::size_t k) {
           Vec3 sum{0, 0, 0};
           for (std::size_t end : {0u, 1u}) {
             const Vec3 was = at(held.old, entry + 2 * k + end), is = at(v, c.rigid.link[k].node[end]);
-            sum += (end == 0 ? -1.0 : 1.0) * told(step, was, is, {0, 0, 0});
+            sum += (end == 0 ? -1.0 : 1.0) * reported(step, was, is, {0, 0, 0});
           }
           const double* u = &now.weight[c.rigid.begin[c.rigid.held + k] + 3];
           return u[0] * sum[0] + u[1] * sum[1] + u[2] * sum[2];
@@ -275,7 +277,7 @@ void rigid_apply(const System& system, const constraint::Constraints& c, const H
   for (std::size_t k = 0; k < c.rows.size(); ++k) {
     Vec3 impulse = (step.impulse / step.h) * at(now.y, k);
     if (system.energy) s.input += work(impulse, step.before * old[k], row_sum(c.rows[k].on, v));
-    if (step.begins) impulse -= tells ? at(held.z, k) : told_again(step, (1 / step.h) * at(now.y, k));
+    if (step.begins) impulse -= reports ? at(held.z, k) : reported_change(step, (1 / step.h) * at(now.y, k));
     load_add(c, held.arm, c.rows[k].target, impulse, s.pin_impulse);
   }
 }

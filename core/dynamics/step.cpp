@@ -68,9 +68,14 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
   kernel_step(*motion.kernel, system, c, motion.workspace, s);
   if (!s.sewn.empty()) s.gap_rate.swap(motion.gap_rate);
   const double old = system.integrator == scene::Integrator::kPaper ? 0 : s.h_old / 2;
-  const contact::ContactStep contact{
-      stage.drift,  stage.keep, stage.kick, old, h / 2, stage.impulse, begins && !motion.contact.told,
-      stage.centred};
+  const contact::ContactStep contact{stage.drift,
+                                     stage.keep,
+                                     stage.kick,
+                                     old,
+                                     h / 2,
+                                     stage.impulse,
+                                     begins && !motion.contact.half_kick_reported,
+                                     stage.centred};
   path_follow(motion.path, u, s);
   HeldStep step{stage.drift,
                 stage.keep,
@@ -138,10 +143,10 @@ void leapfrog_step(const System& system, Motion& motion, State& s, double h, dou
 
 void leapfrog_complete(const System& system, Motion& motion, State& s) {
   if (s.h_old == 0 || system.integrator == scene::Integrator::kPaper) return;
-  std::vector<math::Wrench> told;
+  std::vector<math::Wrench> reported;
   const double lead = velocity_lead(system, s);
   leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(), motion.now_z.data(),
-                       told);
+                       reported);
   if (system.energy) {
     const BalanceNow now =
         balance_now(system, motion.balance, s, lead, motion.now_x, motion.now_y, motion.now_z);
@@ -150,15 +155,15 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
   }
   const double half = last_half(system, s);
   // what has been taken out for the first step (ridges_told) does not come in any more
-  const bool adds = !s.advance_begins || motion.contact.told;
+  const bool adds = !s.advance_begins || motion.contact.half_kick_reported;
   for (std::size_t b = 0; adds && b < s.body.size(); ++b) {
     s.body[b].impulse.force += motion.contact.load[b].force;
     s.body[b].impulse.torque += motion.contact.load[b].torque;
   }
-  if (s.advance_begins) motion.contact.told = false;
-  for (std::size_t p = 0; !s.advance_begins && p < told.size(); ++p) {
-    s.pin_impulse[p].force += half * told[p].force;
-    s.pin_impulse[p].torque += half * told[p].torque;
+  if (s.advance_begins) motion.contact.half_kick_reported = false;
+  for (std::size_t p = 0; !s.advance_begins && p < reported.size(); ++p) {
+    s.pin_impulse[p].force += half * reported[p].force;
+    s.pin_impulse[p].torque += half * reported[p].torque;
   }
   for (std::size_t n : system.particle) {
     s.vx[n] = motion.now_x[n];

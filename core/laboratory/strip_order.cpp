@@ -24,8 +24,8 @@ StripOrder strip_order(const scene::FabricSpec& f, double cell, const std::vecto
   const double middle = strip_cell(f, model::YarnDirection::kBias, cell);
   o.cell = {strip_cell(f, model::YarnDirection::kBias, 2 * middle), middle,
             strip_cell(f, model::YarnDirection::kBias, middle / 2)};
-  o.told = o.cell[0] <= std::min(f.strip_width, f.strip_gauge) / kLeastCells;
-  if (!o.told) return o;
+  o.has_order = o.cell[0] <= std::min(f.strip_width, f.strip_gauge) / kLeastCells;
+  if (!o.has_order) return o;
   std::array<StripPull, 3> pull;
   for (std::size_t i = 0; i < 3; ++i) {
     pull[i] = strip_pull(f, model::YarnDirection::kBias, o.cell[i], elongation, problems);

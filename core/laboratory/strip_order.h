@@ -12,7 +12,7 @@ struct StripOrder {
   std::array<double, 3> cell{};  // m, about twice, one and half the cell asked for
   std::array<double, 3> off{};   // the largest |S/F - 1|, F the diagram
   double order = 0;              // p of the largest changes over the force; not a number where they grow
-  bool told = false;             // false: twice the cell leaves less than four across
+  bool has_order = false;        // false: twice the cell leaves less than four across
   std::string why;               // where there is none
 };
 StripOrder strip_order(const scene::FabricSpec& fabric, double cell, const std::vector<double>& elongation,

@@ -108,7 +108,7 @@ bool problems_tell(const std::vector<Problem>& problems) {
 void cells_tell(const scene::FabricSpec& f, double cell, const std::vector<double>& elongation) {
   std::vector<Problem> problems;
   const laboratory::StripOrder o = laboratory::strip_order(f, cell, elongation, problems);
-  if (!o.told) return;
+  if (!o.has_order) return;
   if (!o.why.empty()) return void(std::printf("  on cells of twice and half the edge %s\n", o.why.c_str()));
   std::printf("  on cells of %.6g mm at most %.3f %% off, of %.6g mm %.3f %%; order %.2f\n", 1e3 * o.cell[0],
               100 * o.off[0], 1e3 * o.cell[2], 100 * o.off[2], o.order);

@@ -65,7 +65,7 @@ scene::FabricSpec fabric_choose(const Options& o, const fs::path& folder, Garmen
   return o.has_fabric || fs::exists(file) ? validation::fabric_load(file, problems) : scene::FabricSpec{};
 }
 
-int told(const std::vector<Problem>& problems) {
+int reported(const std::vector<Problem>& problems) {
   for (const Problem& p : problems) fail(kBadInput, scene::problem_text(p));
   return kBadInput;
 }
@@ -81,19 +81,19 @@ int import_pattern(const Options& o) {
   const Pattern pattern = pattern_read(o.pattern, problems);
   if (o.has_body) garment.body = body_measure(o.body, problems);
   const scene::FabricSpec fabric = fabric_choose(o, folder, garment, problems);
-  if (!problems.empty()) return told(problems);
+  if (!problems.empty()) return reported(problems);
   if (garment.body) garment.body->file = seen_from(o.body, folder);
   const Scene scene = garment_scene(pattern, garment, fabric);
   validation::scene_check(scene, problems);
   for (Problem& p : problems) p.place = o.pattern + ": " + p.place;
-  if (!problems.empty()) return told(problems);
+  if (!problems.empty()) return reported(problems);
 
   std::error_code error;
   if (!folder.empty()) fs::create_directories(folder, error);
   const fs::path wool = folder / "wool.toml";
   const bool there = fs::exists(wool);
   if (!o.has_fabric && !there) content_write(wool, kWool, problems);
-  if (!content_write(o.output, garment_text(scene, pattern, garment), problems)) return told(problems);
+  if (!content_write(o.output, garment_text(scene, pattern, garment), problems)) return reported(problems);
   std::printf("%s: %zu pieces, %zu seams, cells of %g mm\n", o.output.c_str(), scene.pieces.size(),
               scene.seams.size(), 1e3 * o.cell);
   if (garment.body)

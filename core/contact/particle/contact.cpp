@@ -85,8 +85,8 @@ ContactCoefficients kick_coefficients(const ContactStep& step) {
   c.reach_time = step.drift;
   c.impulse = step.centred;
   c.keep = step.keep;
-  c.told_share = step.half_old / step.kick;
-  c.told_centred = step.told_centred;
+  c.reported_share = step.half_old / step.kick;
+  c.reported_centred = step.reported_centred;
   return c;
 }
 
@@ -230,7 +230,7 @@ void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& 
     pass.v[0] = s.vx.data(), pass.v[1] = s.vy.data(), pass.v[2] = s.vz.data();
     if (!s.lightness.empty()) pass.lightness = s.lightness.data();
     pass.c = kick_coefficients(step);
-    pass.told = last_kick_coefficients(step.half_old, step.told_centred);
+    pass.reported = last_kick_coefficients(step.half_old, step.reported_centred);
     pass.begins = step.begins && step.half_old > 0;
     pass.moves = true;
     kernel.run[system.bodies[b].moves](pass);

@@ -18,7 +18,8 @@ struct ContactWorkspace {
   std::vector<EdgeContactPair> ridge;  // links and cells on ridges, of the present pass
   RidgeSums ridge_sums;
   double ridge_lost = 0;  // J, of ridge_look
-  bool told = false;      // what bodies were told of the half step before this advance is taken out already
+  bool half_kick_reported =
+      false;  // what bodies were told of the half step before this advance is taken out already
   std::vector<math::Wrench> load;    // [bodies] of the last synchronous pass
   double dissipated = 0, input = 0;  // J, likewise
 };
@@ -40,7 +41,7 @@ struct ContactStep {
   double half_old, half_new;  // s, h_o/2 and h/2
   double centred;             // 1 + c h/2
   bool begins;                // an advance, of which the half h_o/2 has been told already
-  double told_centred;        // 1 + c h_o/2
+  double reported_centred;    // 1 + c h_o/2
 };
 
 // What the kick of a step, and the last half kick of `half` s, which turns v_{n-1/2} into v_n, do.

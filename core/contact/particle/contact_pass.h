@@ -19,8 +19,8 @@ struct ContactCoefficients {
   double reach_time = 0;  // s, for which a particle may come nearer before it counts
   double impulse = 1;     // over mass and what is taken out of v after the kick
   double keep = 1;        // v <- keep v + kick a
-  double told_share = 0,
-         told_centred = 1;  // v_n = (v_{n-1/2} + told_share (v - keep v_{n-1/2}))/told_centred
+  double reported_share = 0,
+         reported_centred = 1;  // v_n = (v_{n-1/2} + told_share (v - keep v_{n-1/2}))/told_centred
 };
 
 struct ContactPass {
@@ -33,7 +33,7 @@ struct ContactPass {
   char* hit;  // [nodes / kRowUnit] set where tied nodes have been touched by a pass that moves; or null
   const model::ContactLaw* law;  // [lattices]
   double damping;                // of the body
-  ContactCoefficients c, told;
+  ContactCoefficients c, reported;
   bool begins, energy, moves;  // moves: grips and carries become those of now
   double* sum;                 // [8] force, torque on the body (impulses), dissipated, input
 };

@@ -197,7 +197,7 @@ void contact_run(const ContactPass& pass) {
   const ContactCoefficients& c = pass.c;
   ContactSums<L> sums;
   int lattice = 0;  // of the laws
-  ContactLanes<L> law(pass.law[0], c, pass.damping), told(pass.law[0], pass.told, pass.damping);
+  ContactLanes<L> law(pass.law[0], c, pass.damping), reported(pass.law[0], pass.reported, pass.damping);
   const model::ContactBlocks& blocks = pass.body->blocks;
   for (std::size_t k = 0; k < blocks.order.size(); ++k) {
     model::ContactBlock& b = pass.body->blocks.pool[blocks.order[k].block];
@@ -205,7 +205,7 @@ void contact_run(const ContactPass& pass) {
     if (b.lattice != lattice) {
       lattice = b.lattice;
       law = ContactLanes<L>(pass.law[lattice], c, pass.damping);
-      told = ContactLanes<L>(pass.law[lattice], pass.told, pass.damping);
+      reported = ContactLanes<L>(pass.law[lattice], pass.reported, pass.damping);
     }
     const bool given = b.has_warm_start;  // in advance
     if (pass.moves) b.has_warm_start = false;
@@ -271,9 +271,9 @@ void contact_run(const ContactPass& pass) {
       if (pass.begins) {
         // the advance before has been told what turned its last half kick into v_n
         const simd::Vec<L> kicked = free - old * L(c.keep);
-        const simd::Vec<L> half = (old + kicked * L(c.told_share)) * L(1 / c.told_centred) - carried;
-        const ContactHit<L> was = contact_hit(told, normal, gap.distance, half, half, grip, stiff);
-        impulse = impulse + was.dv * (inertia * L(c.told_centred / c.impulse));
+        const simd::Vec<L> half = (old + kicked * L(c.reported_share)) * L(1 / c.reported_centred) - carried;
+        const ContactHit<L> was = contact_hit(reported, normal, gap.distance, half, half, grip, stiff);
+        impulse = impulse + was.dv * (inertia * L(c.reported_centred / c.impulse));
       }
       sums.add(part, impulse, arm);
     }

@@ -35,10 +35,10 @@ void fault_at(const Settling& s, const std::string& key, std::size_t k, const st
   const toml::node* node = stated(s, key);
   const std::string at = node && node->is_array() ? key + "[" + std::to_string(k) + "]" : key;
   const std::string path = s.path + "." + at;
-  const bool told = std::any_of(s.faults.found.begin(), s.faults.found.end(), [&](const Faults::Found& f) {
-    return f.path == path && f.problem.message == message;
-  });
-  if (!told) fault_at(s, at, message);
+  const bool reported =
+      std::any_of(s.faults.found.begin(), s.faults.found.end(),
+                  [&](const Faults::Found& f) { return f.path == path && f.problem.message == message; });
+  if (!reported) fault_at(s, at, message);
 }
 
 bool same_text(const Settling& s, const std::string& a, const std::string& b) {

@@ -87,12 +87,12 @@ TEST(Nearest, IsTheNearestOfAllTrianglesAndItsBudgetIsKept) {
         const auto& d = found.touch[0].shape;
         const Vec3 e = there - found.touch[0].point;
         if (dot(e, found.touch[0].side) < 0) continue;  // inside: deeper than the response lets it come
-        const double told =
+        const double reported =
             norm({d[0] * e[0] + d[1] * e[1] + d[2] * e[2], d[1] * e[0] + d[3] * e[1] + d[4] * e[2],
                   d[2] * e[0] + d[4] * e[1] + d[5] * e[2]});
         const double now = mesh_distance(body.mesh.surface, there);
-        if (now < contact) EXPECT_NEAR(told, now, 0.0201 * contact);
-        else EXPECT_GE(told, contact * 0.98);
+        if (now < contact) EXPECT_NEAR(reported, now, 0.0201 * contact);
+        else EXPECT_GE(reported, contact * 0.98);
       }
     }
     EXPECT_GT(touched, 500);

@@ -228,10 +228,10 @@ TEST(Fit, RestIsJudgedByThePresentLoad) {
       const reference::Residual left = reference::residual(judge, outside, positions(a));
       EXPECT_LE(left.ratio, 1.001e-5) << carried << " m, " << weight << " m/s^2";
       // Without weight the load may be a share of the forces on the way (core/README.md, section 4).
-      const double load = left.force / left.ratio, told = a.state.fit.load;
-      EXPECT_NEAR(left.force, a.state.fit.residual * told, 1e-3 * left.force + 1e-12 * told);
-      if (weight > 0) EXPECT_NEAR(told, load, 1e-5 * load);
-      else EXPECT_NEAR(told, std::max(load, 1e-4 * a.state.fit.most), 1e-5 * told);
+      const double load = left.force / left.ratio, reported = a.state.fit.load;
+      EXPECT_NEAR(left.force, a.state.fit.residual * reported, 1e-3 * left.force + 1e-12 * reported);
+      if (weight > 0) EXPECT_NEAR(reported, load, 1e-5 * load);
+      else EXPECT_NEAR(reported, std::max(load, 1e-4 * a.state.fit.most), 1e-5 * reported);
     }
 }
 

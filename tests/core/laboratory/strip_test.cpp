@@ -67,7 +67,7 @@ TEST_P(ShippedStrip, FindsItsRestOnOtherCells) {
   if (!f.bias.jaws) return;
   const StripOrder o =
       strip_order(f, f.strip_width / 16, strip_elongations(f, model::YarnDirection::kBias, 0.06), problems);
-  ASSERT_TRUE(o.told && o.why.empty() && problems.empty()) << o.why;
+  ASSERT_TRUE(o.has_order && o.why.empty() && problems.empty()) << o.why;
   std::printf("45 degrees on cells of %.3f, %.3f, %.3f mm: %.2f, %.3f, %.2f %% off, order %.2f\n",
               1e3 * o.cell[0], 1e3 * o.cell[1], 1e3 * o.cell[2], 100 * o.off[0], 100 * o.off[1],
               100 * o.off[2], o.order);

@@ -179,9 +179,9 @@ TEST(Ridge, MomentumIsBalancedOverEveryAdvance) {
               dynamics::Advance::kDone);
     on_ridges += a.motion.contact.ridge.size();
     const Vec3 after = now(), gained = after - before;
-    const Vec3 told = a.state.body[0].impulse.force + a.motion.contact.load[0].force;
-    worst = std::max(worst, norm(gained - (Vec3{0, 0, -9.81e-3 * mass} - told)));
-    most = std::max(most, norm(told));
+    const Vec3 reported = a.state.body[0].impulse.force + a.motion.contact.load[0].force;
+    worst = std::max(worst, norm(gained - (Vec3{0, 0, -9.81e-3 * mass} - reported)));
+    most = std::max(most, norm(reported));
     before = after;
   }
   std::printf("momentum: off by %.3g of %.3g, touches on ridges %zu\n", worst, most, on_ridges);

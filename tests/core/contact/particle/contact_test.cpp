@@ -182,11 +182,11 @@ TEST(Touch, MomentumIsBalancedOverEveryAdvance) {
     advance(a, 1e-3);
     Synchronous now = synchronous(a);
     const Vec3 after = momentum(a, now.v), gained = after - before;
-    const Vec3 told =
+    const Vec3 reported =
         a.state.body[0].impulse.force + (any_near(a.state) ? a.motion.contact.load[0].force : Vec3{});
     const Vec3 weight{0, 0, -9.81e-3 * mass};
-    worst = std::max(worst, norm(gained - (weight - told)));
-    most = std::max(most, norm(told));
+    worst = std::max(worst, norm(gained - (weight - reported)));
+    most = std::max(most, norm(reported));
     before = after;
   }
   EXPECT_GT(most, 1e-4 * mass);

@@ -115,42 +115,42 @@ TEST(Outline, LoopsTurnTheRightWayAndRememberTheirEdges) {
 }
 
 TEST(Outline, EveryFaultIsOneSentence) {
-  const auto told = [](const scene::PieceSpec& piece) {
+  const auto reported = [](const scene::PieceSpec& piece) {
     const std::vector<std::string> texts = faults_of(piece);
     std::string all;
     for (const std::string& t : texts) all += t + "\n";
     return all;
   };
-  EXPECT_EQ(told(square()), "");
+  EXPECT_EQ(reported(square()), "");
   scene::PieceSpec p = square();
   p.outline = {{0, 0}, {1, 0}};
-  EXPECT_EQ(told(p), "piece.p.outline has 2 points; allowed: at least 3\n");
+  EXPECT_EQ(reported(p), "piece.p.outline has 2 points; allowed: at least 3\n");
   p.outline = {{0, 0}, {1, 0}, {1, 1}, {0, 0}};
-  EXPECT_EQ(told(p), "piece.p.outline repeats its first point at the end; an outline closes by itself\n");
+  EXPECT_EQ(reported(p), "piece.p.outline repeats its first point at the end; an outline closes by itself\n");
   p.outline = {{0, 0}, {1, 0}, {1, 0}, {1, 1}};
-  EXPECT_EQ(told(p), "piece.p.outline[2] = [1, 0] m repeats point 1; allowed: more than 2e-09 m away\n");
+  EXPECT_EQ(reported(p), "piece.p.outline[2] = [1, 0] m repeats point 1; allowed: more than 2e-09 m away\n");
   p.outline = {{0, 0}, {1, 1}, {2, 2}, {1.5, 1.5}};
-  EXPECT_EQ(told(p), "piece.p.outline encloses no area\n");
+  EXPECT_EQ(reported(p), "piece.p.outline encloses no area\n");
   p.outline = {{0, 0}, {2, 2}, {2, 0}, {0, 2}};
-  EXPECT_EQ(told(p), "piece.p.outline is no simple outline: edge 0 crosses edge 2 at [1, 1] m\n");
+  EXPECT_EQ(reported(p), "piece.p.outline is no simple outline: edge 0 crosses edge 2 at [1, 1] m\n");
   p.outline = {{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, 2}};  // a vertex on an edge: both its edges touch it
-  EXPECT_EQ(told(p),
+  EXPECT_EQ(reported(p),
             "piece.p.outline is no simple outline: edge 0 touches edge 2 at [1, 0] m\n"
             "piece.p.outline is no simple outline: edge 0 touches edge 3 at [1, 0] m\n");
   p.outline = {{0, 0}, {2, 0}, {2, 2}, {2, 1}, {0, 1}};  // folds back
-  EXPECT_EQ(told(p),
+  EXPECT_EQ(reported(p),
             "piece.p.outline is no simple outline: edge 1 touches edge 2 at [2, 1] m\n"
             "piece.p.outline is no simple outline: edge 1 touches edge 3 at [2, 1] m\n");
   p = square();
   p.cell = 2.5;
-  EXPECT_EQ(told(p), "piece.p.cell = 2.5 m; allowed: at most the piece's shorter side, 2 m\n");
+  EXPECT_EQ(reported(p), "piece.p.cell = 2.5 m; allowed: at most the piece's shorter side, 2 m\n");
   p.cell = 1e-5;
-  EXPECT_EQ(told(p),
+  EXPECT_EQ(reported(p),
             "piece.p.cell = 1e-05 m makes about 4.00004e+10 nodes; allowed: at most 4e+06 a piece\n");
 }
 
 TEST(Outline, FaultsOfCurves) {
-  const auto told = [](const scene::CurveSpec& curve, int times = 1) {
+  const auto reported = [](const scene::CurveSpec& curve, int times = 1) {
     scene::PieceSpec piece = square();
     for (int k = 0; k < times; ++k) piece.curves.push_back(curve);
     const std::vector<std::string> texts = faults_of(piece);
@@ -160,42 +160,45 @@ TEST(Outline, FaultsOfCurves) {
   c.edge = 4;
   c.radius = 1;
   EXPECT_EQ(
-      told(c),
+      reported(c),
       "piece.p.curves[0].edge = 4; allowed: 0 to 3 (edge i runs from point i of the outline to the next)");
   c.edge = 1;
-  EXPECT_EQ(told(c), "0 faults");
-  EXPECT_EQ(told(c, 2), "piece.p.curves[1].edge = 1 has a curve already, curves[0]; allowed: one an edge");
+  EXPECT_EQ(reported(c), "0 faults");
+  EXPECT_EQ(reported(c, 2),
+            "piece.p.curves[1].edge = 1 has a curve already, curves[0]; allowed: one an edge");
   c.radius = 0.99;
-  EXPECT_EQ(told(c), "piece.p.curves[0].arc = 0.99 m; allowed: at least 1 m, half the chord of edge 1");
+  EXPECT_EQ(reported(c), "piece.p.curves[0].arc = 0.99 m; allowed: at least 1 m, half the chord of edge 1");
   c.bezier = {{0, 0}, {1, 1}, {2, 2}};
-  EXPECT_EQ(told(c), "piece.p.curves[0].bezier has 3 control points; allowed: 1 (quadratic) or 2 (cubic)");
+  EXPECT_EQ(reported(c),
+            "piece.p.curves[0].bezier has 3 control points; allowed: 1 (quadratic) or 2 (cubic)");
   c.bezier = {{5, 6}, {5, -4}};  // y - 1 is odd about the middle and 0 three times: a loop
-  EXPECT_EQ(told(c).substr(0, 62), "piece.p.outline is no simple outline: edge 1 crosses itself at");
+  EXPECT_EQ(reported(c).substr(0, 62), "piece.p.outline is no simple outline: edge 1 crosses itself at");
   c.bezier = {{-1, 1}};  // its top is at x = 0.5
-  EXPECT_EQ(told(c), "0 faults");
+  EXPECT_EQ(reported(c), "0 faults");
   c.bezier = {{-3, 1}};  // x = -0.5
-  EXPECT_EQ(told(c).substr(0, 61), "piece.p.outline is no simple outline: edge 1 crosses edge 3 a");
+  EXPECT_EQ(reported(c).substr(0, 61), "piece.p.outline is no simple outline: edge 1 crosses edge 3 a");
 }
 
 TEST(Outline, FaultsOfHoles) {
-  const auto told = [](const std::vector<std::vector<Vec2>>& holes) {
+  const auto reported = [](const std::vector<std::vector<Vec2>>& holes) {
     scene::PieceSpec piece = square();
     piece.holes = holes;
     const std::vector<std::string> texts = faults_of(piece);
     return texts.size() == 1 ? texts[0] : std::to_string(texts.size()) + " faults";
   };
   const std::vector<Vec2> hole = {{0.5, 0.5}, {1.5, 0.5}, {1.5, 1.5}, {0.5, 1.5}};
-  EXPECT_EQ(told({hole}), "0 faults");
-  EXPECT_EQ(told({{{3, 3}, {4, 3}, {4, 4}}}), "piece.p.holes[0] lies outside the outline, at [4, 4] m");
-  EXPECT_EQ(told({{{-1, -1}, {3, -1}, {3, 3}, {-1, 3}}}).substr(0, 40),
+  EXPECT_EQ(reported({hole}), "0 faults");
+  EXPECT_EQ(reported({{{3, 3}, {4, 3}, {4, 4}}}), "piece.p.holes[0] lies outside the outline, at [4, 4] m");
+  EXPECT_EQ(reported({{{-1, -1}, {3, -1}, {3, 3}, {-1, 3}}}).substr(0, 40),
             "piece.p.holes[0] lies outside the outlin");
-  EXPECT_EQ(told({hole, {{0.7, 0.7}, {1, 0.7}, {1, 1}}}),
+  EXPECT_EQ(reported({hole, {{0.7, 0.7}, {1, 0.7}, {1, 1}}}),
             "piece.p.holes[1] lies inside holes[0], at [1, 1] m; holes do not nest");
-  EXPECT_EQ(told({{{0.5, 0.5}, {1, 0.5}, {2, 1}}}), "2 faults");  // edges 1 and 2 touch edge 1 of the outline
-  EXPECT_EQ(told({{{0.5, 0.5}, {1, 0.5}, {3, 1}, {1, 1}}}), "2 faults");  // edges 1 and 2 cross it
-  EXPECT_EQ(told({{{0.5, 0.5}, {1, 0.5}, {0.5, 1}, {1, 1}}}),
+  EXPECT_EQ(reported({{{0.5, 0.5}, {1, 0.5}, {2, 1}}}),
+            "2 faults");  // edges 1 and 2 touch edge 1 of the outline
+  EXPECT_EQ(reported({{{0.5, 0.5}, {1, 0.5}, {3, 1}, {1, 1}}}), "2 faults");  // edges 1 and 2 cross it
+  EXPECT_EQ(reported({{{0.5, 0.5}, {1, 0.5}, {0.5, 1}, {1, 1}}}),
             "piece.p.holes[0] is no simple outline: edge 1 crosses edge 3 at [0.75, 0.75] m");
-  EXPECT_EQ(told({{{0.5, 0.5}, {1, 0.5}}}), "piece.p.holes[0] has 2 points; allowed: at least 3");
+  EXPECT_EQ(reported({{{0.5, 0.5}, {1, 0.5}}}), "piece.p.holes[0] has 2 points; allowed: at least 3");
 }
 
 // The bucketed search finds what comparing all pairs finds.
