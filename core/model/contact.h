@@ -94,7 +94,7 @@ struct RidgeContact {
       from;  // [of node] m, in the body's frame: where they are; as their parts were listed
   std::vector<RidgePair> pair;  // sorted
   std::vector<double> wake;     // [pairs] m, way until which they do not touch
-  double way = 0;               // m
+  double travel = 0;            // m
   double reach = 0;             // m, of the next step
 };
 

@@ -82,7 +82,7 @@ inline constexpr std::size_t kWakeBlock = 32;  // pairs
 
 // What the motion changes. `way` grows by the most that any two points of cloth may have come nearer.
 struct SelfState {
-  double way = 0;                          // m
+  double travel = 0;                       // m
   double speed = 0;                        // m/s, of any two particles against each other, at most
   double searched = 0, margin = 0;         // m: pairs were searched at this way, this much beyond the layer
   std::shared_ptr<const SelfPairs> pairs;  // that were near then

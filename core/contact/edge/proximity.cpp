@@ -115,7 +115,7 @@ void pairs_join(const std::vector<std::uint32_t>& parts, const std::vector<model
       if (!all && (part == parts.size() || parts[part] != c.pair[old].part)) take(old);
     }
     if (old < c.pair.size() && !before(p, c.pair[old])) take(old++);
-    else pair.push_back(p), wake.push_back(c.way);
+    else pair.push_back(p), wake.push_back(c.travel);
   }
   for (; old < c.pair.size(); ++old) {
     while (part < parts.size() && parts[part] < c.pair[old].part) ++part;
@@ -139,7 +139,7 @@ void list(const System& system, State& s, std::size_t b, const std::vector<std::
 
 // How far and how fast the nodes have gone against the body. Whether one may by the next step have gone so
 // far from where its parts were listed that they must be anew.
-bool way_add(const System& system, State& s, std::size_t b, double ahead, double margin) {
+bool travel_add(const System& system, State& s, std::size_t b, double ahead, double margin) {
   model::BodyContact& body = s.body[b];
   model::RidgeContact& c = body.ridge;
   double way2 = 0, speed2 = 0, layer = 0;
@@ -156,7 +156,7 @@ bool way_add(const System& system, State& s, std::size_t b, double ahead, double
     due = due || 2 * (dot(away, away) + ahead2) > margin * margin;
     c.last[k] = x;
   }
-  c.way += std::sqrt(way2);
+  c.travel += std::sqrt(way2);
   c.reach = kReachSteps * std::sqrt(speed2) * ahead + kReachLayer * layer;
   return due;
 }
@@ -184,7 +184,7 @@ void ridge_watch(const System& system, State& s, std::size_t b, double ahead) {
   model::RidgeContact& c = s.body[b].ridge;
   if (c.fresh.empty() && c.node.empty()) return;
   const double half = margin_least(system) / 2;
-  const bool due = way_add(system, s, b, ahead, half);
+  const bool due = travel_add(system, s, b, ahead, half);
   if (!due && c.fresh.empty()) return;
   nodes = c.fresh;
   c.fresh.clear();

@@ -274,7 +274,7 @@ StepBound step_bound(const System& system, const State& s, std::size_t b) {
           math::vector3::norm(frame.velocity) + math::vector3::norm(frame.angular_velocity) * surface.size};
 }
 
-double way2_of(const StepBound& bound, const model::BodyContact& c, std::size_t n) {
+double free_way2_of(const StepBound& bound, const model::BodyContact& c, std::size_t n) {
   return std::max(bound.listed * bound.listed,
                   c.free_distance2.empty() ? 0 : kLeft * kLeft * c.free_distance2[n]);
 }
@@ -289,7 +289,7 @@ bool outruns(const System& system, const State& s, std::size_t b, const StepBoun
              double step) {
   for (std::size_t n = node; n < node + std::size_t(math::kRowUnit); ++n)
     if (system.mass[n] > 0 &&
-        step * (std::sqrt(speed2_of(s, n)) + bound.body_speed) > std::sqrt(way2_of(bound, s.body[b], n)))
+        step * (std::sqrt(speed2_of(s, n)) + bound.body_speed) > std::sqrt(free_way2_of(bound, s.body[b], n)))
       return true;
   return false;
 }
@@ -372,7 +372,7 @@ double touch_step_most(const System& system, const State& s) {
     const StepBound bound = step_bound(system, s, b);
     double least2 = INFINITY;  // s^2, of bodies that stay
     for (std::size_t n : system.particle) {
-      const double way2 = way2_of(bound, s.body[b], n), speed2 = speed2_of(s, n);
+      const double way2 = free_way2_of(bound, s.body[b], n), speed2 = speed2_of(s, n);
       if (bound.body_speed > 0)
         longest = std::min(longest, std::sqrt(way2) / (std::sqrt(speed2) + bound.body_speed));
       else least2 = std::min(least2, way2 / speed2);

@@ -148,7 +148,7 @@ void self_look(const System& system, const State& s, double reach, SelfContactPa
                model::SelfState* wake) {
   all.pair.clear();
   const std::vector<double>& blocks = s.self.wake_block;
-  const double now = s.self.way;
+  const double now = s.self.travel;
   if (std::none_of(blocks.begin(), blocks.end(), [&](double b) { return b <= now + reach; })) return;
   const model::SelfPairs& pairs = *s.self.pairs;
   const std::size_t points = pairs.point.size(), size = pairs.size();

@@ -56,10 +56,10 @@ void search(const System& system, State& s, double h) {
   model::SelfState& self = s.self;
   self.margin = std::max(kMarginReach * reach_of(system, s, h),
                          std::clamp(kSearchSteps * self.speed * h, kMarginLeast * cell, kMarginMost * cell));
-  self.searched = self.way;
+  self.searched = self.travel;
   self.pairs = std::make_shared<const model::SelfPairs>(self_search(system, system.self, s, self.margin));
-  self.wake.assign(self.pairs->size(), self.way);
-  self.wake_block.assign((self.pairs->size() + model::kWakeBlock - 1) / model::kWakeBlock, self.way);
+  self.wake.assign(self.pairs->size(), self.travel);
+  self.wake_block.assign((self.pairs->size() + model::kWakeBlock - 1) / model::kWakeBlock, self.travel);
 }
 
 void holds_set(const ContactCoefficients& c, const SelfContactPairs& all, model::SelfState& self) {
@@ -98,12 +98,12 @@ void self_check_start(const System& system, const Scene& scene, const State& s,
 void self_hurry(const System& system, State& s, double moved) {
   if (!self_enabled(system)) return;
   s.self.speed = std::max(s.self.speed, speed_of(system, s));
-  s.self.way += 2 * moved;
+  s.self.travel += 2 * moved;
 }
 
 void self_keep(const System& system, SelfContactWorkspace& workspace, State& s, double h) {
   const double reach = reach_of(system, s, h);
-  if (s.self.way + reach > s.self.searched + s.self.margin) search(system, s, h);
+  if (s.self.travel + reach > s.self.searched + s.self.margin) search(system, s, h);
   self_look(system, s, reach, workspace.touches, &s.self);
   self_prepare(system, s, true, workspace.touches);
 }
@@ -129,7 +129,7 @@ void self_apply(const System& system, SelfContactWorkspace& workspace, const Con
 
 void self_watch(const System& system, State& s, double drift) {
   s.self.speed = speed_of(system, s);
-  s.self.way += s.self.speed * std::abs(drift);
+  s.self.travel += s.self.speed * std::abs(drift);
 }
 
 void self_synchronous(const System& system, SelfContactWorkspace& workspace, const State& s, double half,
