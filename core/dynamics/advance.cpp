@@ -161,7 +161,7 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   s.pin_impulse.assign(s.pin_impulse.size(), math::Wrench{});
   for (model::BodyContact& body : s.body) body.impulse = math::Wrench{};
   motion.path = path_make(system, s, motion.inputs, length);
-  if (system.fit && path_moves(motion.path)) fit_wake(s);
+  if (system.fit && path_moves(motion.path)) relaxation_resume(s);
   const bool jumps = path_jumps(motion.path, s) && system.integrator == scene::Integrator::kLeapfrog;
   if (jumps) leapfrog_complete(system, motion, s);
   ridges_told(system, motion, s);
@@ -225,7 +225,7 @@ void leapfrog_retuned(const System& system, Motion& motion, State& s) {
   rates_begin(system, s);
   s.watch_wait = 0;
   s.watch_period = 1;
-  if (system.fit) fit_wake(s), fit_forget(s);
+  if (system.fit) relaxation_resume(s), fit_forget(s);
   if (s.steps == 0) subs_begin(system, motion, s);
 }
 

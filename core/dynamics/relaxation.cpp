@@ -198,7 +198,7 @@ void fit_judge(const System& system, Motion& motion, State& s) {
 
 void fit_forget(State& s) { s.fit.measure_every = 0; }
 
-void fit_wake(State& s) {
+void relaxation_resume(State& s) {
   s.fit.most = 0;
   if (!s.fit.at_rest) return;
   fit_forget(s);

@@ -92,10 +92,10 @@ struct RidgeContact {
   std::vector<std::uint32_t> node;   // those of all links and cells of near nodes, sorted
   std::vector<Vec3> last,
       from;  // [of node] m, in the body's frame: where they are; as their parts were listed
-  std::vector<RidgePair> pair;  // sorted
-  std::vector<double> wake;     // [pairs] m, way until which they do not touch
-  double travel = 0;            // m
-  double reach = 0;             // m, of the next step
+  std::vector<RidgePair> pair;              // sorted
+  std::vector<double> active_after_travel;  // [pairs] m, way until which they do not touch
+  double travel = 0;                        // m
+  double reach = 0;                         // m, of the next step
 };
 
 // What the motion changes of a body.

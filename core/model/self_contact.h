@@ -78,7 +78,7 @@ struct SelfHold {
   Vec3 force;  // N
 };
 
-inline constexpr std::size_t kWakeBlock = 32;  // pairs
+inline constexpr std::size_t kPairsPerBlock = 32;  // pairs
 
 // What the motion changes. `way` grows by the most that any two points of cloth may have come nearer.
 struct SelfState {
@@ -86,8 +86,9 @@ struct SelfState {
   double speed = 0;                        // m/s, of any two particles against each other, at most
   double searched = 0, margin = 0;         // m: pairs were searched at this way, this much beyond the layer
   std::shared_ptr<const SelfPairs> pairs;  // that were near then
-  std::vector<double> wake, wake_block;    // [pairs], [blocks] way until which they do not touch
-  std::vector<SelfHold> hold;              // by their pairs, points first
+  std::vector<double> active_after_travel,
+      block_active_after_travel;  // [pairs], [blocks] way until which they do not touch
+  std::vector<SelfHold> hold;     // by their pairs, points first
 };
 
 }  // namespace drape::model

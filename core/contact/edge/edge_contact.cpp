@@ -82,7 +82,7 @@ double find(const System& system, const State& s, State* moves, std::vector<Edge
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     const model::RidgeContact& c = s.body[b].ridge;
     for (std::size_t p = 0; p < c.pair.size(); ++p) {
-      if (c.wake[p] > c.travel + c.reach + kAsleep) continue;
+      if (c.active_after_travel[p] > c.travel + c.reach + kAsleep) continue;
       const model::RidgePair& pair = c.pair[p];
       const model::RidgePart& part = system.ridge_cloth.part[pair.part];
       const model::Lattice& l = system.lattices[std::size_t(part.lattice)];
@@ -94,7 +94,7 @@ double find(const System& system, const State& s, State* moves, std::vector<Edge
       const bool out = !asleep && belongs_out(system.bodies[b], pair, gap);
       if (moves) {
         model::RidgeContact& to = moves->body[b].ridge;
-        to.wake[p] = asleep ? to.travel + left : to.travel;
+        to.active_after_travel[p] = asleep ? to.travel + left : to.travel;
         to.pair[p].outside = out;
         if (!out) to.pair[p].sticking = 0, to.pair[p].warm_start = {0, 0, 0};
       }

@@ -108,7 +108,9 @@ void pairs_join(const std::vector<std::uint32_t>& parts, const std::vector<model
   pair.clear();
   wake.clear();
   std::size_t part = 0, old = 0;
-  const auto take = [&](std::size_t k) { pair.push_back(c.pair[k]), wake.push_back(c.wake[k]); };
+  const auto take = [&](std::size_t k) {
+    pair.push_back(c.pair[k]), wake.push_back(c.active_after_travel[k]);
+  };
   for (const model::RidgePair& p : found) {
     for (; old < c.pair.size() && before(c.pair[old], p); ++old) {
       while (part < parts.size() && parts[part] < c.pair[old].part) ++part;
@@ -122,7 +124,7 @@ void pairs_join(const std::vector<std::uint32_t>& parts, const std::vector<model
     if (!all && (part == parts.size() || parts[part] != c.pair[old].part)) take(old);
   }
   c.pair = pair;
-  c.wake = wake;
+  c.active_after_travel = wake;
 }
 
 // Lists the parts of `nodes`, sorted; `all`: no others are left.

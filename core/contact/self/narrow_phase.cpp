@@ -147,7 +147,7 @@ void places_take(const model::SelfMesh& mesh, const State& s, std::vector<Vec3>&
 void self_look(const System& system, const State& s, double reach, SelfContactPairs& all,
                model::SelfState* wake) {
   all.pair.clear();
-  const std::vector<double>& blocks = s.self.wake_block;
+  const std::vector<double>& blocks = s.self.block_active_after_travel;
   const double now = s.self.travel;
   if (std::none_of(blocks.begin(), blocks.end(), [&](double b) { return b <= now + reach; })) return;
   const model::SelfPairs& pairs = *s.self.pairs;
@@ -157,12 +157,12 @@ void self_look(const System& system, const State& s, double reach, SelfContactPa
   const Looking looking{system, all.place.data(), reach, all};
   std::size_t first = 0;  // of the touches of the present particle
   model::NodeIndex particle = model::kNoNode;
-  for (std::size_t begin = 0, block = 0; begin < size; begin += model::kWakeBlock, ++block) {
+  for (std::size_t begin = 0, block = 0; begin < size; begin += model::kPairsPerBlock, ++block) {
     if (blocks[block] > now + reach) continue;
-    const std::size_t end = std::min(begin + model::kWakeBlock, size);
+    const std::size_t end = std::min(begin + model::kPairsPerBlock, size);
     double soonest = INFINITY;
     for (std::size_t k = begin; k < end; ++k) {
-      double until = s.self.wake[k];
+      double until = s.self.active_after_travel[k];
       if (until <= now + reach) {
         const bool point = k < points;
         if (const model::NodeIndex n = point ? pairs.point[k].node[0] : model::kNoNode; n != particle) {
@@ -173,11 +173,11 @@ void self_look(const System& system, const State& s, double reach, SelfContactPa
         const double left =
             point ? point_look(looking, pairs.point[k]) : cross_look(looking, pairs.cross[k - points]);
         until = now + left;
-        if (wake) wake->wake[k] = until;
+        if (wake) wake->active_after_travel[k] = until;
       }
       soonest = std::min(soonest, until);
     }
-    if (wake) wake->wake_block[block] = soonest;
+    if (wake) wake->block_active_after_travel[block] = soonest;
   }
   if (particle != model::kNoNode) minima_keep(all.pair, first);
 }

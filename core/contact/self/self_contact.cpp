@@ -58,8 +58,9 @@ void search(const System& system, State& s, double h) {
                          std::clamp(kSearchSteps * self.speed * h, kMarginLeast * cell, kMarginMost * cell));
   self.searched = self.travel;
   self.pairs = std::make_shared<const model::SelfPairs>(self_search(system, system.self, s, self.margin));
-  self.wake.assign(self.pairs->size(), self.travel);
-  self.wake_block.assign((self.pairs->size() + model::kWakeBlock - 1) / model::kWakeBlock, self.travel);
+  self.active_after_travel.assign(self.pairs->size(), self.travel);
+  self.block_active_after_travel.assign(
+      (self.pairs->size() + model::kPairsPerBlock - 1) / model::kPairsPerBlock, self.travel);
 }
 
 void holds_set(const ContactCoefficients& c, const SelfContactPairs& all, model::SelfState& self) {
