@@ -101,7 +101,8 @@ void say_trouble(const drape_cloth& c, dynamics::Advance how, double length) {
   if (how == dynamics::Advance::kTooManySteps) {
     say(c, DRAPE_LOG_ERROR,
         when + " the step limit fell to " + number(limit) + " s, more than " +
-            number(double(dynamics::kSubsMost)) + " steps in a communication interval, set by the " +
+            number(double(dynamics::kMaxStepsPerInterval)) +
+            " steps in a communication interval, set by the " +
             dynamics::step_limit_link(c.system, c.scene, c.state, c.state.h_old) +
             "; loads or strains grew beyond what the fabric's laws can carry; the state is that of " +
             number(from, 9) + " s");

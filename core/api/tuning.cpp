@@ -41,7 +41,7 @@ double omega2_to_come(const drape_cloth& c) {
 void step_check(const drape_cloth& c, std::vector<Problem>& problems) {
   const double omega2 = omega2_to_come(c), q = c.system.communication,
                limit = dynamics::step_limit_of(c.system, omega2),
-               steps = dynamics::leapfrog_steps(c.system, omega2), most = dynamics::kSubsMost,
+               steps = dynamics::leapfrog_steps(c.system, omega2), most = dynamics::kMaxStepsPerInterval,
                given = c.system.step_given, longest = given > 0 ? given : c.system.step_max;
   const auto set_by = [&] { return ", set by the " + dynamics::step_limit_link(c.system, c.scene, c.state); };
   if (!(limit > 0) || !std::isfinite(omega2)) {

@@ -14,9 +14,9 @@ namespace {
 
 using math::vector3::operator*;
 
-constexpr int kWatchLongest = 32;    // steps between two looks at the step limit, at most
-constexpr int kWatchGiven = 8;       // the same where the scene gives the step
-constexpr std::int64_t kCalm = 100;  // intervals before the step may grow
+constexpr int kWatchLongest = 32;                     // steps between two looks at the step limit, at most
+constexpr int kWatchGiven = 8;                        // the same where the scene gives the step
+constexpr std::int64_t kIntervalsBeforeGrowth = 100;  // intervals before the step may grow
 
 // Room for v_{n-3/2} where forces depend on velocity; while it is not known, v_{n-1/2} stands for it.
 void rates_begin(const System& system, State& s) {
@@ -28,7 +28,7 @@ void rates_begin(const System& system, State& s) {
   s.wz = rates ? s.vz : none;
 }
 
-std::int64_t subs_for(double length, double h_max) {
+std::int64_t steps_for(double length, double h_max) {
   const double n = std::ceil(length / h_max * (1 - 1e-12));
   constexpr double kMost = 1e16;  // beyond 1e9 intervals of kSubsMost steps; no number counts as beyond, too
   return n < 1 ? 1 : std::int64_t(n < kMost ? n : kMost);
@@ -77,14 +77,14 @@ void say_step(std::string& event, const char* verb, double time, double h, const
 }
 
 // Fewer steps for the coming interval of q, where the last hundred would have allowed it.
-void subs_relax(const System& system, State& s, std::string& event) {
-  if (s.calm < kCalm || system.fit) return;
+void steps_relax(const System& system, State& s, std::string& event) {
+  if (s.intervals_since_change < kIntervalsBeforeGrowth || system.fit) return;
   const double q = system.communication;
-  const std::int64_t wanted = subs_for(q, step_now(system, s, s.omega2_most));
-  s.calm = 0;
+  const std::int64_t wanted = steps_for(q, step_now(system, s, s.omega2_most));
+  s.intervals_since_change = 0;
   s.omega2_most = s.omega2;
-  if (wanted >= s.subs) return;
-  s.subs = wanted;
+  if (wanted >= s.steps_per_interval) return;
+  s.steps_per_interval = wanted;
   s.watch_wait = 0;
   say_step(event, "grows", model::state_time(s, q), q / double(wanted), s);
 }
@@ -103,11 +103,11 @@ Advance watch(const System& system, Motion& motion, State& s, double length, std
   if (system.step_given > 0)
     return h() > step_limit_of(system, s.omega2) ? Advance::kStepAboveLimit : Advance::kDone;
   while (h() > step_now(system, s, s.omega2)) {
-    if (h() * double(kSubsMost) < system.communication) return Advance::kTooManySteps;
+    if (h() * double(kMaxStepsPerInterval) < system.communication) return Advance::kTooManySteps;
     n *= 2;
     done *= 2;
-    s.subs *= 2;
-    s.calm = 0;
+    s.steps_per_interval *= 2;
+    s.intervals_since_change = 0;
     s.omega2_most = s.omega2;
     say_step(event, "falls", model::state_time(s, system.communication) + double(done) * h(), h(), s);
   }
@@ -132,7 +132,7 @@ Advance interval_run(const System& system, Motion& motion, State& s, double leng
 void subs_begin(const System& system, const Motion& motion, State& s) {
   if (system.step_given == 0) s.step_most = contact::touch_step_most(system, s);
   s.omega2 = s.omega2_most = step_limit_omega2(system, *motion.kernel, s);
-  s.subs = subs_for(system.communication, step_now(system, s, s.omega2));
+  s.steps_per_interval = steps_for(system.communication, step_now(system, s, s.omega2));
   s.watch_wait = 0;
 }
 
@@ -246,17 +246,18 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
   if (on_grid) {
     for (std::int64_t k = 0; k < std::int64_t(whole) && result == Advance::kDone; ++k) {
       interval_open(motion, s, 1, interval_begins);
-      subs_relax(system, s, event);
+      steps_relax(system, s, event);
       path_interval(motion.path, s, k, q);
-      result = interval_run(system, motion, s, q, s.subs, event);
+      result = interval_run(system, motion, s, q, s.steps_per_interval, event);
       ++s.tick;
-      ++s.calm;
+      ++s.intervals_since_change;
     }
   } else {
     interval_open(motion, s, length / q, interval_begins);
-    subs_relax(system, s, event);
-    result = interval_run(system, motion, s, length, subs_for(length, q / double(s.subs)), event);
-    s.calm += std::max<std::int64_t>(1, std::int64_t(length / q));
+    steps_relax(system, s, event);
+    result =
+        interval_run(system, motion, s, length, steps_for(length, q / double(s.steps_per_interval)), event);
+    s.intervals_since_change += std::max<std::int64_t>(1, std::int64_t(length / q));
     s.origin = model::state_time(s, q) + length;
     s.tick = 0;
   }

@@ -31,7 +31,7 @@ struct Motion {
 Motion motion_make(const System& system);
 
 // Steps in a communication interval, at most.
-inline constexpr std::int64_t kSubsMost = 1000000;
+inline constexpr std::int64_t kMaxStepsPerInterval = 1000000;
 
 enum class Advance { kDone, kStepAboveLimit, kTooManySteps, kNotFinite };
 

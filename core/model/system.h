@@ -166,12 +166,12 @@ struct State {
   double energy_start = 0;           // J, kinetic and potential
 
   // Time = origin + tick q. A communication step that is no multiple of q moves the origin.
-  double origin = 0;       // s
-  std::int64_t tick = 0;   // whole communication intervals since origin
-  std::int64_t steps = 0;  // since the start
-  std::int64_t subs = 0;   // steps in an interval of q; 0 = not chosen yet
-  std::int64_t calm = 0;   // whole intervals since that number last changed
-  double h_old = 0;        // s, the step that led here; 0 at the start
+  double origin = 0;                        // s
+  std::int64_t tick = 0;                    // whole communication intervals since origin
+  std::int64_t steps = 0;                   // since the start
+  std::int64_t steps_per_interval = 0;      // steps in an interval of q; 0 = not chosen yet
+  std::int64_t intervals_since_change = 0;  // whole intervals since that number last changed
+  double h_old = 0;                         // s, the step that led here; 0 at the start
 
   int watch_wait = 0;    // steps until the step limit is looked at again
   int watch_period = 1;  // steps that the next look looks ahead
@@ -191,7 +191,7 @@ inline double state_time(const State& s, double communication) {
 
 // The step of the next interval, s.
 inline double step_next(const System& system, const State& s) {
-  return system.communication / double(s.subs > 1 ? s.subs : 1);
+  return system.communication / double(s.steps_per_interval > 1 ? s.steps_per_interval : 1);
 }
 
 // Of a particle, kg; in a fit the enlarged one.

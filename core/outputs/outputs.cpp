@@ -100,7 +100,7 @@ void summary_fill(Outputs& o, const System& system, const State& s, const contac
   o.shown.contact_count = double(contact.count + self.count);
   o.shown.contact_penetration = std::max(contact.penetration, self.penetration);
   o.shown.contact_pressure = std::max(contact.pressure, self.pressure);
-  o.shown.step_size = s.h_old > 0 ? s.h_old : system.communication / double(s.subs);
+  o.shown.step_size = s.h_old > 0 ? s.h_old : system.communication / double(s.steps_per_interval);
   o.shown.step_count = double(s.steps);
   o.shown.step_stability = o.shown.step_size * std::sqrt(s.omega2) / dynamics::step_limit_angle(system);
   o.shown.fit_residual = s.fit.residual;

@@ -324,31 +324,31 @@ TEST(Leapfrog, FollowsTheStepLimitDownAndUp) {
   scene.fabrics[0].warp = reference::diagram({0, 0.001, 0.002, 0.003}, {0, 0.005, 0.05, 0.5});
   scene.damping = 20;
   Assembled a = assemble(scene);
-  const std::int64_t start = a.state.subs;
+  const std::int64_t start = a.state.steps_per_interval;
   std::int64_t most = start;
   std::string event;
   for (int k = 0; k < 1000; ++k) {
     ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 0.001, event), Advance::kDone);
-    most = std::max(most, a.state.subs);
-    EXPECT_LT(0.001 / double(a.state.subs),
+    most = std::max(most, a.state.steps_per_interval);
+    EXPECT_LT(0.001 / double(a.state.steps_per_interval),
               step_limit_of(a.system, step_limit_omega2(a.system, *a.motion.kernel, a.state)));
   }
   EXPECT_GT(most, start);
-  EXPECT_LT(a.state.subs, most);
+  EXPECT_LT(a.state.steps_per_interval, most);
 }
 
 // An interval begun with steps far above the limit is finished with smaller ones, and is as long as it should
 // be: free fall by leapfrog is exact whatever the steps.
 TEST(Leapfrog, HalvesTheStepsLeftOfAnInterval) {
   Assembled a = assemble(reference::rectangle(reference::curved_fabric(), 0.05, 0.03, 0.01));
-  a.state.subs /= 4;
+  a.state.steps_per_interval /= 4;
   a.state.watch_wait = 3;  // the first look comes in the middle of the interval
-  const std::int64_t few = a.state.subs;
+  const std::int64_t few = a.state.steps_per_interval;
   ASSERT_GE(few, 4);
   std::string event;
   ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 0.001, event), Advance::kDone);
-  EXPECT_GT(a.state.subs, few);
-  EXPECT_EQ(a.state.steps, 3 + (few - 3) * (a.state.subs / few));
+  EXPECT_GT(a.state.steps_per_interval, few);
+  EXPECT_EQ(a.state.steps, 3 + (few - 3) * (a.state.steps_per_interval / few));
   for (std::size_t n : a.system.particle) EXPECT_NEAR(a.state.z[n], -9.81 * 1e-6 / 2, 1e-19);
 }
 

@@ -34,7 +34,7 @@ TEST(FitDamping, IsMeasuredWithinOneSystem) {
   ASSERT_TRUE(problems.empty());
   leapfrog_retuned(a.system, a.motion, a.state);
   const std::int64_t retuned = a.state.steps;
-  const double h = a.system.communication / double(a.state.subs);
+  const double h = a.system.communication / double(a.state.steps_per_interval);
   bool anew = false;
   for (int k = 0; k < 200 && !anew; ++k) {
     leapfrog_step(a.system, a.motion, a.state, h);
@@ -58,9 +58,9 @@ TEST(FitDamping, BeginsSoon) {
   std::string event;
   std::int64_t measured = 0;
   while (a.state.fit.damping == 0 && a.state.steps < 1000) {
-    ASSERT_EQ(
-        leapfrog_advance(a.system, a.motion, a.state, a.system.communication / double(a.state.subs), event),
-        Advance::kDone);
+    ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state,
+                               a.system.communication / double(a.state.steps_per_interval), event),
+              Advance::kDone);
     measured = a.state.steps;
   }
   EXPECT_GE(measured, 16);

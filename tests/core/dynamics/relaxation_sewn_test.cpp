@@ -74,7 +74,7 @@ TEST(Settling, EndsAfterASecondAtTheLatest) {
   const SceneFolder folder;
   Assembled a = assemble(to_sew(folder));
   sew(a);
-  const double q = a.system.communication, h = q / double(a.state.subs);
+  const double q = a.system.communication, h = q / double(a.state.steps_per_interval);
   double waited = 0;
   while (waited < 2 && friction_of(a)[0] == 0) {
     a.motion.inputs.pin[0].position[1] += 1e-7;
