@@ -14,8 +14,8 @@ namespace {
 
 using math::vector3::operator*;
 
-constexpr int kWatchLongest = 32;                     // steps between two looks at the step limit, at most
-constexpr int kWatchGiven = 8;                        // the same where the scene gives the step
+constexpr int kLimitCheckLongest = 32;                // steps between two looks at the step limit, at most
+constexpr int kLimitCheckGiven = 8;                   // the same where the scene gives the step
 constexpr std::int64_t kIntervalsBeforeGrowth = 100;  // intervals before the step may grow
 
 // Room for v_{n-3/2} where forces depend on velocity; while it is not known, v_{n-1/2} stands for it.
@@ -56,17 +56,17 @@ bool all_finite(const System& system, const State& s) {
 void look(const System& system, const Motion& motion, State& s, double h) {
   if (system.step_given > 0) {
     s.omega2 = step_limit_omega2(system, *motion.kernel, s);
-    s.watch_wait = kWatchGiven;
+    s.steps_to_limit_check = kLimitCheckGiven;
     return;
   }
   s.step_most = contact::touch_step_most(system, s);
-  for (;; s.watch_period = std::max(s.watch_period / 4, 1)) {
-    s.omega2 = step_limit_omega2(system, *motion.kernel, s, s.watch_period * h);
-    if (h <= step_now(system, s, s.omega2) || s.watch_period == 1) break;
+  for (;; s.limit_check_period = std::max(s.limit_check_period / 4, 1)) {
+    s.omega2 = step_limit_omega2(system, *motion.kernel, s, s.limit_check_period * h);
+    if (h <= step_now(system, s, s.omega2) || s.limit_check_period == 1) break;
   }
   s.omega2_most = std::max(s.omega2_most, s.omega2);
-  s.watch_wait = s.watch_period;
-  s.watch_period = std::min(2 * s.watch_period, kWatchLongest);
+  s.steps_to_limit_check = s.limit_check_period;
+  s.limit_check_period = std::min(2 * s.limit_check_period, kLimitCheckLongest);
 }
 
 void say_step(std::string& event, const char* verb, double time, double h, const State& s) {
@@ -85,7 +85,7 @@ void steps_relax(const System& system, State& s, std::string& event) {
   s.omega2_most = s.omega2;
   if (wanted >= s.steps_per_interval) return;
   s.steps_per_interval = wanted;
-  s.watch_wait = 0;
+  s.steps_to_limit_check = 0;
   say_step(event, "grows", model::state_time(s, q), q / double(wanted), s);
 }
 
@@ -118,10 +118,10 @@ Advance watch(const System& system, Motion& motion, State& s, double length, std
 Advance interval_run(const System& system, Motion& motion, State& s, double length, std::int64_t n,
                      std::string& event) {
   for (std::int64_t done = 0; done < n && !s.fit.at_rest; ++done) {
-    if (s.watch_wait-- <= 0) {
+    if (s.steps_to_limit_check-- <= 0) {
       if (const Advance how = watch(system, motion, s, length, n, done, event); how != Advance::kDone)
         return how;
-      --s.watch_wait;
+      --s.steps_to_limit_check;
     }
     leapfrog_step(system, motion, s, length / double(n), double(done + 1) / double(n), 1 / double(n));
   }
@@ -133,7 +133,7 @@ void subs_begin(const System& system, const Motion& motion, State& s) {
   if (system.step_given == 0) s.step_most = contact::touch_step_most(system, s);
   s.omega2 = s.omega2_most = step_limit_omega2(system, *motion.kernel, s);
   s.steps_per_interval = steps_for(system.communication, step_now(system, s, s.omega2));
-  s.watch_wait = 0;
+  s.steps_to_limit_check = 0;
 }
 
 double kinetic_energy(const System& system, const State& s) {
@@ -175,7 +175,8 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
                       &s.pin_impulse);
   if (!s.wx.empty()) s.wx = s.vx, s.wy = s.vy, s.wz = s.vz;
   if (!s.body.empty())
-    contact::touch_watch(system, motion.kernel->contact, motion.contact, s, 0, model::step_next(system, s));
+    contact::update_proximity(system, motion.kernel->contact, motion.contact, s, 0,
+                              model::step_next(system, s));
   if (system.energy) s.input += kinetic_energy(system, s) - before;
 }
 
@@ -223,8 +224,8 @@ void leapfrog_begin(const System& system, Motion& motion, State& s) {
 
 void leapfrog_retuned(const System& system, Motion& motion, State& s) {
   rates_begin(system, s);
-  s.watch_wait = 0;
-  s.watch_period = 1;
+  s.steps_to_limit_check = 0;
+  s.limit_check_period = 1;
   if (system.fit) relaxation_resume(s), fit_forget(s);
   if (s.steps == 0) subs_begin(system, motion, s);
 }

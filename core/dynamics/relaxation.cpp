@@ -101,7 +101,7 @@ void fit_scale(const System& system, const constraint::Constraints& constraints,
   }
   rows_even(constraints, s);
   s.omega2 = most;
-  s.watch_wait = steps;
+  s.steps_to_limit_check = steps;
 }
 
 namespace {
@@ -134,7 +134,7 @@ void fit_look(const System& system, Motion& motion, State& s, double h) {
   s.fit.sewing = seams_to_close(system, s);
   fit_scale(system, motion.constraints, s, h);
   if (s.fit.sewing) s.fit.settling = kSettleMost;
-  else s.fit.settling -= s.watch_wait * h;
+  else s.fit.settling -= s.steps_to_limit_check * h;
   const bool kept = s.fit.measure_every > 0;
   if (kept && s.steps < s.fit.measured + s.fit.measure_every) return;
   const double omega = omega_moved(system, motion, s);
@@ -204,7 +204,7 @@ void relaxation_resume(State& s) {
   fit_forget(s);
   s.fit.at_rest = false;
   s.fit.judge_wait = 0;
-  s.watch_wait = 0;
+  s.steps_to_limit_check = 0;
 }
 
 }  // namespace drape::dynamics

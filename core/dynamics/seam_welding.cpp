@@ -73,7 +73,8 @@ void seams_weld(const System& system, Motion& motion, State& s, const std::vecto
   if (!s.wx.empty()) s.wx = s.vx, s.wy = s.vy, s.wz = s.vz;
   contact::touch_hurry(s);
   if (!s.body.empty())
-    contact::touch_watch(system, motion.kernel->contact, motion.contact, s, 0, model::step_next(system, s));
+    contact::update_proximity(system, motion.kernel->contact, motion.contact, s, 0,
+                              model::step_next(system, s));
   contact::self_hurry(system, s, moved);
 }
 

@@ -97,8 +97,8 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
   constraints_end(motion.constraints, s, motion.held);
   bodies_follow(motion.path, u, s);
   if (!s.body.empty())
-    contact::touch_watch(system, motion.kernel->contact, motion.contact, s, stage.drift, h);
-  if (rubs) contact::self_watch(system, s, stage.drift);
+    contact::update_proximity(system, motion.kernel->contact, motion.contact, s, stage.drift, h);
+  if (rubs) contact::self_update_proximity(system, s, stage.drift);
   if (!s.sewn.empty()) forces::seams_hold(system, s, h);
   if (system.energy && system.composition) balance_drifted(system, motion.balance, s, stage.decay);
   else if (system.energy) balance_end(system, motion.balance, s, s.h_old, h);

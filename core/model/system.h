@@ -173,9 +173,9 @@ struct State {
   std::int64_t intervals_since_change = 0;  // whole intervals since that number last changed
   double h_old = 0;                         // s, the step that led here; 0 at the start
 
-  int watch_wait = 0;    // steps until the step limit is looked at again
-  int watch_period = 1;  // steps that the next look looks ahead
-  double omega2 = 0;     // 1/s^2, what the last look found
+  int steps_to_limit_check = 0;  // steps until the step limit is looked at again
+  int limit_check_period = 1;    // steps that the next look looks ahead
+  double omega2 = 0;             // 1/s^2, what the last look found
   double step_most = std::numeric_limits<double>::infinity();  // s, of bodies near, at the last look
   double omega2_most = 0;  // 1/s^2, the most that any look found since the number of steps last changed
 

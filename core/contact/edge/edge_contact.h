@@ -33,7 +33,7 @@ void ridge_stick(const System& system, State& state);
 
 // After particles and bodies have moved, and their surroundings were looked at: which pairs may touch in the
 // next step, of `ahead` s.
-void ridge_watch(const System& system, State& state, std::size_t body, double ahead);
+void edge_update_proximity(const System& system, State& state, std::size_t body, double ahead);
 
 // Before places change otherwise than in a step, by as much as `moved` (m): notes which pairs are out of the
 // bodies, since a jump may take them through. Gives J as ridge_keep.

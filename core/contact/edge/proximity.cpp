@@ -19,7 +19,7 @@ constexpr double kReachLayer = 0.1;  // of the layer, likewise
 constexpr double kAheadSteps = 1.5;  // that a node is looked ahead
 constexpr double kListSteps = 6;     // that parts are listed for beyond the margin
 constexpr double kUsed = 0.5;        // of what a node may go: what has gone farther is listed with others
-constexpr std::size_t kWatchedMost = 3, kWatchedLeast = 64;  // nodes, times those near, and beyond it
+constexpr std::size_t kMaxTrackedFactor = 3, kMaxTrackedExtra = 64;  // nodes, times those near, and beyond it
 constexpr double kWay = 0.25;  // of the layer: the most a step may move what is near
 
 Vec3 place(const State& s, std::size_t n) { return {s.x[n], s.y[n], s.z[n]}; }
@@ -75,7 +75,7 @@ void pairs_find(const System& system, const State& s, std::size_t b, const std::
 }
 
 // The nodes of the parts that have one of `nodes` join those that are watched; those are watched from here.
-void nodes_watch(const System& system, const State& s, std::size_t b, const std::vector<std::uint32_t>& nodes,
+void nodes_track(const System& system, const State& s, std::size_t b, const std::vector<std::uint32_t>& nodes,
                  const std::vector<std::uint32_t>& parts, model::RidgeContact& c) {
   static thread_local std::vector<std::uint32_t> joined;
   static thread_local std::vector<Vec3> from;
@@ -135,7 +135,7 @@ void list(const System& system, State& s, std::size_t b, const std::vector<std::
   model::RidgeContact& c = s.body[b].ridge;
   parts_of(system.ridge_cloth, nodes, parts);
   pairs_find(system, s, b, parts, ahead, found);
-  nodes_watch(system, s, b, nodes, parts, c);
+  nodes_track(system, s, b, nodes, parts, c);
   pairs_join(parts, found, all, c);
 }
 
@@ -181,7 +181,7 @@ void ridge_begin(const System& system, State& s) {
 // A part is listed with what is within its layer and a margin M of it. Each of its nodes may have gone M/2
 // since then: one that has not gone M/2 from where its own parts were listed before is no farther from where
 // it was. Where one is to be listed anew, so are all that have used up half of that.
-void ridge_watch(const System& system, State& s, std::size_t b, double ahead) {
+void edge_update_proximity(const System& system, State& s, std::size_t b, double ahead) {
   static thread_local std::vector<std::uint32_t> nodes;
   model::RidgeContact& c = s.body[b].ridge;
   if (c.fresh.empty() && c.node.empty()) return;
@@ -197,7 +197,7 @@ void ridge_watch(const System& system, State& s, std::size_t b, double ahead) {
   }
   const auto near = std::size_t(
       std::count_if(c.node.begin(), c.node.end(), [&](std::uint32_t n) { return c.near[n] != 0; }));
-  const bool all = c.node.size() > kWatchedMost * near + kWatchedLeast;
+  const bool all = c.node.size() > kMaxTrackedFactor * near + kMaxTrackedExtra;
   if (all) {
     for (std::uint32_t n : c.node)
       if (c.near[n]) nodes.push_back(n);

@@ -130,7 +130,7 @@ void begin(const System& system, const ContactKernel& kernel, ContactWorkspace& 
     for (std::size_t n : system.particle) c.free_distance2[n] = 0;
     c.group_clearance.assign(system.nodes / math::kRowUnit, 0.0);
   }
-  touch_watch(system, kernel, workspace, s, 0, model::step_next(system, s));
+  update_proximity(system, kernel, workspace, s, 0, model::step_next(system, s));
   for (std::size_t b = 0; b < s.body.size(); ++b) {  // what is at rest on a body sticks to it
     if (system.bodies[b].moves) continue;
     for (model::ContactBlock& block : s.body[b].blocks.pool)
@@ -300,21 +300,21 @@ void touch_hurry(State& s) {
   for (model::BodyContact& c : s.body) std::fill(c.group_clearance.begin(), c.group_clearance.end(), 0.0);
 }
 
-void touch_watch(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace, State& s,
-                 double drift, double ahead) {
+void update_proximity(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
+                      State& s, double drift, double ahead) {
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     std::size_t count = 0;
     for (const model::Lattice& l : system.lattices) {
-      ContactWatch watch{&s.body[b],
-                         {s.x.data(), s.y.data(), s.z.data()},
-                         {s.vx.data(), s.vy.data(), s.vz.data()},
-                         drift,
-                         ahead,
-                         l.first,
-                         l.first + std::size_t(l.rows) * std::size_t(l.stride)};
-      count += kernel.watch[system.bodies[b].moves](watch, workspace.stale.data() + count);
+      ProximityPass watch{&s.body[b],
+                          {s.x.data(), s.y.data(), s.z.data()},
+                          {s.vx.data(), s.vy.data(), s.vz.data()},
+                          drift,
+                          ahead,
+                          l.first,
+                          l.first + std::size_t(l.rows) * std::size_t(l.stride)};
+      count += kernel.update_proximity[system.bodies[b].moves](watch, workspace.stale.data() + count);
       watch.begin = l.twin_first, watch.end = l.end();
-      count += kernel.watch[system.bodies[b].moves](watch, workspace.stale.data() + count);
+      count += kernel.update_proximity[system.bodies[b].moves](watch, workspace.stale.data() + count);
     }
     const bool chosen = count > 0 && system.step_given == 0 && !system.fit;
     const StepBound bound = chosen ? step_bound(system, s, b) : StepBound{};
@@ -322,9 +322,9 @@ void touch_watch(const System& system, const ContactKernel& kernel, ContactWorks
       block_update(system, workspace, s, b, workspace.stale[k], ahead);
       if (chosen &&
           outruns(system, s, b, bound, workspace.stale[k], std::max(ahead, model::step_next(system, s))))
-        s.watch_wait = 0;
+        s.steps_to_limit_check = 0;
     }
-    ridge_watch(system, s, b, ahead);
+    edge_update_proximity(system, s, b, ahead);
   }
 }
 

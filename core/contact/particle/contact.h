@@ -73,8 +73,8 @@ void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& 
 // After the particles and bodies have moved, or velocities have jumped: looks at the surroundings of those
 // that may have come near something else, or will. `drift`: how long they moved since the last watch, s;
 // `ahead`: the next step.
-void touch_watch(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace, State& state,
-                 double drift, double ahead);
+void update_proximity(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
+                      State& state, double drift, double ahead);
 
 // After particles have been put elsewhere: all are compared with their budgets at the next watch.
 void touch_hurry(State& state);

@@ -38,8 +38,8 @@ struct ContactPass {
   double* sum;                 // [8] force, torque on the body (impulses), dissipated, input
 };
 
-inline constexpr std::size_t kWatchGroup = 64;  // nodes that are watched together
-struct ContactWatch {
+inline constexpr std::size_t kProximityGroup = 64;  // nodes that are watched together
+struct ProximityPass {
   model::BodyContact* body;   // its ease is written
   const double *r[3], *v[3];  // [nodes]
   double drift, ahead;     // s, how long they have moved with v since they were watched last (below 0: back);
@@ -51,7 +51,7 @@ struct ContactWatch {
 struct ContactKernel {
   void (*run[2])(const ContactPass&);
   // The first nodes of the blocks to look at anew, into `due`; their number.
-  std::size_t (*watch[2])(const ContactWatch&, std::size_t* due);
+  std::size_t (*update_proximity[2])(const ProximityPass&, std::size_t* due);
 };
 
 }  // namespace drape::contact

@@ -297,7 +297,7 @@ double smallest(L a) {
 
 // The largest speed of nodes.
 template <class L>
-DRAPE_INLINE double contact_speed(const ContactWatch& pass, std::size_t begin, std::size_t end) {
+DRAPE_INLINE double contact_speed(const ProximityPass& pass, std::size_t begin, std::size_t end) {
   L most(0.0);
   for (std::size_t i = begin; i < end; i += L::kWidth) {
     const L x = L::load(pass.v[0] + i), y = L::load(pass.v[1] + i), z = L::load(pass.v[2] + i);
@@ -309,13 +309,13 @@ DRAPE_INLINE double contact_speed(const ContactWatch& pass, std::size_t begin, s
 // Blocks of nodes of which one has moved as far as it may, or will in the next step. Against a body that
 // stays a group is not looked at as long as its fastest node could not have.
 template <class L, bool kMoves>
-std::size_t contact_watch(const ContactWatch& pass, std::size_t* due) {
+std::size_t update_proximity_lanes(const ProximityPass& pass, std::size_t* due) {
   constexpr double kRounding = 1 - 1e-9;
   const PoseLanes<L, kMoves> pose(*pass.body);
   model::BodyContact& b = *pass.body;
   std::size_t count = 0;
-  for (std::size_t begin = pass.begin; begin < pass.end; begin += kWatchGroup) {
-    const std::size_t end = begin + kWatchGroup < pass.end ? begin + kWatchGroup : pass.end;
+  for (std::size_t begin = pass.begin; begin < pass.end; begin += kProximityGroup) {
+    const std::size_t end = begin + kProximityGroup < pass.end ? begin + kProximityGroup : pass.end;
     if constexpr (!kMoves) {
       const double speed = contact_speed<L>(pass, begin, end);
       double& ease = b.group_clearance[begin / math::kRowUnit];
@@ -344,7 +344,8 @@ std::size_t contact_watch(const ContactWatch& pass, std::size_t* due) {
 
 template <class L>
 constexpr ContactKernel contact_kernel() {
-  return {{contact_run<L, false>, contact_run<L, true>}, {contact_watch<L, false>, contact_watch<L, true>}};
+  return {{contact_run<L, false>, contact_run<L, true>},
+          {update_proximity_lanes<L, false>, update_proximity_lanes<L, true>}};
 }
 
 }  // namespace

@@ -128,7 +128,7 @@ void self_apply(const System& system, SelfContactWorkspace& workspace, const Con
   if (system.energy) s.dissipated += self_dissipated(c, all);
 }
 
-void self_watch(const System& system, State& s, double drift) {
+void self_update_proximity(const System& system, State& s, double drift) {
   s.self.speed = speed_of(system, s);
   s.self.travel += s.self.speed * std::abs(drift);
 }

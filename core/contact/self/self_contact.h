@@ -34,7 +34,7 @@ void self_keep(const System& system, SelfContactWorkspace& workspace, State& sta
 void self_apply(const System& system, SelfContactWorkspace& workspace, const ContactStep& step, State& state);
 
 // After the particles have moved for `drift` s.
-void self_watch(const System& system, State& state, double drift);
+void self_update_proximity(const System& system, State& state, double drift);
 
 // As touch_synchronous.
 void self_synchronous(const System& system, SelfContactWorkspace& workspace, const State& state, double half,

@@ -342,7 +342,7 @@ TEST(Leapfrog, FollowsTheStepLimitDownAndUp) {
 TEST(Leapfrog, HalvesTheStepsLeftOfAnInterval) {
   Assembled a = assemble(reference::rectangle(reference::curved_fabric(), 0.05, 0.03, 0.01));
   a.state.steps_per_interval /= 4;
-  a.state.watch_wait = 3;  // the first look comes in the middle of the interval
+  a.state.steps_to_limit_check = 3;  // the first look comes in the middle of the interval
   const std::int64_t few = a.state.steps_per_interval;
   ASSERT_GE(few, 4);
   std::string event;

@@ -38,7 +38,7 @@ TEST(FitDamping, IsMeasuredWithinOneSystem) {
   bool anew = false;
   for (int k = 0; k < 200 && !anew; ++k) {
     leapfrog_step(a.system, a.motion, a.state, h);
-    if (--a.state.watch_wait <= 0) fit_look(a.system, a.motion, a.state, h);
+    if (--a.state.steps_to_limit_check <= 0) fit_look(a.system, a.motion, a.state, h);
     anew = a.state.fit.damping != before;
     if (a.state.steps < retuned + 16) {
       EXPECT_EQ(a.state.fit.damping, before);

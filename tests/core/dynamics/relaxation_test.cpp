@@ -287,7 +287,7 @@ TEST(Fit, LooksSoonerWhereTheClothMovesFast) {
   const auto looks_after = [&](double steps) {
     a.state.vz[a.system.particle[7]] = -0.01 / (50 * steps * h);
     fit_scale(a.system, a.motion.constraints, a.state, h);
-    return a.state.watch_wait;
+    return a.state.steps_to_limit_check;
   };
   EXPECT_EQ(looks_after(1e6), 16);
   EXPECT_EQ(looks_after(5.001), 5);

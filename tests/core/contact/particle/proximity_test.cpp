@@ -15,7 +15,7 @@ namespace {
 // that is past its budget or would be after a step more, |r + h v - from| >= budget, and no others, whichever
 // groups sleep; also where the stages of a step go partly back in time.
 TEST(Watch, FindsWhatEveryComparisonWould) {
-  constexpr std::size_t kNodes = 5 * kWatchGroup + math::kRowUnit, kBlocks = kNodes / math::kRowUnit;
+  constexpr std::size_t kNodes = 5 * kProximityGroup + math::kRowUnit, kBlocks = kNodes / math::kRowUnit;
   constexpr double kForward[] = {1}, kStep = 1e-3;
   const auto drifts = [&](int order) {
     const model::Composition* of = model::composition_of(order);
@@ -46,14 +46,14 @@ TEST(Watch, FindsWhatEveryComparisonWould) {
               v[k][n] = fast * speed(random);
               r[k][n] += share * kStep * v[k][n];
             }
-          const ContactWatch watch{&body,
-                                   {r[0].data(), r[1].data(), r[2].data()},
-                                   {v[0].data(), v[1].data(), v[2].data()},
-                                   share * kStep,
-                                   kStep,
-                                   0,
-                                   kNodes};
-          const std::size_t count = kernel->contact.watch[0](watch, due.data());
+          const ProximityPass watch{&body,
+                                    {r[0].data(), r[1].data(), r[2].data()},
+                                    {v[0].data(), v[1].data(), v[2].data()},
+                                    share * kStep,
+                                    kStep,
+                                    0,
+                                    kNodes};
+          const std::size_t count = kernel->contact.update_proximity[0](watch, due.data());
           std::vector<std::size_t> wanted;
           for (std::size_t b = 0; b < kNodes; b += math::kRowUnit) {
             bool is = false;
