@@ -125,7 +125,7 @@ Advance interval_run(const System& system, Motion& motion, State& s, double leng
     }
     leapfrog_step(system, motion, s, length / double(n), double(done + 1) / double(n), 1 / double(n));
   }
-  if (system.fit && !s.fit.at_rest && !path_moves(motion.path)) fit_judge(system, motion, s);
+  if (system.fit && !s.fit.at_rest && !path_moves(motion.path)) check_convergence(system, motion, s);
   return Advance::kDone;
 }
 

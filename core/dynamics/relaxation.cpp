@@ -177,9 +177,9 @@ double rounding(const System& system, const State& s) {
 }
 }  // namespace
 
-void fit_judge(const System& system, Motion& motion, State& s) {
-  if (s.fit.judge_wait-- > 0) return;
-  s.fit.judge_wait = kJudgeEvery - 1;
+void check_convergence(const System& system, Motion& motion, State& s) {
+  if (s.fit.intervals_to_convergence_check-- > 0) return;
+  s.fit.intervals_to_convergence_check = kJudgeEvery - 1;
   const Left left = forces_left(system, motion, s);
   double weight = 0, size = 0;
   for (std::size_t n : system.particle) weight += system.mass[n] * norm(system.gravity);
@@ -203,7 +203,7 @@ void relaxation_resume(State& s) {
   if (!s.fit.at_rest) return;
   fit_forget(s);
   s.fit.at_rest = false;
-  s.fit.judge_wait = 0;
+  s.fit.intervals_to_convergence_check = 0;
   s.steps_to_limit_check = 0;
 }
 

@@ -30,7 +30,7 @@ void fit_scale(const System& system, const constraint::Constraints& constraints,
 
 // What is left of the forces, and whether that is rest; from then on an advance only moves the clock, until
 // fit_wake.
-void fit_judge(const System& system, Motion& motion, State& state);
+void check_convergence(const System& system, Motion& motion, State& state);
 void relaxation_resume(State& state);
 
 // After a change of the system, across which no way is measured; the damping stays until there is a new one.

@@ -126,11 +126,11 @@ inline bool system_has_rates(const System& system) {
 
 // How a fit stands. core/README.md, section 4.
 struct Fit {
-  double damping = 0;   // c, 1/s
-  int judge_wait = 0;   // intervals until the forces left are looked at
-  double residual = 1;  // their sum over the load
-  double load = 0;      // N, weight or pins' forces
-  double most = 0;      // N, forces left and pins' forces, the most since something last changed
+  double damping = 0;                      // c, 1/s
+  int intervals_to_convergence_check = 0;  // intervals until the forces left are looked at
+  double residual = 1;                     // their sum over the load
+  double load = 0;                         // N, weight or pins' forces
+  double most = 0;  // N, forces left and pins' forces, the most since something last changed
   bool at_rest = false;
   bool sewing = false;        // seams are to be closed: weight and friction wait
   double settling = 0;        // s, for which friction waits yet at most
