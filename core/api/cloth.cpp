@@ -166,7 +166,7 @@ void drape_inputs_start(drape_cloth* c) {
   std::copy(c->inputs.wind, c->inputs.wind + 3, c->state.wind.begin());
   dynamics::leapfrog_retuned(c->system, c->motion, c->state);
 }
-int drape_at_rest(const drape_cloth* c) { return c->state.fit.at_rest; }
+int drape_at_rest(const drape_cloth* c) { return c->state.relaxation.at_rest; }
 
 drape_status drape_start(drape_cloth* c, double time) {
   if (!std::isfinite(time) || c->state.steps > 0) {

@@ -96,7 +96,7 @@ Advance watch(const System& system, Motion& motion, State& s, double length, std
   if (!all_finite(system, s)) return Advance::kNotFinite;
   const auto h = [&] { return length / double(n); };
   if (system.fit) {
-    fit_look(system, motion, s, h());
+    relaxation_update(system, motion, s, h());
     return Advance::kDone;
   }
   look(system, motion, s, h());
@@ -117,7 +117,7 @@ Advance watch(const System& system, Motion& motion, State& s, double length, std
 // n steps that fill `length`; more when the limit falls on the way. None where a fit is at rest.
 Advance interval_run(const System& system, Motion& motion, State& s, double length, std::int64_t n,
                      std::string& event) {
-  for (std::int64_t done = 0; done < n && !s.fit.at_rest; ++done) {
+  for (std::int64_t done = 0; done < n && !s.relaxation.at_rest; ++done) {
     if (s.steps_to_limit_check-- <= 0) {
       if (const Advance how = watch(system, motion, s, length, n, done, event); how != Advance::kDone)
         return how;
@@ -125,7 +125,7 @@ Advance interval_run(const System& system, Motion& motion, State& s, double leng
     }
     leapfrog_step(system, motion, s, length / double(n), double(done + 1) / double(n), 1 / double(n));
   }
-  if (system.fit && !s.fit.at_rest && !path_moves(motion.path)) check_convergence(system, motion, s);
+  if (system.fit && !s.relaxation.at_rest && !path_moves(motion.path)) check_convergence(system, motion, s);
   return Advance::kDone;
 }
 
@@ -226,7 +226,7 @@ void leapfrog_retuned(const System& system, Motion& motion, State& s) {
   rates_begin(system, s);
   s.steps_to_limit_check = 0;
   s.limit_check_period = 1;
-  if (system.fit) relaxation_resume(s), fit_forget(s);
+  if (system.fit) relaxation_resume(s), relaxation_forget(s);
   if (s.steps == 0) subs_begin(system, motion, s);
 }
 

@@ -76,7 +76,8 @@ double norm(const Vec3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] *
 
 }  // namespace
 
-void fit_scale(const System& system, const constraint::Constraints& constraints, State& s, double h) {
+void relaxation_scale_masses(const System& system, const constraint::Constraints& constraints, State& s,
+                             double h) {
   const int steps = steps_ahead(system, s, h);
   const Array before = std::move(s.lightness);
   s.lightness.assign(system.nodes, 0.0);  // holds m'/rho at first
@@ -115,8 +116,8 @@ double omega_moved(const System& system, Motion& motion, State& s) {
   const Array* f[] = {&motion.now_x, &motion.now_y, &motion.now_z};
   double stiff = 0, moved = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    Array &place = s.fit.place[k], &force = s.fit.force[k];
-    if (s.fit.measure_every > 0)
+    Array &place = s.relaxation.place[k], &force = s.relaxation.force[k];
+    if (s.relaxation.measure_every > 0)
       for (std::size_t n : system.particle) {
         const double u = (*r[k])[n] - place[n];
         stiff += u * (force[n] - (*f[k])[n]);
@@ -130,17 +131,17 @@ double omega_moved(const System& system, Motion& motion, State& s) {
 
 }  // namespace
 
-void fit_look(const System& system, Motion& motion, State& s, double h) {
-  s.fit.sewing = seams_to_close(system, s);
-  fit_scale(system, motion.constraints, s, h);
-  if (s.fit.sewing) s.fit.settling = kSettleMost;
-  else s.fit.settling -= s.steps_to_limit_check * h;
-  const bool kept = s.fit.measure_every > 0;
-  if (kept && s.steps < s.fit.measured + s.fit.measure_every) return;
+void relaxation_update(const System& system, Motion& motion, State& s, double h) {
+  s.relaxation.sewing = seams_to_close(system, s);
+  relaxation_scale_masses(system, motion.constraints, s, h);
+  if (s.relaxation.sewing) s.relaxation.settling = kSettleMost;
+  else s.relaxation.settling -= s.steps_to_limit_check * h;
+  const bool kept = s.relaxation.measure_every > 0;
+  if (kept && s.steps < s.relaxation.measured + s.relaxation.measure_every) return;
   const double omega = omega_moved(system, motion, s);
-  if (kept) s.fit.damping = std::min(2 * omega, 1 / h);
-  s.fit.measured = s.steps;
-  s.fit.measure_every = kept ? std::min(2 * s.fit.measure_every, kMeasureEvery) : kMeasureFirst;
+  if (kept) s.relaxation.damping = std::min(2 * omega, 1 / h);
+  s.relaxation.measured = s.steps;
+  s.relaxation.measure_every = kept ? std::min(2 * s.relaxation.measure_every, kMeasureEvery) : kMeasureFirst;
 }
 
 // The forces left on particles and those of the pins (N), summed by size.
@@ -178,32 +179,33 @@ double rounding(const System& system, const State& s) {
 }  // namespace
 
 void check_convergence(const System& system, Motion& motion, State& s) {
-  if (s.fit.intervals_to_convergence_check-- > 0) return;
-  s.fit.intervals_to_convergence_check = kJudgeEvery - 1;
+  if (s.relaxation.intervals_to_convergence_check-- > 0) return;
+  s.relaxation.intervals_to_convergence_check = kJudgeEvery - 1;
   const Left left = forces_left(system, motion, s);
   double weight = 0, size = 0;
   for (std::size_t n : system.particle) weight += system.mass[n] * norm(system.gravity);
   for (const model::Lattice& l : system.lattices) size = std::max(size, l.cell * std::max(l.columns, l.rows));
-  s.fit.most = std::max(s.fit.most, left.sum + left.pins);
-  s.fit.load = std::max(weight, left.pins);
+  s.relaxation.most = std::max(s.relaxation.most, left.sum + left.pins);
+  s.relaxation.load = std::max(weight, left.pins);
   if (weight == 0)
-    s.fit.load = std::max({s.fit.load, kFaded * s.fit.most, rounding(system, s) / kResidualRest});
-  s.fit.residual = left.sum / s.fit.load;
+    s.relaxation.load =
+        std::max({s.relaxation.load, kFaded * s.relaxation.most, rounding(system, s) / kResidualRest});
+  s.relaxation.residual = left.sum / s.relaxation.load;
   const bool sewn = !seams_to_close(system, s);
-  if (sewn && s.fit.residual <= kSettled) s.fit.settling = 0;
-  s.fit.at_rest = sewn && s.fit.settling <= 0 && s.fit.residual <= kResidualRest &&
-                  kinetic(system, s) <= kKineticRest * s.fit.load * size;
-  if (s.fit.at_rest) stop(system, s);
+  if (sewn && s.relaxation.residual <= kSettled) s.relaxation.settling = 0;
+  s.relaxation.at_rest = sewn && s.relaxation.settling <= 0 && s.relaxation.residual <= kResidualRest &&
+                         kinetic(system, s) <= kKineticRest * s.relaxation.load * size;
+  if (s.relaxation.at_rest) stop(system, s);
 }
 
-void fit_forget(State& s) { s.fit.measure_every = 0; }
+void relaxation_forget(State& s) { s.relaxation.measure_every = 0; }
 
 void relaxation_resume(State& s) {
-  s.fit.most = 0;
-  if (!s.fit.at_rest) return;
-  fit_forget(s);
-  s.fit.at_rest = false;
-  s.fit.intervals_to_convergence_check = 0;
+  s.relaxation.most = 0;
+  if (!s.relaxation.at_rest) return;
+  relaxation_forget(s);
+  s.relaxation.at_rest = false;
+  s.relaxation.intervals_to_convergence_check = 0;
   s.steps_to_limit_check = 0;
 }
 

@@ -23,10 +23,11 @@ namespace drape::dynamics {
 
 // Looks at inertia, for as many steps of h (s) as State is then told to wait; at damping; and whether bodies
 // rub.
-void fit_look(const System& system, Motion& motion, State& state, double h);
+void relaxation_update(const System& system, Motion& motion, State& state, double h);
 
 // The first of it alone.
-void fit_scale(const System& system, const constraint::Constraints& constraints, State& state, double h);
+void relaxation_scale_masses(const System& system, const constraint::Constraints& constraints, State& state,
+                             double h);
 
 // What is left of the forces, and whether that is rest; from then on an advance only moves the clock, until
 // fit_wake.
@@ -34,6 +35,6 @@ void check_convergence(const System& system, Motion& motion, State& state);
 void relaxation_resume(State& state);
 
 // After a change of the system, across which no way is measured; the damping stays until there is a new one.
-void fit_forget(State& state);
+void relaxation_forget(State& state);
 
 }  // namespace drape::dynamics

@@ -108,11 +108,11 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
 }  // namespace
 
 double damping_of(const System& system, const State& s) {
-  return system.fit ? s.fit.damping : system.damping;
+  return system.fit ? s.relaxation.damping : system.damping;
 }
 
 Vec3 gravity_of(const System& system, const State& s) {
-  return system.fit && s.fit.sewing ? Vec3{0, 0, 0} : system.gravity;
+  return system.fit && s.relaxation.sewing ? Vec3{0, 0, 0} : system.gravity;
 }
 
 double last_half(const System& system, const State& s) {

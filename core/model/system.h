@@ -125,7 +125,7 @@ inline bool system_has_rates(const System& system) {
 }
 
 // How a fit stands. core/README.md, section 4.
-struct Fit {
+struct RelaxationState {
   double damping = 0;                      // c, 1/s
   int intervals_to_convergence_check = 0;  // intervals until the forces left are looked at
   double residual = 1;                     // their sum over the load
@@ -156,7 +156,7 @@ struct State {
   SelfState self;
 
   Array lightness;  // [nodes] mass over inertia, at most 1; only in a fit
-  Fit fit;
+  RelaxationState relaxation;
 
   Vec3 wind{0, 0, 0};                         // m/s, at t_n
   std::vector<Mat3> pin_rotation;             // [pins] R at t_n

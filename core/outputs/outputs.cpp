@@ -103,7 +103,7 @@ void summary_fill(Outputs& o, const System& system, const State& s, const contac
   o.shown.step_size = s.h_old > 0 ? s.h_old : system.communication / double(s.steps_per_interval);
   o.shown.step_count = double(s.steps);
   o.shown.step_stability = o.shown.step_size * std::sqrt(s.omega2) / dynamics::step_limit_angle(system);
-  o.shown.fit_residual = s.fit.residual;
+  o.shown.fit_residual = s.relaxation.residual;
 }
 
 void energy_fill(Outputs& o, const System& system, dynamics::Motion& motion, const State& s) {

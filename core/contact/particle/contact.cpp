@@ -70,7 +70,7 @@ model::ContactLaw current_law(const System& system, const State& s, const model:
                               const model::Lattice& l) {
   model::ContactLaw law = l.contact_law;
   if (body.has_friction) law.friction = body.friction;
-  if (system.fit && (s.fit.sewing || s.fit.settling > 0)) law.friction = {0, 0};
+  if (system.fit && (s.relaxation.sewing || s.relaxation.settling > 0)) law.friction = {0, 0};
   return law;
 }
 

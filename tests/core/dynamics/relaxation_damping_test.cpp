@@ -23,8 +23,8 @@ TEST(FitDamping, IsMeasuredWithinOneSystem) {
   Assembled a = assemble(scene);
   a.motion.inputs.pin[0].position[2] += 0.002;
   advance(a, 0.01);
-  while (a.state.fit.residual > 1e-3) advance(a, 1e-3);
-  const double before = a.state.fit.damping;
+  while (a.state.relaxation.residual > 1e-3) advance(a, 1e-3);
+  const double before = a.state.relaxation.damping;
   ASSERT_GT(before, 0);
   std::vector<scene::FabricSpec> fabrics = scene.fabrics;
   fabrics[0].warp = fabrics[0].weft = reference::straight(3000);
@@ -38,15 +38,15 @@ TEST(FitDamping, IsMeasuredWithinOneSystem) {
   bool anew = false;
   for (int k = 0; k < 200 && !anew; ++k) {
     leapfrog_step(a.system, a.motion, a.state, h);
-    if (--a.state.steps_to_limit_check <= 0) fit_look(a.system, a.motion, a.state, h);
-    anew = a.state.fit.damping != before;
+    if (--a.state.steps_to_limit_check <= 0) relaxation_update(a.system, a.motion, a.state, h);
+    anew = a.state.relaxation.damping != before;
     if (a.state.steps < retuned + 16) {
-      EXPECT_EQ(a.state.fit.damping, before);
+      EXPECT_EQ(a.state.relaxation.damping, before);
     }
   }
   EXPECT_TRUE(anew);
-  EXPECT_GT(a.state.fit.damping, 0);
-  EXPECT_LT(a.state.fit.damping, 2 * std::sqrt(a.state.omega2));
+  EXPECT_GT(a.state.relaxation.damping, 0);
+  EXPECT_LT(a.state.relaxation.damping, 2 * std::sqrt(a.state.omega2));
 }
 
 // A start has a damping after the first 16 steps; before, none.
@@ -57,7 +57,7 @@ TEST(FitDamping, BeginsSoon) {
   Assembled a = assemble(scene);
   std::string event;
   std::int64_t measured = 0;
-  while (a.state.fit.damping == 0 && a.state.steps < 1000) {
+  while (a.state.relaxation.damping == 0 && a.state.steps < 1000) {
     ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state,
                                a.system.communication / double(a.state.steps_per_interval), event),
               Advance::kDone);

@@ -52,15 +52,15 @@ TEST(Settling, EndsWhenATenthOfTheLoadIsLeft) {
   sew(a);
   double waited = 0, before = INFINITY;
   while (waited < 1 && friction_of(a)[0] == 0) {
-    before = a.state.fit.residual;
+    before = a.state.relaxation.residual;
     sewn_advance(a, 1e-3);
     waited += 1e-3;
     EXPECT_EQ(gravity_of(a.system, a.state), a.system.gravity);
   }
   std::printf("settled after %.3f s: %.3f of the load left, the time before %.3f\n", waited,
-              a.state.fit.residual, before);
+              a.state.relaxation.residual, before);
   EXPECT_LT(waited, 0.9);  // not by the clock
-  EXPECT_LE(a.state.fit.residual, 0.1);
+  EXPECT_LE(a.state.relaxation.residual, 0.1);
   EXPECT_GT(before, 0.1);
   EXPECT_EQ(friction_of(a), a.system.lattices[0].contact_law.friction);
   crumple(a, 1e-4, 3);  // what has settled does not begin anew
@@ -91,9 +91,9 @@ TEST(Inertia, ShrinksByAHundredthALook) {
   Assembled a = assemble(scene);
   const double h = kSafetyDamped * step_limit_of(a.system, a.state.omega2);
   const Array flat = a.state.y;
-  fit_scale(a.system, a.motion.constraints, a.state, h);
+  relaxation_scale_masses(a.system, a.motion.constraints, a.state, h);
   for (std::size_t n : a.system.particle) a.state.y[n] *= a.state.y[n] > 0.025 ? 1.3 : 1.0;
-  fit_scale(a.system, a.motion.constraints, a.state, h);
+  relaxation_scale_masses(a.system, a.motion.constraints, a.state, h);
   Array before = a.state.lightness;
   std::size_t stiffest = a.system.particle[0];
   for (std::size_t n : a.system.particle)
@@ -103,14 +103,14 @@ TEST(Inertia, ShrinksByAHundredthALook) {
   a.state.y = flat;
   const int looks = int(std::ceil(std::log(grown) / -std::log(0.99)));
   for (int k = 1; k < looks; ++k) {
-    fit_scale(a.system, a.motion.constraints, a.state, h);
+    relaxation_scale_masses(a.system, a.motion.constraints, a.state, h);
     EXPECT_NEAR(before[stiffest] / a.state.lightness[stiffest], 0.99, 1e-12) << k;
     for (std::size_t n : a.system.particle)
       EXPECT_GE(before[n] / a.state.lightness[n], 0.99 * (1 - 1e-12)) << k;
     before = a.state.lightness;
   }
   EXPECT_LT(before[stiffest], 1);
-  fit_scale(a.system, a.motion.constraints, a.state, h);
+  relaxation_scale_masses(a.system, a.motion.constraints, a.state, h);
   EXPECT_EQ(a.state.lightness[stiffest], 1);
 }
 
@@ -142,14 +142,14 @@ TEST(FitSewn, StateGoesOnAsItWas) {
     const Eigen::VectorXd first = go();
     EXPECT_TRUE(is_sewn(a));
     const std::int64_t steps = a.state.steps;
-    const double damping = a.state.fit.damping;
+    const double damping = a.state.relaxation.damping;
     a.state = kept;
     workspace_clear(a.motion.workspace);
     seams_restore(a.system, a.motion, a.state);
     EXPECT_EQ(is_sewn(a), sewn);
     EXPECT_EQ((go() - first).cwiseAbs().maxCoeff(), 0);
     EXPECT_EQ(a.state.steps, steps);
-    EXPECT_EQ(a.state.fit.damping, damping);
+    EXPECT_EQ(a.state.relaxation.damping, damping);
     a.state = kept;
     workspace_clear(a.motion.workspace);
     seams_restore(a.system, a.motion, a.state);

@@ -18,9 +18,9 @@ namespace {
 // Runs a fit to its rest; false if it is not there in `most` seconds of cloth.
 bool fit_run(Assembled& a, double most) {
   std::string event;
-  for (double t = 0; t < most && !a.state.fit.at_rest; t += 0.1)
+  for (double t = 0; t < most && !a.state.relaxation.at_rest; t += 0.1)
     if (leapfrog_advance(a.system, a.motion, a.state, 0.1, event) != Advance::kDone) return false;
-  return a.state.fit.at_rest;
+  return a.state.relaxation.at_rest;
 }
 
 Vec3 probe_at(const Assembled& a) {
@@ -99,7 +99,7 @@ Scene cantilever(double beta, int cells, double share, Held held, double k) {
 
 Tip cantilever_tip(double beta, int cells, double share, Held held, double k = 200) {
   Assembled a = assemble(cantilever(beta, cells, share, held, k));
-  EXPECT_TRUE(fit_run(a, 60)) << "residual " << a.state.fit.residual;
+  EXPECT_TRUE(fit_run(a, 60)) << "residual " << a.state.relaxation.residual;
   const Vec3 tip = probe_at(a);
   return {tip[1] / kLength, -tip[2] / kLength};
 }
@@ -159,11 +159,12 @@ TEST(Fit, EndsAtTheRestOfTheDampedMotion) {
   scene.pins = {reference::pin_at("inside", {{0.0233, 0.0644}}), reference::pin_at("node", {{0.06, 0.06}})};
   scene.mode = scene::Mode::kFit;
   Assembled fit = assemble(scene);
-  ASSERT_TRUE(fit_run(fit, 60)) << fit.state.fit.residual;
+  ASSERT_TRUE(fit_run(fit, 60)) << fit.state.relaxation.residual;
   const reference::Motion judge = reference::motion_make(scene);
   const reference::Residual left = reference::residual(judge, judge.start, positions(fit));
-  EXPECT_LE(fit.state.fit.residual, 1e-5);
-  EXPECT_NEAR(left.force, fit.state.fit.residual * fit.state.fit.load, 1e-9 * fit.state.fit.load);
+  EXPECT_LE(fit.state.relaxation.residual, 1e-5);
+  EXPECT_NEAR(left.force, fit.state.relaxation.residual * fit.state.relaxation.load,
+              1e-9 * fit.state.relaxation.load);
 
   scene.mode = scene::Mode::kDynamic;
   scene.damping = 30;
@@ -221,17 +222,17 @@ TEST(Fit, RestIsJudgedByThePresentLoad) {
       a.motion.inputs.pin[0].position = {from[0], from[1], from[2] + 0.002};  // 4 % longer than it was
       ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 1e-4, event), Advance::kDone);
       ASSERT_TRUE(fit_run(a, 60)) << carried << " m, " << weight << " m/s^2, residual "
-                                  << a.state.fit.residual;
+                                  << a.state.relaxation.residual;
       const reference::Motion judge = reference::motion_make(scene);
       reference::Outside outside = judge.start;
       outside.pins[0].p[2] += 0.002;
       const reference::Residual left = reference::residual(judge, outside, positions(a));
       EXPECT_LE(left.ratio, 1.001e-5) << carried << " m, " << weight << " m/s^2";
       // Without weight the load may be a share of the forces on the way (core/README.md, section 4).
-      const double load = left.force / left.ratio, reported = a.state.fit.load;
-      EXPECT_NEAR(left.force, a.state.fit.residual * reported, 1e-3 * left.force + 1e-12 * reported);
+      const double load = left.force / left.ratio, reported = a.state.relaxation.load;
+      EXPECT_NEAR(left.force, a.state.relaxation.residual * reported, 1e-3 * left.force + 1e-12 * reported);
       if (weight > 0) EXPECT_NEAR(reported, load, 1e-5 * load);
-      else EXPECT_NEAR(reported, std::max(load, 1e-4 * a.state.fit.most), 1e-5 * reported);
+      else EXPECT_NEAR(reported, std::max(load, 1e-4 * a.state.relaxation.most), 1e-5 * reported);
     }
 }
 
@@ -246,7 +247,7 @@ TEST(Fit, ComesToRestWithDampedSpringsAndWithoutWeight) {
     scene.mode = scene::Mode::kFit;
     scene.pins = {reference::pin_edges("bar", {2})};
     Assembled a = assemble(scene);
-    EXPECT_TRUE(fit_run(a, 60)) << a.state.fit.residual;
+    EXPECT_TRUE(fit_run(a, 60)) << a.state.relaxation.residual;
     scene.gravity = {0, 0, 0};
     Assembled weightless = assemble(scene);
     crumple(weightless, 0.001, 3);
@@ -255,7 +256,7 @@ TEST(Fit, ComesToRestWithDampedSpringsAndWithoutWeight) {
       weightless.state.y[f.node] = f.target.start[1];
       weightless.state.z[f.node] = f.target.start[2];
     }
-    EXPECT_TRUE(fit_run(weightless, 60)) << weightless.state.fit.residual;
+    EXPECT_TRUE(fit_run(weightless, 60)) << weightless.state.relaxation.residual;
   }
 }
 
@@ -266,7 +267,7 @@ TEST(Fit, EnlargesTheInertiaOfStiffCells) {
   Assembled a = assemble(scene);
   for (std::size_t n : a.system.particle) a.state.y[n] *= a.state.y[n] > 0.025 ? 1.3 : 1.0;
   const double h = kSafetyDamped * step_limit_of(a.system, a.state.omega2);
-  fit_scale(a.system, a.motion.constraints, a.state, h);
+  relaxation_scale_masses(a.system, a.motion.constraints, a.state, h);
   double least = 1, most = 0;
   for (std::size_t n : a.system.particle) {
     least = std::min(least, a.state.lightness[n]);
@@ -286,7 +287,7 @@ TEST(Fit, LooksSoonerWhereTheClothMovesFast) {
   const double h = 1e-5;
   const auto looks_after = [&](double steps) {
     a.state.vz[a.system.particle[7]] = -0.01 / (50 * steps * h);
-    fit_scale(a.system, a.motion.constraints, a.state, h);
+    relaxation_scale_masses(a.system, a.motion.constraints, a.state, h);
     return a.state.steps_to_limit_check;
   };
   EXPECT_EQ(looks_after(1e6), 16);

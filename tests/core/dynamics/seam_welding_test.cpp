@@ -302,9 +302,9 @@ TEST(Sewing, KeepsAFitAwake) {
   scene.seams[0].closed_at = 0.3;
   Assembled a = assemble(scene);
   for (int k = 0; k < 300; ++k) sewn_advance(a, 1e-3);
-  EXPECT_FALSE(a.state.fit.at_rest);
-  for (int k = 0; k < 1500 && !a.state.fit.at_rest; ++k) sewn_advance(a, 1e-3);
-  EXPECT_TRUE(a.state.fit.at_rest);
+  EXPECT_FALSE(a.state.relaxation.at_rest);
+  for (int k = 0; k < 1500 && !a.state.relaxation.at_rest; ++k) sewn_advance(a, 1e-3);
+  EXPECT_TRUE(a.state.relaxation.at_rest);
   EXPECT_EQ(std::count(a.state.sewn.begin(), a.state.sewn.end(), model::Sewn::kWelded),
             std::ptrdiff_t(a.state.sewn.size()));
 }

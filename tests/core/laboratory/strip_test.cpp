@@ -141,9 +141,9 @@ TEST(Strip, IsTheRestOfAFit) {
   a.motion.inputs.pin[1].position[1] += pull * f.strip_gauge;
   std::string event;
   ASSERT_EQ(dynamics::leapfrog_advance(a.system, a.motion, a.state, 0.1, event), dynamics::Advance::kDone);
-  for (int k = 0; k < 600 && !a.state.fit.at_rest; ++k)
+  for (int k = 0; k < 600 && !a.state.relaxation.at_rest; ++k)
     ASSERT_EQ(dynamics::leapfrog_advance(a.system, a.motion, a.state, 0.1, event), dynamics::Advance::kDone);
-  ASSERT_TRUE(a.state.fit.at_rest) << a.state.fit.residual;
+  ASSERT_TRUE(a.state.relaxation.at_rest) << a.state.relaxation.residual;
   std::vector<math::Wrench> load(2);
   Array v[3] = {Array(a.system.nodes), Array(a.system.nodes), Array(a.system.nodes)};
   dynamics::leapfrog_synchronous(a.system, a.motion, a.state, v[0].data(), v[1].data(), v[2].data(), load);

@@ -58,7 +58,7 @@ TEST(Fields, PressureAtRestIsWeightOverArea) {
       scene.damping = mode == scene::Mode::kFit ? 0 : 50;
       body_add(scene, folder, "table", box(2, 2, 0.1)).position = {0, 0, -0.05};
       Assembled a = assemble(scene);
-      for (double t = 0; t < 2 && !a.state.fit.at_rest; t += 0.1) advance(a, 0.1);
+      for (double t = 0; t < 2 && !a.state.relaxation.at_rest; t += 0.1) advance(a, 0.1);
       const contact::ContactStops stops = dynamics::leapfrog_stops(a.system, a.motion, a.state);
       EXPECT_EQ(stops.particle.empty(), slope > 1) << "the penalty holds it";
       Fields fields;

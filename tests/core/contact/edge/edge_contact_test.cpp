@@ -85,14 +85,14 @@ TEST(Ridge, ATautStripRestsOnItByALink) {
   for (const double shift : {0.0, 0.0021}) {
     Strip s = strip_over_roof(folder, 9, 0.01, shift, 0, true);
     strip_pull(s, 0.5, 0.35, 1.01, 0.2);
-    for (double t = 0; t < 20 && !s.a.state.fit.at_rest; t += 0.1) advance(s.a, 0.1);
-    ASSERT_TRUE(s.a.state.fit.at_rest) << "residual " << s.a.state.fit.residual;
+    for (double t = 0; t < 20 && !s.a.state.relaxation.at_rest; t += 0.1) advance(s.a, 0.1);
+    ASSERT_TRUE(s.a.state.relaxation.at_rest) << "residual " << s.a.state.relaxation.residual;
     const int i = s.over();
     const double layer = s.a.system.lattices[0].contact_law.layer, width = 0.01;
     const Vec3 force = body_force(s.a), e = s.along(i);
     const double left = kSlope * width * s.strain(i - 1), right = kSlope * width * s.strain(i + 1);
     const Vec3 pulled = right * s.along(i + 1) - left * s.along(i - 1);
-    const double left_over = 1e-5 * s.a.state.fit.load;
+    const double left_over = 1e-5 * s.a.state.relaxation.load;
     EXPECT_GT(left, 0.05);
     for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(force[k], pulled[k], left_over) << k;
     EXPECT_LT(std::abs(dot(force, e)), left_over);
@@ -272,8 +272,8 @@ TEST(Ridge, AClothRestsOnRoofAndTip) {
     scene.fabrics[0].friction = {0.8, 0.8};
     scene.mode = scene::Mode::kFit;
     Assembled a = assemble(scene);
-    for (double t = 0; t < 20 && !a.state.fit.at_rest; t += 0.1) advance(a, 0.1);
-    EXPECT_TRUE(a.state.fit.at_rest) << "residual " << a.state.fit.residual;
+    for (double t = 0; t < 20 && !a.state.relaxation.at_rest; t += 0.1) advance(a, 0.1);
+    EXPECT_TRUE(a.state.relaxation.at_rest) << "residual " << a.state.relaxation.residual;
     expect_weight(a);
     EXPECT_FALSE(a.motion.contact.ridge.empty());
   }

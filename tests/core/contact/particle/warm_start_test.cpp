@@ -69,8 +69,8 @@ TEST(Tied, SewnHalvesStickBelowIt) {
 
 // Runs a fit to its rest; false if it is not there in `most` seconds of cloth.
 bool rests(Assembled& a, double most) {
-  for (double t = 0; t < most && !a.state.fit.at_rest; t += 0.1) sewn_advance(a, 0.1);
-  return a.state.fit.at_rest;
+  for (double t = 0; t < most && !a.state.relaxation.at_rest; t += 0.1) sewn_advance(a, 0.1);
+  return a.state.relaxation.at_rest;
 }
 
 // One half lies on a table, the other hangs over its edge, and friction holds it by the seam, which lies on
@@ -83,7 +83,7 @@ TEST(Tied, AHangingHalfRestsByItsSeam) {
   scene.pieces[1].place.origin = {0, 0, 0.00049};
   body_add(scene, folder, "table", box(1, 1, 0.1)).position = {-0.5, 0, -0.05};
   Assembled a = assemble(scene);
-  ASSERT_TRUE(rests(a, 10)) << "residual " << a.state.fit.residual;
+  ASSERT_TRUE(rests(a, 10)) << "residual " << a.state.relaxation.residual;
   expect_weight(a);
 }
 
@@ -100,7 +100,7 @@ TEST(Tied, AStripRestsInAGroove) {
       {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};
   body_add(scene, folder, "groove", groove);
   Assembled a = assemble(scene);
-  ASSERT_TRUE(rests(a, 10)) << "residual " << a.state.fit.residual;
+  ASSERT_TRUE(rests(a, 10)) << "residual " << a.state.relaxation.residual;
   const model::ContactBlocks& blocks = a.state.body[0].blocks;
   int both = 0;  // nodes that lie on both sides
   for (std::size_t k = 1; k < blocks.order.size(); ++k) {

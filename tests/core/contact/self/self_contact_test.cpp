@@ -260,8 +260,8 @@ TEST(SelfContact, AFitRestsOnTheSheetBelow) {
   Scene scene = on_a_sheet(1.2e-3);
   scene.mode = scene::Mode::kFit;
   Assembled a = assemble(scene);
-  for (int k = 0; k < 2000 && !a.state.fit.at_rest; ++k) advance(a, 1e-3);
-  EXPECT_TRUE(a.state.fit.at_rest) << a.state.fit.residual;
+  for (int k = 0; k < 2000 && !a.state.relaxation.at_rest; ++k) advance(a, 1e-3);
+  EXPECT_TRUE(a.state.relaxation.at_rest) << a.state.relaxation.residual;
   const double layer = scene.fabrics[0].thickness;
   for (std::size_t n : nodes_of(a.system, 1)) {
     EXPECT_LT(a.state.z[n], layer);
