@@ -324,7 +324,7 @@ void held_rates(const constraint::Constraints& c, const State& s, Rate which, He
     held.rigid.rate[k] = which == Rate::kVelocity ? 0 : link_acceleration(c.rigid.link[k], s);
 }
 
-void held_keep(const constraint::Constraints& c, const State& s, HeldMotion& held) {
+void held_store_velocities(const constraint::Constraints& c, const State& s, HeldMotion& held) {
   std::size_t entry = 0;
   const auto keep = [&](std::size_t n) { set(held.old, entry++, {s.vx[n], s.vy[n], s.vz[n]}); };
   for (const constraint::FixedNode& f : c.fixed) keep(f.node);

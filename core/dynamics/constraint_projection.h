@@ -31,7 +31,7 @@ enum class Rate { kVelocity, kAcceleration };
 void held_rates(const constraint::Constraints& constraints, const State& state, Rate which, HeldMotion& held);
 
 // Keeps v_{n-1/2} of the held nodes.
-void held_keep(const constraint::Constraints& constraints, const State& state, HeldMotion& held);
+void held_store_velocities(const constraint::Constraints& constraints, const State& state, HeldMotion& held);
 
 // How a step turned v_{n-1/2} into the free velocity: v <- keep v + kick a.
 struct HeldStep {

@@ -58,13 +58,13 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
   const StepCoefficients c{stage.keep, stage.kick, stage.drift, gravity_of(system, s),
                            velocity_lead(system, s)};
   if (system.energy) balance_begin(system, motion.balance, s, c.lead);
-  if (begins || system.energy) held_keep(motion.constraints, s, motion.held);
+  if (begins || system.energy) held_store_velocities(motion.constraints, s, motion.held);
   clamp_torques_add(system, motion, s, begins ? stage.begun : stage.span);
   if (!s.sewn.empty()) forces::seams_rates(system, s, motion.gap_rate);
   const bool touches = contact::any_near(s);
-  if (touches) contact::touch_keep(system, motion.contact, s);
+  if (touches) contact::store_velocities(system, motion.contact, s);
   const bool rubs = contact::self_enabled(system);
-  if (rubs) contact::self_keep(system, motion.self, s, h);
+  if (rubs) contact::self_store_velocities(system, motion.self, s, h);
   kernel_step(*motion.kernel, system, c, motion.workspace, s);
   if (!s.sewn.empty()) s.gap_rate.swap(motion.gap_rate);
   const double old = system.integrator == scene::Integrator::kPaper ? 0 : s.h_old / 2;
@@ -171,7 +171,7 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
     s.vz[n] = motion.now_z[n];
   }
   if (contact::ridge_any(s))
-    contact::ridge_keep(system, s, motion.contact.ridge);  // what penalties lost is counted above
+    contact::edge_store_velocities(system, s, motion.contact.ridge);  // what penalties lost is counted above
   s.h_old = s.h_older = 0;
 }
 

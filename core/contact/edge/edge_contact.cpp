@@ -163,7 +163,7 @@ Vec3 gap_velocity(const EdgeContactPair& t, const RidgeField& f) {
 
 }  // namespace
 
-double ridge_keep(const System& system, State& s, std::vector<EdgeContactPair>& touches) {
+double edge_store_velocities(const System& system, State& s, std::vector<EdgeContactPair>& touches) {
   return find(system, s, &s, touches);
 }
 

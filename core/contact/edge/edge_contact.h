@@ -44,7 +44,7 @@ double ridge_step_most(const System& system, const State& state);
 
 // Before a step: finds what touches at t_n, and keeps its velocities. Gives J that penalties have lost since
 // the step before otherwise than by their work: as their share fell, or as pairs opened.
-double ridge_keep(const System& system, State& state, std::vector<EdgeContactPair>& touches);
+double edge_store_velocities(const System& system, State& state, std::vector<EdgeContactPair>& touches);
 
 // The same of a state that does not change.
 double ridge_look(const System& system, const State& state, std::vector<EdgeContactPair>& touches);

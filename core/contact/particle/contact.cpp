@@ -144,7 +144,7 @@ void begin(const System& system, const ContactKernel& kernel, ContactWorkspace& 
 
 namespace {
 
-void old_keep(ContactWorkspace& workspace, const State& s) {
+void particle_store_velocities(ContactWorkspace& workspace, const State& s) {
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     const model::ContactBlocks& blocks = s.body[b].blocks;
     workspace.old[b].resize(3 * math::kRowUnit * blocks.order.size());
@@ -157,9 +157,9 @@ void old_keep(ContactWorkspace& workspace, const State& s) {
 
 }  // namespace
 
-void touch_keep(const System& system, ContactWorkspace& workspace, State& s) {
-  old_keep(workspace, s);
-  const double lost = ridge_keep(system, s, workspace.ridge);
+void store_velocities(const System& system, ContactWorkspace& workspace, State& s) {
+  particle_store_velocities(workspace, s);
+  const double lost = edge_store_velocities(system, s, workspace.ridge);
   if (system.energy) s.dissipated += lost;
 }
 
@@ -332,7 +332,7 @@ void apply_synchronous(const System& system, const ContactKernel& kernel, Contac
                        const State& s, double half, double centred, double* vx, double* vy, double* vz) {
   workspace.dissipated = half > 0 && system.energy ? workspace.ridge_lost : 0;
   workspace.input = 0;
-  if (half > 0) old_keep(workspace, s);
+  if (half > 0) particle_store_velocities(workspace, s);
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     workspace.load[b] = math::Wrench{};
     if (s.body[b].blocks.order.empty()) continue;

@@ -33,7 +33,7 @@ void check_start(const System& system, const Scene& scene, ContactWorkspace& wor
                  std::vector<Problem>& problems);
 
 // What is on ridges, and the velocities of all that is near, before a step changes them.
-void touch_keep(const System& system, ContactWorkspace& workspace, State& state);
+void store_velocities(const System& system, ContactWorkspace& workspace, State& state);
 
 // What a step is to contact.
 struct ContactStep {

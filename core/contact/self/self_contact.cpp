@@ -102,7 +102,7 @@ void self_hurry(const System& system, State& s, double moved) {
   s.self.travel += 2 * moved;
 }
 
-void self_keep(const System& system, SelfContactWorkspace& workspace, State& s, double h) {
+void self_store_velocities(const System& system, SelfContactWorkspace& workspace, State& s, double h) {
   const double reach = reach_of(system, s, h);
   if (s.self.travel + reach > s.self.searched + s.self.margin) search(system, s, h);
   self_look(system, s, reach, workspace.touches, &s.self);

@@ -28,7 +28,7 @@ void self_check_start(const System& system, const Scene& scene, const State& sta
 void self_hurry(const System& system, State& state, double moved);
 
 // Before a step of h: finds what touches at t_n, and keeps its velocities.
-void self_keep(const System& system, SelfContactWorkspace& workspace, State& state, double h);
+void self_store_velocities(const System& system, SelfContactWorkspace& workspace, State& state, double h);
 
 // Adds to a free step what touching does. Needs self_keep.
 void self_apply(const System& system, SelfContactWorkspace& workspace, const ContactStep& step, State& state);

@@ -413,7 +413,7 @@ TEST(Ridge, PenaltyStaysWithinTheBoundOfTheStep) {
         a.state.y[n] = 0.01 * j;
       }
     begin(a.system, a.motion.kernel->contact, a.motion.contact, a.state);
-    ridge_keep(a.system, a.state, touches);
+    edge_store_velocities(a.system, a.state, touches);
     for (const EdgeContactPair& t : touches) {
       ASSERT_EQ(t.part->weights(), 2);
       const double *w = t.gap.weight, spread = std::abs(w[0]) + std::abs(w[1]);
