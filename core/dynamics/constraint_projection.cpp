@@ -236,7 +236,7 @@ double link_acceleration(const constraint::RigidLink& link, const State& s) {
   const Vec3 turns = Vec3{s.vx[b], s.vy[b], s.vz[b]} - Vec3{s.vx[a], s.vy[a], s.vz[a]};
   const double turning = -dot(turns, turns) / link.length;
   if (s.h_old == 0) return turning;
-  const double step2 = s.h_old * s.h_old * (s.lightness.empty() ? 1 : s.lightness[a]);
+  const double step2 = s.h_old * s.h_old * (s.inverse_mass_scale.empty() ? 1 : s.inverse_mass_scale[a]);
   return turning - constraint::rigid_excess(link, s.x.data(), s.y.data(), s.z.data()) / step2;
 }
 

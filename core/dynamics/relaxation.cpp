@@ -28,10 +28,10 @@ template <class Nodes>
 bool nodes_even(const Nodes& nodes, State& s) {
   double least = 1;
   bool changed = false;
-  for (std::size_t n : nodes) least = std::min(least, s.lightness[n]);
+  for (std::size_t n : nodes) least = std::min(least, s.inverse_mass_scale[n]);
   for (std::size_t n : nodes) {
-    changed = changed || s.lightness[n] != least;
-    s.lightness[n] = least;
+    changed = changed || s.inverse_mass_scale[n] != least;
+    s.inverse_mass_scale[n] = least;
   }
   return changed;
 }
@@ -46,7 +46,7 @@ void rows_even(const constraint::Constraints& constraints, State& s) {
     for (const constraint::RigidLink& link : constraints.rigid.link)
       changed = nodes_even(link.node, s) || changed;
   }
-  for (const constraint::FixedNode& f : constraints.fixed) s.lightness[f.node] = 1;
+  for (const constraint::FixedNode& f : constraints.fixed) s.inverse_mass_scale[f.node] = 1;
 }
 
 // Steps until the inertia is scaled anew: what is pulled onto a seam can cross a cell within kScaleEvery.
@@ -79,8 +79,8 @@ double norm(const Vec3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] *
 void relaxation_scale_masses(const System& system, const constraint::Constraints& constraints, State& s,
                              double h) {
   const int steps = steps_ahead(system, s, h);
-  const Array before = std::move(s.lightness);
-  s.lightness.assign(system.nodes, 0.0);  // holds m'/rho at first
+  const Array before = std::move(s.inverse_mass_scale);
+  s.inverse_mass_scale.assign(system.nodes, 0.0);  // holds m'/rho at first
   const double drag = step_limit_drag(system, s);
   const SeamsBound seams = step_limit_seams(system, s);
   double most = 0;
@@ -92,13 +92,14 @@ void relaxation_scale_masses(const System& system, const constraint::Constraints
       const double omega2 = step_limit_rated(system, l, bare, drag, seams, contact);
       const double ratio = h / (kSafetyDamped * step_limit_of(system, omega2));
       const double quarter = share * l.cell * l.cell / 4 * std::max(1.0, ratio * ratio);
-      for (int k = 0; k < 4; ++k) s.lightness[corner[k]] += quarter;
+      for (int k = 0; k < 4; ++k) s.inverse_mass_scale[corner[k]] += quarter;
       most = std::max(most, std::min(omega2, omega2 / (ratio * ratio)));
     });
   }
   for (std::size_t n : system.particle) {
-    s.lightness[n] = std::min(1.0, system.area[n] / s.lightness[n]);
-    if (!before.empty()) s.lightness[n] = std::min(s.lightness[n], before[n] / (1 - kShrink));
+    s.inverse_mass_scale[n] = std::min(1.0, system.area[n] / s.inverse_mass_scale[n]);
+    if (!before.empty())
+      s.inverse_mass_scale[n] = std::min(s.inverse_mass_scale[n], before[n] / (1 - kShrink));
   }
   rows_even(constraints, s);
   s.omega2 = most;

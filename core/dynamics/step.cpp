@@ -200,14 +200,15 @@ void leapfrog_synchronous(const System& system, Motion& motion, const State& s, 
   const bool step = half > 0 && !system.fit;
   const Array* staggered[] = {&s.vx, &s.vy, &s.vz};
   double* now[] = {vx, vy, vz};
-  const double* lightness = s.lightness.empty() ? nullptr : s.lightness.data();
+  const double* inverse_mass_scale = s.inverse_mass_scale.empty() ? nullptr : s.inverse_mass_scale.data();
   const Vec3 gravity = gravity_of(system, s);
   const auto each = [&](auto value) {  // from what it is, v_{n-1/2}, h_old/2, 1/m, g; unused nodes too
     for (std::size_t k = 0; k < 3; ++k) {
       const double *v = staggered[k]->data(), *inverse_mass = system.inverse_mass.data();
       const double g = gravity[k];
       for (std::size_t n = 0; n < system.nodes; ++n)
-        now[k][n] = value(now[k][n], v[n], lightness ? half * lightness[n] : half, inverse_mass[n], g);
+        now[k][n] = value(now[k][n], v[n], inverse_mass_scale ? half * inverse_mass_scale[n] : half,
+                          inverse_mass[n], g);
     }
   };
   HeldMotion& held = motion.held;

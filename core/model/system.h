@@ -155,7 +155,7 @@ struct State {
   std::vector<BodyContact> body;  // [bodies]
   SelfState self;
 
-  Array lightness;  // [nodes] mass over inertia, at most 1; only in a fit
+  Array inverse_mass_scale;  // [nodes] mass over inertia, at most 1; only in a fit
   RelaxationState relaxation;
 
   Vec3 wind{0, 0, 0};                         // m/s, at t_n
@@ -196,7 +196,7 @@ inline double step_next(const System& system, const State& s) {
 
 // Of a particle, kg; in a fit the enlarged one.
 inline double inertia_of(const System& system, const State& s, std::size_t n) {
-  return system.mass[n] / (s.lightness.empty() ? 1 : s.lightness[n]);
+  return system.mass[n] / (s.inverse_mass_scale.empty() ? 1 : s.inverse_mass_scale[n]);
 }
 
 inline void state_resize(State& s, std::size_t nodes, std::size_t pins) {

@@ -50,7 +50,7 @@ EdgeContactPair touch_of(const System& system, const State& s, std::size_t b, st
                          const model::RidgePart& part, const RidgeGap& gap) {
   const model::Body& body = system.bodies[b];
   EdgeContactPair t{b, pair, &part, gap, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0};
-  double least = INFINITY, lightness = 0;  // kg, 1/kg, of inertia
+  double least = INFINITY, inverse_mass_scale = 0;  // kg, 1/kg, of inertia
   for (int k = 0; k < part.weights(); ++k) {
     const std::size_t n = part.node[k];
     const double w = gap.weight[k];
@@ -58,12 +58,12 @@ EdgeContactPair touch_of(const System& system, const State& s, std::size_t b, st
     t.old += w * Vec3{s.vx[n], s.vy[n], s.vz[n]};
     const double inertia = model::inertia_of(system, s, n);
     least = std::min(least, inertia);
-    lightness += w * w / inertia;
+    inverse_mass_scale += w * w / inertia;
   }
   t.gap.n = model::pose_outward(body, s.body[b], gap.n);
   t.body_velocity = model::pose_velocity(body, s.body[b], t.at);
   t.stiffness = gap.share * kSoft * system.lattices[std::size_t(part.lattice)].contact_law.omega2 *
-                (system.fit ? 1 / lightness : least);
+                (system.fit ? 1 / inverse_mass_scale : least);
   return t;
 }
 
@@ -116,8 +116,8 @@ double find(const System& system, const State& s, State* moves, std::vector<Edge
 
 // A pair within a pass over all: what a node's velocity gains over J, K, and the law of the gap.
 struct PairLaw {
-  std::array<double, 4> over;  // W_k/m_k, 1/kg, of inertia
-  double lightness;            // K
+  std::array<double, 4> over;     // W_k/m_k, 1/kg, of inertia
+  double inverse_effective_mass;  // K
   ContactLanes<forces::Lane> lanes;
 };
 
@@ -125,7 +125,8 @@ std::array<double, 4> pair_over(const System& system, const EdgeContactPair& t, 
   std::array<double, 4> over{};
   for (int k = 0; k < t.part->weights(); ++k) {
     const std::size_t n = t.part->node[k];
-    over[std::size_t(k)] = t.gap.weight[k] * system.inverse_mass[n] * (f.lightness ? f.lightness[n] : 1);
+    over[std::size_t(k)] =
+        t.gap.weight[k] * system.inverse_mass[n] * (f.inverse_mass_scale ? f.inverse_mass_scale[n] : 1);
   }
   return over;
 }
@@ -133,12 +134,12 @@ std::array<double, 4> pair_over(const System& system, const EdgeContactPair& t, 
 PairLaw pair_law(const System& system, const State& s, const EdgeContactPair& t, const ContactCoefficients& c,
                  const RidgeField& f) {
   const std::array<double, 4> over = pair_over(system, t, f);
-  double lightness = 0;
-  for (std::size_t k = 0; k < 4; ++k) lightness += t.gap.weight[k] * over[k];
+  double inverse_mass_scale = 0;
+  for (std::size_t k = 0; k < 4; ++k) inverse_mass_scale += t.gap.weight[k] * over[k];
   const model::Body& body = system.bodies[t.body];
   model::ContactLaw law = current_law(system, s, body, system.lattices[std::size_t(t.part->lattice)]);
-  law.omega2 = t.stiffness * lightness;
-  return {over, lightness, ContactLanes<forces::Lane>(law, c, body.damping)};
+  law.omega2 = t.stiffness * inverse_mass_scale;
+  return {over, inverse_mass_scale, ContactLanes<forces::Lane>(law, c, body.damping)};
 }
 
 // Adds what an impulse J on the gap does.
@@ -197,7 +198,7 @@ struct Given {
 // pushed as from the ridge itself, by 1/50 of the layer a step: faster, it would be thrown.
 double pair_respond(const State& s, const EdgeContactPair& t, const PairLaw& law,
                     const ContactCoefficients& c, const RidgeField& f, Given& given) {
-  const double k = law.lightness;
+  const double k = law.inverse_effective_mass;
   push(t, law.over, c, f, -1.0 * given.impulse);
   const Vec3 free = gap_velocity(t, f), old = c.old_time > 0 || c.new_time > 0 ? t.old : free;
   const ContactHit<forces::Lane> hit =
@@ -240,7 +241,7 @@ void ridge_respond(const System& system, const State& s, const std::vector<EdgeC
     double most = 0;
     for (std::size_t k = 0; k < touches.size(); ++k) {
       most = std::max(most, pair_respond(s, touches[k], laws[k], c, f, given[k]));
-      if (sweep == 0) first = std::max(first, laws[k].lightness * norm(given[k].impulse));
+      if (sweep == 0) first = std::max(first, laws[k].inverse_effective_mass * norm(given[k].impulse));
     }
     if (!(most > kSettled * first)) break;
   }

@@ -52,8 +52,8 @@ double ridge_look(const System& system, const State& state, std::vector<EdgeCont
 // Velocities, and in a step places, that touching changes. Inertia is mass over lightness.
 struct RidgeField {
   double* v[3];
-  double* r[3];             // null: nothing moves
-  const double* lightness;  // or null
+  double* r[3];                      // null: nothing moves
+  const double* inverse_mass_scale;  // or null
 };
 
 // Gives in advance what pairs got in the step before.

@@ -179,15 +179,15 @@ void mark_tied(const System& system, const constraint::Constraints& constraints,
 namespace {
 
 // Gives particles that are not alone in advance what they got in the step before.
-void warm_start_apply(const State& s, double kick, const double* lightness, double* v[3], double* r[3],
-                      double drift) {
+void warm_start_apply(const State& s, double kick, const double* inverse_mass_scale, double* v[3],
+                      double* r[3], double drift) {
   for (const model::BodyContact& body : s.body)
     for (const model::ContactPlace& place : body.blocks.order) {
       const model::ContactBlock& b = body.blocks.pool[place.block];
       if (!b.has_warm_start) continue;
       for (std::size_t i = 0; i < std::size_t(math::kRowUnit); ++i) {
         const std::size_t n = b.node + i;
-        const double given = kick * (lightness ? lightness[n] : 1);
+        const double given = kick * (inverse_mass_scale ? inverse_mass_scale[n] : 1);
         for (std::size_t k = 0; k < 3; ++k) {
           const double dv = b.warm_start[k][i] * given;
           v[k][n] += dv;
@@ -202,10 +202,10 @@ void warm_start_apply(const State& s, double kick, const double* lightness, doub
 void warm_start(const System& system, const ContactWorkspace& workspace, const ContactStep& step, State& s) {
   double* v[] = {s.vx.data(), s.vy.data(), s.vz.data()};
   double* r[] = {s.x.data(), s.y.data(), s.z.data()};
-  const double* lightness = s.lightness.empty() ? nullptr : s.lightness.data();
-  warm_start_apply(s, step.kick, lightness, v, r, step.drift);
+  const double* inverse_mass_scale = s.inverse_mass_scale.empty() ? nullptr : s.inverse_mass_scale.data();
+  warm_start_apply(s, step.kick, inverse_mass_scale, v, r, step.drift);
   edge_warm_start(system, s, workspace.ridge, kick_coefficients(step),
-                  {{v[0], v[1], v[2]}, {r[0], r[1], r[2]}, lightness});
+                  {{v[0], v[1], v[2]}, {r[0], r[1], r[2]}, inverse_mass_scale});
 }
 
 void warm_start_synchronous(const System& system, ContactWorkspace& workspace, const State& s, double half,
@@ -228,7 +228,7 @@ void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& 
     ContactPass pass = contact_pass_of(system, workspace, s, b, sum);
     pass.r[0] = s.x.data(), pass.r[1] = s.y.data(), pass.r[2] = s.z.data();
     pass.v[0] = s.vx.data(), pass.v[1] = s.vy.data(), pass.v[2] = s.vz.data();
-    if (!s.lightness.empty()) pass.lightness = s.lightness.data();
+    if (!s.inverse_mass_scale.empty()) pass.inverse_mass_scale = s.inverse_mass_scale.data();
     pass.c = kick_coefficients(step);
     pass.reported = last_kick_coefficients(step.half_old, step.reported_centred);
     pass.begins = step.begins && step.half_old > 0;
@@ -246,7 +246,7 @@ void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& 
   ridge_respond(system, s, workspace.ridge, kick_coefficients(step),
                 {{s.vx.data(), s.vy.data(), s.vz.data()},
                  {s.x.data(), s.y.data(), s.z.data()},
-                 s.lightness.empty() ? nullptr : s.lightness.data()},
+                 s.inverse_mass_scale.empty() ? nullptr : s.inverse_mass_scale.data()},
                 &s, workspace.ridge_sums);
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     s.body[b].impulse.force += workspace.ridge_sums.load[b].force;
@@ -344,7 +344,7 @@ void apply_synchronous(const System& system, const ContactKernel& kernel, Contac
     pass.v[0] = vx, pass.v[1] = vy, pass.v[2] = vz;
     pass.c = half > 0 ? last_kick_coefficients(half, centred) : force_coefficients(system, s);
     if (half == 0) {
-      if (!s.lightness.empty()) pass.stiff = s.lightness.data();
+      if (!s.inverse_mass_scale.empty()) pass.stiff = s.inverse_mass_scale.data();
       pass.old = nullptr;
       pass.energy = false;
     }

@@ -25,9 +25,9 @@ struct ContactCoefficients {
 
 struct ContactPass {
   model::BodyContact* body;
-  double *r[3], *v[3];             // [nodes]
-  const double* old;               // [blocks in order x 3 x kRowUnit] v_{n-1/2}; null: v stands for it
-  const double *mass, *lightness;  // [nodes]; lightness: or null
+  double *r[3], *v[3];  // [nodes]
+  const double* old;    // [blocks in order x 3 x kRowUnit] v_{n-1/2}; null: v stands for it
+  const double *mass, *inverse_mass_scale;  // [nodes]; lightness: or null
   const double* stiff;  // [nodes] accelerations of a fit: the lightness, as its penalties go; or null
   const double* tied;   // [nodes] 1 where pins or welds tie a particle to others, else 0; or null
   char* hit;  // [nodes / kRowUnit] set where tied nodes have been touched by a pass that moves; or null

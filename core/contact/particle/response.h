@@ -213,7 +213,7 @@ void contact_run(const ContactPass& pass) {
       const std::size_t n = b.node + std::size_t(i);
       const simd::Row r{pass.r[0] + n, pass.r[1] + n, pass.r[2] + n},
           v{pass.v[0] + n, pass.v[1] + n, pass.v[2] + n};
-      const L light = pass.lightness ? L::load(pass.lightness + n) : L(1.0);
+      const L light = pass.inverse_mass_scale ? L::load(pass.inverse_mass_scale + n) : L(1.0);
       simd::Vec<L> free = simd::vec_load<L>(v, 0), moved = simd::vec_load<L>(r, 0);
       if (given) {
         const simd::Vec<L> carried_on =

@@ -84,9 +84,10 @@ ContactStops stop_forces(const System& system, const State& s, const std::vector
     simd::Vec<forces::Lane> free;  // against the body
     forces::Lane* to[] = {&free.x, &free.y, &free.z};
     for (std::size_t k = 0; k < 3; ++k) *to[k] = a[k][n] - t.block->warm_start[k][t.lane] - carried[k];
-    const ContactHit<forces::Lane> hit = contact_hit(
-        law, simd::Vec<forces::Lane>{out[0], out[1], out[2]}, t.gap.distance, free, free,
-        forces::Lane(t.block->sticking[t.lane]), forces::Lane(s.lightness.empty() ? 1 : 1 / s.lightness[n]));
+    const ContactHit<forces::Lane> hit =
+        contact_hit(law, simd::Vec<forces::Lane>{out[0], out[1], out[2]}, t.gap.distance, free, free,
+                    forces::Lane(t.block->sticking[t.lane]),
+                    forces::Lane(s.inverse_mass_scale.empty() ? 1 : 1 / s.inverse_mass_scale[n]));
     const forces::Lane dv[] = {hit.dv.x, hit.dv.y, hit.dv.z};
     for (std::size_t k = 0; k < 3; ++k) a[k][n] = (*to[k] + dv[k]).v + carried[k];
     stops.particle.push_back(system.mass[n] * hit.stop.v);

@@ -37,7 +37,7 @@ struct SelfContactPair {
   bool stuck = false, slides = false;  // before; now
   Vec3 hold{0, 0, 0};                  // N, friction of the step before
   int at[4];                           // in SelfTouches::node
-  double lightness;                    // sum W_k^2/m_k
+  double inverse_effective_mass;       // sum W_k^2/m_k
   Vec3 lever[4];                       // p_k
   double inverse[6];                   // I^-1: xx xy xz yy yz zz
   double normal = 0, stored = 0, stop = 0;  // N s

@@ -71,14 +71,15 @@ void law_set(const System& system, const std::vector<SelfNode>& node, SelfContac
   const model::ContactLaw &a = system.lattices[std::size_t(of[t.node[0]])].contact_law,
                           &b = system.lattices[std::size_t(of[t.node[t.cross ? 2 : 1]])].contact_law;
   double least = INFINITY;
-  t.lightness = 0;
+  t.inverse_effective_mass = 0;
   for (int k = 0; k < 4; ++k) {
     const SelfNode& n = node[std::size_t(t.at[k])];
     least = std::min(least, system.mass[n.node]);
-    t.lightness += t.weight[k] * t.weight[k] * n.inverse;
+    t.inverse_effective_mass += t.weight[k] * t.weight[k] * n.inverse;
   }
   t.stiffness = t.share * kSoft * std::min(a.omega2, b.omega2) * least / 2;
-  t.drag = t.lightness > 0 ? 2 * kDamping * std::sqrt(t.stiffness / t.lightness) : 0;
+  t.drag =
+      t.inverse_effective_mass > 0 ? 2 * kDamping * std::sqrt(t.stiffness / t.inverse_effective_mass) : 0;
   t.stick = (a.friction[0] + b.friction[0]) / 2;
   t.slide = (a.friction[1] + b.friction[1]) / 2;
 }
@@ -120,33 +121,33 @@ double normal_begin(const ContactCoefficients& c, SelfContactPairs& all, SelfCon
   const double blend = kSelfBlend * t.layer, depth = t.layer - t.distance;
   if (!(depth > 0)) return 0;
   const double u = std::min(depth / blend, 1.0);
-  t.resist = t.lightness * t.drag * u * u * (3 - 2 * u);
+  t.resist = t.inverse_effective_mass * t.drag * u * u * (3 - 2 * u);
   t.before = dot(t.n, gap_rate(all, t, &SelfNode::old));
   t.stored = t.normal = c.kick * t.stiffness * math::smooth_ramp(blend, depth);
   normal_push(all, t, t.normal);
-  return t.lightness * t.normal;
+  return t.inverse_effective_mass * t.normal;
 }
 
 // With damping: what P is to be, given what all others do.
 double normal_sweep(const ContactCoefficients& c, SelfContactPairs& all, SelfContactPair& t) {
   if (t.stored == 0) return 0;
-  const double rest = dot(t.n, gap_rate(all, t, &SelfNode::v)) - t.lightness * t.normal;
-  const double after =
-      (rest + t.lightness * t.stored - t.resist * c.old_time * t.before) / (1 + t.resist * c.new_time);
-  const double normal = std::max((after - rest) / t.lightness, 0.0), more = normal - t.normal;
+  const double rest = dot(t.n, gap_rate(all, t, &SelfNode::v)) - t.inverse_effective_mass * t.normal;
+  const double after = (rest + t.inverse_effective_mass * t.stored - t.resist * c.old_time * t.before) /
+                       (1 + t.resist * c.new_time);
+  const double normal = std::max((after - rest) / t.inverse_effective_mass, 0.0), more = normal - t.normal;
   t.normal = normal;
   normal_push(all, t, more);
-  return t.lightness * std::abs(more);
+  return t.inverse_effective_mass * std::abs(more);
 }
 
 double stop_sweep(const ContactCoefficients& c, SelfContactPairs& all, SelfContactPair& t) {
   const double w = dot(t.n, gap_rate(all, t, &SelfNode::v)), workspace = t.distance - kLeast * t.layer;
   const double wanted = -workspace * (workspace >= 0 ? c.stop_rate : c.push_rate);
-  const double stop = std::max(t.stop + (wanted - w) / t.lightness, 0.0), more = stop - t.stop;
+  const double stop = std::max(t.stop + (wanted - w) / t.inverse_effective_mass, 0.0), more = stop - t.stop;
   if (more == 0) return 0;
   t.stop = stop;
   normal_push(all, t, more);
-  return t.lightness * std::abs(more);
+  return t.inverse_effective_mass * std::abs(more);
 }
 
 // J no larger than friction allows.
@@ -163,7 +164,7 @@ double friction_change(SelfContactPairs& all, SelfContactPair& t, const Vec3& wa
   if (size == 0) return 0;
   t.friction = j;
   tangential_push(all, t, more);
-  return t.lightness * size;
+  return t.inverse_effective_mass * size;
 }
 
 }  // namespace
@@ -177,7 +178,7 @@ void self_prepare(const System& system, const State& s, bool inertia_of_fit, Sel
       int& at = all.index[n];
       if (at < 0) {
         at = int(all.node.size());
-        const double light = inertia_of_fit && !s.lightness.empty() ? s.lightness[n] : 1;
+        const double light = inertia_of_fit && !s.inverse_mass_scale.empty() ? s.inverse_mass_scale[n] : 1;
         const bool fixed = system.self.fixed[n];
         all.node.push_back({n,
                             fixed,
@@ -190,8 +191,10 @@ void self_prepare(const System& system, const State& s, bool inertia_of_fit, Sel
     }
   for (const SelfNode& n : all.node) all.index[n.node] = -1;
   for (SelfContactPair& t : all.pair) law_set(system, all.node, t);
-  std::erase_if(all.pair, [](const SelfContactPair& t) { return !(t.lightness > 0); });  // held on both sides
-  auto held = s.self.hold.begin();                                                       // in the same order
+  std::erase_if(all.pair, [](const SelfContactPair& t) {
+    return !(t.inverse_effective_mass > 0);
+  });                               // held on both sides
+  auto held = s.self.hold.begin();  // in the same order
   for (SelfContactPair& t : all.pair) {
     const auto before = [&](const model::SelfHold& h) {
       return h.cross != t.cross ? t.cross : h.node < t.node;
@@ -215,7 +218,7 @@ void self_respond(const ContactCoefficients& c, double settled, int sweeps, Self
       most = std::max(most, stop_sweep(c, all, t));
       if (!(t.normal + t.stop > 0) && dot(t.friction, t.friction) == 0) continue;
       const Vec3 w = slip(all, t, &SelfNode::v);
-      most = std::max(most, friction_change(all, t, t.friction - (1 / t.lightness) * w));
+      most = std::max(most, friction_change(all, t, t.friction - (1 / t.inverse_effective_mass) * w));
     }
     if (k == 0) first = std::max(first, most);
     if (!(most > settled * first)) break;

@@ -107,7 +107,9 @@ struct PassRun {
     return {at, at + l.stride, at + 2 * l.stride};
   }
   DRAPE_INLINE simd::ConstRow positions(int j) const { return row(s.x, s.y, s.z, 0, j); }
-  DRAPE_INLINE bool moves_plainly(int j) const { return mine(j) && to.moved && to.moved->lightness.empty(); }
+  DRAPE_INLINE bool moves_plainly(int j) const {
+    return mine(j) && to.moved && to.moved->inverse_mass_scale.empty();
+  }
   DRAPE_INLINE RowMove move(int j) const { return mine(j) ? row_move_of(system, to, first(j)) : RowMove{}; }
 };
 

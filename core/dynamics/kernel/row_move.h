@@ -26,7 +26,7 @@ DRAPE_INLINE RowMove row_move_of(const System& system, const PassTarget& to, std
     m.v = row_of(s->vx, s->vy, s->vz, o);
     if (!s->wx.empty()) m.w = row_of(s->wx, s->wy, s->wz, o);
     m.inverse_mass = system.inverse_mass.data() + o;
-    if (!s->lightness.empty()) m.lightness = s->lightness.data() + o;
+    if (!s->inverse_mass_scale.empty()) m.lightness = s->inverse_mass_scale.data() + o;
   } else {
     m.force = {to.fx + o, to.fy + o, to.fz + o};
   }

@@ -25,10 +25,11 @@ void euler_step(Ready& r, Array (&f)[3], double h) {
   const double c = r.system.damping;
   for (std::size_t k = 0; k < 3; ++k) {
     double *x = at[k]->data(), *v = speed[k]->data();
-    const double *pull = f[k].data(), *lightness = r.system.inverse_mass.data(), g = r.system.gravity[k];
+    const double *pull = f[k].data(), *inverse_mass_scale = r.system.inverse_mass.data(),
+                 g = r.system.gravity[k];
     for (std::size_t n : r.system.particle) {
       x[n] += h * v[n];
-      v[n] += h * (pull[n] * lightness[n] + g - c * v[n]);
+      v[n] += h * (pull[n] * inverse_mass_scale[n] + g - c * v[n]);
     }
   }
   for (const constraint::FixedNode& node : r.system.constraints.fixed)

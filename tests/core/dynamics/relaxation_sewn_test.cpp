@@ -94,7 +94,7 @@ TEST(Inertia, ShrinksByAHundredthALook) {
   relaxation_scale_masses(a.system, a.motion.constraints, a.state, h);
   for (std::size_t n : a.system.particle) a.state.y[n] *= a.state.y[n] > 0.025 ? 1.3 : 1.0;
   relaxation_scale_masses(a.system, a.motion.constraints, a.state, h);
-  Array before = a.state.lightness;
+  Array before = a.state.inverse_mass_scale;
   std::size_t stiffest = a.system.particle[0];
   for (std::size_t n : a.system.particle)
     if (before[n] < before[stiffest]) stiffest = n;
@@ -104,14 +104,14 @@ TEST(Inertia, ShrinksByAHundredthALook) {
   const int looks = int(std::ceil(std::log(grown) / -std::log(0.99)));
   for (int k = 1; k < looks; ++k) {
     relaxation_scale_masses(a.system, a.motion.constraints, a.state, h);
-    EXPECT_NEAR(before[stiffest] / a.state.lightness[stiffest], 0.99, 1e-12) << k;
+    EXPECT_NEAR(before[stiffest] / a.state.inverse_mass_scale[stiffest], 0.99, 1e-12) << k;
     for (std::size_t n : a.system.particle)
-      EXPECT_GE(before[n] / a.state.lightness[n], 0.99 * (1 - 1e-12)) << k;
-    before = a.state.lightness;
+      EXPECT_GE(before[n] / a.state.inverse_mass_scale[n], 0.99 * (1 - 1e-12)) << k;
+    before = a.state.inverse_mass_scale;
   }
   EXPECT_LT(before[stiffest], 1);
   relaxation_scale_masses(a.system, a.motion.constraints, a.state, h);
-  EXPECT_EQ(a.state.lightness[stiffest], 1);
+  EXPECT_EQ(a.state.inverse_mass_scale[stiffest], 1);
 }
 
 // The bits are those of every grouping of advances, while pairs are pulled, across welds and after.

@@ -270,8 +270,8 @@ TEST(Fit, EnlargesTheInertiaOfStiffCells) {
   relaxation_scale_masses(a.system, a.motion.constraints, a.state, h);
   double least = 1, most = 0;
   for (std::size_t n : a.system.particle) {
-    least = std::min(least, a.state.lightness[n]);
-    most = std::max(most, a.state.lightness[n]);
+    least = std::min(least, a.state.inverse_mass_scale[n]);
+    most = std::max(most, a.state.inverse_mass_scale[n]);
   }
   EXPECT_LT(least, 0.5);
   EXPECT_EQ(most, 1);
