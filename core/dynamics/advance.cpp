@@ -241,7 +241,7 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
   s.advance_length = length;
   s.advance_begins = true;
   inputs_begin(system, motion, s, length);
-  contact::self_hurry(system, s, 0);
+  contact::self_invalidate_proximity(system, s, 0);
   motion.path.intervals = on_grid ? std::int64_t(whole) : 1;
   Advance result = Advance::kDone;
   if (on_grid) {

@@ -71,11 +71,11 @@ void seams_weld(const System& system, Motion& motion, State& s, const std::vecto
   constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
                       &s.pin_impulse);
   if (!s.wx.empty()) s.wx = s.vx, s.wy = s.vy, s.wz = s.vz;
-  contact::touch_hurry(s);
+  contact::invalidate_proximity(s);
   if (!s.body.empty())
     contact::update_proximity(system, motion.kernel->contact, motion.contact, s, 0,
                               model::step_next(system, s));
-  contact::self_hurry(system, s, moved);
+  contact::self_invalidate_proximity(system, s, moved);
 }
 
 void seams_restore(const System& system, Motion& motion, const State& s) {

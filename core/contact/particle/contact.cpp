@@ -296,7 +296,7 @@ bool outruns(const System& system, const State& s, std::size_t b, const StepBoun
 
 }  // namespace
 
-void touch_hurry(State& s) {
+void invalidate_proximity(State& s) {
   for (model::BodyContact& c : s.body) std::fill(c.group_clearance.begin(), c.group_clearance.end(), 0.0);
 }
 

@@ -77,7 +77,7 @@ void update_proximity(const System& system, const ContactKernel& kernel, Contact
                       State& state, double drift, double ahead);
 
 // After particles have been put elsewhere: all are compared with their budgets at the next watch.
-void touch_hurry(State& state);
+void invalidate_proximity(State& state);
 
 // What contact does to synchronous velocities [nodes] in the last half kick of `half` s, which is what
 // room.load then holds, as impulses; or to accelerations (half = 0), as forces.

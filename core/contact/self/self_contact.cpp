@@ -96,7 +96,7 @@ void self_check_start(const System& system, const Scene& scene, const State& s,
   }
 }
 
-void self_hurry(const System& system, State& s, double moved) {
+void self_invalidate_proximity(const System& system, State& s, double moved) {
   if (!self_enabled(system)) return;
   s.self.speed = std::max(s.self.speed, speed_of(system, s));
   s.self.travel += 2 * moved;

@@ -25,7 +25,7 @@ void self_check_start(const System& system, const Scene& scene, const State& sta
                       std::vector<Problem>& problems);
 
 // After velocities have changed otherwise than in a step, or places by as much as `moved` (m).
-void self_hurry(const System& system, State& state, double moved);
+void self_invalidate_proximity(const System& system, State& state, double moved);
 
 // Before a step of h: finds what touches at t_n, and keeps its velocities.
 void self_store_velocities(const System& system, SelfContactWorkspace& workspace, State& state, double h);
