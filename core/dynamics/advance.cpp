@@ -53,7 +53,7 @@ bool all_finite(const System& system, const State& s) {
 
 // Looks at the step limit where the present velocities lead until the next look. A long look that finds the
 // step too large is repeated over fewer steps: in vibrating cloth velocities turn long before.
-void look(const System& system, const Motion& motion, State& s, double h) {
+void check_step_limit(const System& system, const Motion& motion, State& s, double h) {
   if (system.step_given > 0) {
     s.omega2 = step_limit_omega2(system, *motion.kernel, s);
     s.steps_to_limit_check = kLimitCheckGiven;
@@ -99,7 +99,7 @@ Advance watch(const System& system, Motion& motion, State& s, double length, std
     relaxation_update(system, motion, s, h());
     return Advance::kDone;
   }
-  look(system, motion, s, h());
+  check_step_limit(system, motion, s, h());
   if (system.step_given > 0)
     return h() > step_limit_of(system, s.omega2) ? Advance::kStepAboveLimit : Advance::kDone;
   while (h() > step_now(system, s, s.omega2)) {

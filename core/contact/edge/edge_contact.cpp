@@ -168,13 +168,13 @@ double edge_store_velocities(const System& system, State& s, std::vector<EdgeCon
   return find(system, s, &s, touches);
 }
 
-double ridge_note(const System& system, State& s, double moved) {
+double edge_record_sides(const System& system, State& s, double moved) {
   static thread_local std::vector<EdgeContactPair> touches;
   for (model::BodyContact& body : s.body) body.ridge.reach = std::max(body.ridge.reach, moved);
   return find(system, s, &s, touches);
 }
 
-double ridge_look(const System& system, const State& s, std::vector<EdgeContactPair>& touches) {
+double edge_narrow_phase(const System& system, const State& s, std::vector<EdgeContactPair>& touches) {
   return find(system, s, nullptr, touches);
 }
 

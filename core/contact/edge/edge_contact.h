@@ -37,7 +37,7 @@ void edge_update_proximity(const System& system, State& state, std::size_t body,
 
 // Before places change otherwise than in a step, by as much as `moved` (m): notes which pairs are out of the
 // bodies, since a jump may take them through. Gives J as ridge_keep.
-double ridge_note(const System& system, State& state, double moved);
+double edge_record_sides(const System& system, State& state, double moved);
 
 // The longest step (s) in which nodes near a ridge move by no more than a quarter of the layer.
 double ridge_step_most(const System& system, const State& state);
@@ -47,7 +47,7 @@ double ridge_step_most(const System& system, const State& state);
 double edge_store_velocities(const System& system, State& state, std::vector<EdgeContactPair>& touches);
 
 // The same of a state that does not change.
-double ridge_look(const System& system, const State& state, std::vector<EdgeContactPair>& touches);
+double edge_narrow_phase(const System& system, const State& state, std::vector<EdgeContactPair>& touches);
 
 // Velocities, and in a step places, that touching changes. Inertia is mass over lightness.
 struct RidgeField {
@@ -86,7 +86,7 @@ template <class Visit>
 void ridge_each(const System& system, const State& s, Visit visit) {
   if (!ridge_any(s)) return;
   std::vector<EdgeContactPair> touches;
-  ridge_look(system, s, touches);
+  edge_narrow_phase(system, s, touches);
   for (const EdgeContactPair& t : touches) {
     const double layer = system.lattices[std::size_t(t.part->lattice)].contact_law.layer;
     const double depth = layer - t.gap.distance;

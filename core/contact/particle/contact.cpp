@@ -214,7 +214,7 @@ void warm_start_synchronous(const System& system, ContactWorkspace& workspace, c
   ContactCoefficients c;
   c.kick = half > 0 ? half / centred : 1;
   warm_start_apply(s, c.kick, nullptr, v, nullptr, 0);
-  workspace.ridge_lost = ridge_look(system, s, workspace.ridge);
+  workspace.ridge_lost = edge_narrow_phase(system, s, workspace.ridge);
   edge_warm_start(system, s, workspace.ridge, c, {{vx, vy, vz}, {}, nullptr});
 }
 

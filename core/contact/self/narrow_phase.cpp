@@ -55,7 +55,7 @@ void minima_keep(std::vector<SelfContactPair>& contact, std::size_t first) {
                 contact.end());
 }
 
-struct Looking {
+struct NarrowPhase {
   const System& system;
   const Vec3* place;
   double reach;
@@ -63,7 +63,7 @@ struct Looking {
 };
 
 // The directions from an edge into its triangles, of length 1; their number.
-int into_set(const Looking& l, const model::SelfEdge& e, Vec3* into) {
+int into_set(const NarrowPhase& l, const model::SelfEdge& e, Vec3* into) {
   const Vec3 base = l.place[e.node[0]], edge = l.place[e.node[1]] - base;
   int count = 0;
   for (model::NodeIndex n : e.across) {
@@ -74,14 +74,14 @@ int into_set(const Looking& l, const model::SelfEdge& e, Vec3* into) {
   return count;
 }
 
-double sine_of(const Looking& l, model::NodeIndex edge) {
+double sine_of(const NarrowPhase& l, model::NodeIndex edge) {
   const model::SelfMesh& mesh = l.system.self;
   return mesh.stands_out[std::size_t(mesh.lattice_of[mesh.edge[edge].node[0]])];
 }
 
 // Whether an edge may stand out at all: along the middle of both directions their sine is the largest, and
 // sine^2 = (1 + m_1.m_2)/2.
-bool may_stand(const Looking& l, model::NodeIndex edge) {
+bool may_stand(const NarrowPhase& l, model::NodeIndex edge) {
   enum : char { kUnknown, kYes, kNo };
   char& known = l.all.stands[edge];
   if (known == kUnknown) {
@@ -95,7 +95,7 @@ bool may_stand(const Looking& l, model::NodeIndex edge) {
 
 // How far an edge stands out of its cloth along `out`, of length 1: the least sine, over that from which it
 // does.
-double stands_out(const Looking& l, model::NodeIndex edge, const Vec3& out) {
+double stands_out(const NarrowPhase& l, model::NodeIndex edge, const Vec3& out) {
   Vec3 into[2];
   const int count = into_set(l, l.system.self.edge[edge], into);
   double least = 1;
@@ -105,7 +105,7 @@ double stands_out(const Looking& l, model::NodeIndex edge, const Vec3& out) {
 
 // The way left until the pair can touch; 0 where it is within reach, and then it may be one more of the
 // touches.
-double point_look(const Looking& l, const model::SelfPoint& p) {
+double point_narrow_phase(const NarrowPhase& l, const model::SelfPoint& p) {
   const math::TriangleClosest foot =
       math::triangle_closest(l.place[p.node[0]], l.place[p.node[1]], l.place[p.node[2]], l.place[p.node[3]]);
   const double distance = std::sqrt(foot.distance2);
@@ -118,7 +118,7 @@ double point_look(const Looking& l, const model::SelfPoint& p) {
   return 0;
 }
 
-double cross_look(const Looking& l, const model::SelfCross& p) {
+double cross_narrow_phase(const NarrowPhase& l, const model::SelfCross& p) {
   if (!may_stand(l, p.edge[0]) || !may_stand(l, p.edge[1])) return 0;
   const math::EdgesClosest foot =
       math::edges_closest(l.place[p.node[0]], l.place[p.node[1]], l.place[p.node[2]], l.place[p.node[3]]);
@@ -144,8 +144,8 @@ void places_take(const model::SelfMesh& mesh, const State& s, std::vector<Vec3>&
 
 }  // namespace
 
-void self_look(const System& system, const State& s, double reach, SelfContactPairs& all,
-               model::SelfState* wake) {
+void self_narrow_phase(const System& system, const State& s, double reach, SelfContactPairs& all,
+                       model::SelfState* wake) {
   all.pair.clear();
   const std::vector<double>& blocks = s.self.block_active_after_travel;
   const double now = s.self.travel;
@@ -154,7 +154,7 @@ void self_look(const System& system, const State& s, double reach, SelfContactPa
   const std::size_t points = pairs.point.size(), size = pairs.size();
   places_take(system.self, s, all.place);
   all.stands.assign(system.self.edge.size(), 0);
-  const Looking looking{system, all.place.data(), reach, all};
+  const NarrowPhase narrow_phase{system, all.place.data(), reach, all};
   std::size_t first = 0;  // of the touches of the present particle
   model::NodeIndex particle = model::kNoNode;
   for (std::size_t begin = 0, block = 0; begin < size; begin += model::kPairsPerBlock, ++block) {
@@ -170,8 +170,8 @@ void self_look(const System& system, const State& s, double reach, SelfContactPa
           first = all.pair.size();
           particle = n;
         }
-        const double left =
-            point ? point_look(looking, pairs.point[k]) : cross_look(looking, pairs.cross[k - points]);
+        const double left = point ? point_narrow_phase(narrow_phase, pairs.point[k])
+                                  : cross_narrow_phase(narrow_phase, pairs.cross[k - points]);
         until = now + left;
         if (wake) wake->active_after_travel[k] = until;
       }

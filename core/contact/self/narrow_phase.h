@@ -56,8 +56,8 @@ struct SelfContactPairs {
 // Finds the pairs of a state that are nearer than their layer and `reach` (m), each local minimum of the
 // distance once; points first, in the order of their nodes. With `wake`, tells pairs when they are to be
 // looked at again.
-void self_look(const System& system, const State& state, double reach, SelfContactPairs& touches,
-               model::SelfState* wake);
+void self_narrow_phase(const System& system, const State& state, double reach, SelfContactPairs& touches,
+                       model::SelfState* wake);
 
 // Room for the nodes of `touch`, and all that does not depend on velocities.
 void self_prepare(const System& system, const State& state, bool inertia_of_fit, SelfContactPairs& touches);

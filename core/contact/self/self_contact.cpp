@@ -105,7 +105,7 @@ void self_invalidate_proximity(const System& system, State& s, double moved) {
 void self_store_velocities(const System& system, SelfContactWorkspace& workspace, State& s, double h) {
   const double reach = reach_of(system, s, h);
   if (s.self.travel + reach > s.self.searched + s.self.margin) search(system, s, h);
-  self_look(system, s, reach, workspace.touches, &s.self);
+  self_narrow_phase(system, s, reach, workspace.touches, &s.self);
   self_prepare(system, s, true, workspace.touches);
 }
 
@@ -137,7 +137,7 @@ void self_synchronous(const System& system, SelfContactWorkspace& workspace, con
                       double centred, double* vx, double* vy, double* vz) {
   SelfContactPairs& all = workspace.touches;
   workspace.dissipated = 0;
-  self_look(system, s, 0, all, nullptr);
+  self_narrow_phase(system, s, 0, all, nullptr);
   self_prepare(system, s, false, all);
   const ContactCoefficients c =
       half > 0 ? last_kick_coefficients(half, centred) : force_coefficients(system, s);
@@ -158,7 +158,7 @@ namespace {
 std::vector<SelfContactPair> touching(const System& system, const State& s) {
   SelfContactPairs all;
   if (!self_any(s)) return {};
-  self_look(system, s, 0, all, nullptr);
+  self_narrow_phase(system, s, 0, all, nullptr);
   self_prepare(system, s, false, all);
   return all.pair;
 }

@@ -28,7 +28,7 @@ Assembled held_up(const SceneFolder& folder, bool over_ridge, double height) {
 // The sum of what is held against particles whose free acceleration is `a` along z.
 double held(const Assembled& of, double a) {
   std::vector<contact::EdgeContactPair> pairs;
-  contact::ridge_look(of.system, of.state, pairs);
+  contact::edge_narrow_phase(of.system, of.state, pairs);
   Array x(of.system.nodes, 0.0), y = x, z(of.system.nodes, a);
   double* const field[] = {x.data(), y.data(), z.data()};
   const contact::ContactStops stops = contact::stop_forces(of.system, of.state, pairs, field);
