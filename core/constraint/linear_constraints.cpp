@@ -196,7 +196,7 @@ void rows_take(Constraints& c, std::vector<OpenRow> rows) {
     for (std::size_t n : row.on.node) c.part.back().line.push_back(std::uint32_t(n / math::kRowUnit));
     c.part.back().end = k + 1;
     const Target target = target_make(c, row.parts);
-    if (target.count > 0) c.led.push_back(k);
+    if (target.count > 0) c.rows_with_target.push_back(k);
     c.rows.push_back({std::move(row.on), target});
   }
   for (RowPart& p : c.part) {

@@ -80,10 +80,10 @@ struct Constraints {
   std::vector<PinBase> pins;  // as Scene::pins
   std::vector<TargetPart> parts;
   std::vector<FixedNode> fixed;
-  std::vector<HeldRow> rows;     // independent
-  std::vector<RowPart> part;     // of the rows, in their order
-  std::vector<std::size_t> led;  // the rows that have a target
-  Rigid rigid;                   // links beside them
+  std::vector<HeldRow> rows;                  // independent
+  std::vector<RowPart> part;                  // of the rows, in their order
+  std::vector<std::size_t> rows_with_target;  // the rows that have a target
+  Rigid rigid;                                // links beside them
 };
 
 // Sorts rows into fixed nodes and independent rows. Rows of pins that contradict each other, now or once

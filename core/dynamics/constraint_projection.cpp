@@ -173,7 +173,7 @@ void rows_apply(const System& system, const constraint::Constraints& c, const He
     const math::SparseRow& row = c.rows[k].on;
     s.input += work(impulse_of(k), step.before * old_of(row), row_sum(row, v));
   }
-  for (std::size_t k : c.led) {
+  for (std::size_t k : c.rows_with_target) {
     Vec3 impulse = impulse_of(k);
     if (step.begins) impulse -= reports ? at(held.z, k) : reported_change(step, (1 / step.h) * at(held.y, k));
     load_add(c, held.arm, c.rows[k].target, impulse, s.pin_impulse);

@@ -24,10 +24,10 @@ namespace {
 
 using namespace math::vector3;
 
-void rates_set(const System& system, Balance& b, const State& s, double lead) {
+void rates_set(const System& system, Balance& b, const State& s, double extrapolation) {
   b.air = {0, 0, 0};
   if (model::system_has_rates(system))
-    b.air = forces::rate_forces(system, s, lead, b.fx.data(), b.fy.data(), b.fz.data());
+    b.air = forces::rate_forces(system, s, extrapolation, b.fx.data(), b.fy.data(), b.fz.data());
 }
 
 // sum F.v over the particles
@@ -72,10 +72,10 @@ Balance balance_make(const System& system) {
 
 namespace {
 
-void pull_set(const System& system, Balance& b, const State& s, double lead) {
+void pull_set(const System& system, Balance& b, const State& s, double extrapolation) {
   for (const model::Seam& seam : system.seams.seam)
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
-      b.pull[p] = forces::seam_pull(system, seam, p, s, lead);
+      b.pull[p] = forces::seam_pull(system, seam, p, s, extrapolation);
       b.rate[p] = model::row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz);
     }
 }
@@ -90,13 +90,13 @@ double pull_power(const System& system, const Balance& b, const Array& vx, const
 
 }  // namespace
 
-void balance_begin(const System& system, Balance& b, const State& s, double lead) {
+void balance_begin(const System& system, Balance& b, const State& s, double extrapolation) {
   b.vx = s.vx;
   b.vy = s.vy;
   b.vz = s.vz;
-  rates_set(system, b, s, lead);
+  rates_set(system, b, s, extrapolation);
   b.wind = s.wind;
-  pull_set(system, b, s, lead);
+  pull_set(system, b, s, extrapolation);
   for (std::size_t k = 0; k < b.held.size(); ++k) {
     b.held[k] = forces::clamp_direction(system.irregular.clamps[k], s);
     b.link[k] = link_now(system.irregular.clamps[k], s);
@@ -134,11 +134,11 @@ void balance_drifted(const System& system, const Balance& b, State& s, double de
   s.input += clamps_work(system, b, s);
 }
 
-BalanceNow balance_now(const System& system, Balance& b, const State& s, double lead, const Array& vx,
-                       const Array& vy, const Array& vz) {
+BalanceNow balance_now(const System& system, Balance& b, const State& s, double extrapolation,
+                       const Array& vx, const Array& vy, const Array& vz) {
   if (system.integrator == scene::Integrator::kPaper || system.composition) return {s.dissipated, s.input};
-  rates_set(system, b, s, lead);
-  pull_set(system, b, s, lead);
+  rates_set(system, b, s, extrapolation);
+  pull_set(system, b, s, extrapolation);
   double damped = 0;
   if (system.damping > 0)
     for (std::size_t n : system.particle)

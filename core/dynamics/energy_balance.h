@@ -17,7 +17,7 @@ struct Balance {
 Balance balance_make(const System& system);
 
 // Before and after a step of h, the constraints and the turns of the pins included.
-void balance_begin(const System& system, Balance& balance, const State& state, double lead);
+void balance_begin(const System& system, Balance& balance, const State& state, double extrapolation);
 void balance_end(const System& system, const Balance& balance, State& state, double h_old, double h);
 
 // After a stage of a composition, whose drift has left the share `decay` of v: what -m c v took is the loss
@@ -29,7 +29,7 @@ void balance_drifted(const System& system, const Balance& balance, State& state,
 struct BalanceNow {
   double dissipated, input;
 };
-BalanceNow balance_now(const System& system, Balance& balance, const State& state, double lead,
+BalanceNow balance_now(const System& system, Balance& balance, const State& state, double extrapolation,
                        const Array& vx, const Array& vy, const Array& vz);
 
 }  // namespace drape::dynamics

@@ -56,8 +56,8 @@ void clamp_torques_add(const System& system, Motion& motion, State& s, double sp
 void stage_run(const System& system, Motion& motion, State& s, const Stage& stage, double h, double u) {
   const bool begins = s.advance_begins && system.integrator != scene::Integrator::kPaper;
   const StepCoefficients c{stage.keep, stage.kick, stage.drift, gravity_of(system, s),
-                           velocity_lead(system, s)};
-  if (system.energy) balance_begin(system, motion.balance, s, c.lead);
+                           velocity_extrapolation(system, s)};
+  if (system.energy) balance_begin(system, motion.balance, s, c.extrapolation);
   if (begins || system.energy) held_store_velocities(motion.constraints, s, motion.held);
   clamp_torques_add(system, motion, s, begins ? stage.begun : stage.span);
   if (!s.sewn.empty()) forces::seams_rates(system, s, motion.gap_rate);
@@ -144,12 +144,12 @@ void leapfrog_step(const System& system, Motion& motion, State& s, double h, dou
 void leapfrog_complete(const System& system, Motion& motion, State& s) {
   if (s.h_old == 0 || system.integrator == scene::Integrator::kPaper) return;
   std::vector<math::Wrench> reported;
-  const double lead = velocity_lead(system, s);
+  const double extrapolation = velocity_extrapolation(system, s);
   leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(), motion.now_z.data(),
                        reported);
   if (system.energy) {
     const BalanceNow now =
-        balance_now(system, motion.balance, s, lead, motion.now_x, motion.now_y, motion.now_z);
+        balance_now(system, motion.balance, s, extrapolation, motion.now_x, motion.now_y, motion.now_z);
     s.dissipated = now.dissipated + motion.contact.dissipated + motion.self.dissipated;
     s.input = now.input + motion.held.work + motion.contact.input;
   }

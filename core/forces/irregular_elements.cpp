@@ -15,7 +15,7 @@
 namespace drape::forces {
 namespace {
 
-void links_add(const System& system, const State& s, bool rates, double lead, NodeForces f) {
+void links_add(const System& system, const State& s, bool rates, double extrapolation, NodeForces f) {
   for (const model::IrregularLink& link : system.irregular.links) {
     const fabric::Law& law = system.lattices[std::size_t(link.lattice)].law;
     const math::Curve& curve = model::law_curve(law, link.along);
@@ -25,7 +25,8 @@ void links_add(const System& system, const State& s, bool rates, double lead, No
     const CurveTension tension{&curve};
     NodeLane pull = tension(e);
     if (rates && law.damping > 0) {
-      const NodeVec du = node_speed(s, link.node[1], lead) - node_speed(s, link.node[0], lead);
+      const NodeVec du =
+          node_speed(s, link.node[1], extrapolation) - node_speed(s, link.node[0], extrapolation);
       pull = damped_tension(tension, e, simd::dot(du, edge.unit) * inverse_rest, law.damping);
     }
     const NodeVec force = edge.unit * (NodeLane(link.width) * pull);
@@ -64,9 +65,9 @@ void clamps_add(const System& system, const State& s, NodeForces f) {
   }
 }
 
-void air_add(const System& system, const State& s, double lead, NodeForces f) {
+void air_add(const System& system, const State& s, double extrapolation, NodeForces f) {
   for (const model::IrregularCell& cell : system.irregular.cells) {
-    const NodeVec quarter = node_air_quarter(system, s, cell.node, cell.share, lead);
+    const NodeVec quarter = node_air_quarter(system, s, cell.node, cell.share, extrapolation);
     for (int slot : cell.slot) force_add(f, std::size_t(slot), quarter);
   }
 }
@@ -81,16 +82,16 @@ Vec3 clamp_direction(const model::ClampHinge& c, const State& s) {
   return d;
 }
 
-void irregular_forces(const System& system, const State& s, bool rates, double lead, HingeKernel hinges,
-                      model::SlotForces out) {
+void irregular_forces(const System& system, const State& s, bool rates, double extrapolation,
+                      HingeKernel hinges, model::SlotForces out) {
   const NodeForces f{out.x, out.y, out.z};
   for (double* to : {f.x, f.y, f.z})
     for (std::size_t k = 0; k < system.irregular.node.size(); ++k) to[k] = 0;
-  links_add(system, s, rates, lead, f);
+  links_add(system, s, rates, extrapolation, f);
   hinges_add(system, s, f);
   clamps_add(system, s, f);
-  if (rates && model::system_has_air(system)) air_add(system, s, lead, f);
-  seams_pull(system, s, lead, out);
+  if (rates && model::system_has_air(system)) air_add(system, s, extrapolation, f);
+  seams_pull(system, s, extrapolation, out);
   seams_bond(system, s, hinges, out);
 }
 

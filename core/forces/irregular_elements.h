@@ -7,8 +7,8 @@
 namespace drape::forces {
 
 // Sets all slots. `rates`: with the forces that depend on velocity, at v + lead (v - w).
-void irregular_forces(const System& system, const State& state, bool rates, double lead, HingeKernel hinges,
-                      model::SlotForces force);
+void irregular_forces(const System& system, const State& state, bool rates, double extrapolation,
+                      HingeKernel hinges, model::SlotForces force);
 
 // The torque of every clamp on the outside world beyond that of its points' forces, kappa_c psi (R D x v),
 // added to torque [pins].

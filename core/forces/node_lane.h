@@ -30,9 +30,9 @@ inline void force_take(NodeForces f, std::size_t k, NodeVec force) {
 inline NodeVec node_at(const State& s, std::size_t n) { return {s.x[n], s.y[n], s.z[n]}; }
 
 // v + lead (v - w)
-inline NodeVec node_speed(const State& s, std::size_t n, double lead) {
+inline NodeVec node_speed(const State& s, std::size_t n, double extrapolation) {
   const NodeVec v{s.vx[n], s.vy[n], s.vz[n]}, w{s.wx[n], s.wy[n], s.wz[n]};
-  return v + (v - w) * NodeLane(lead);
+  return v + (v - w) * NodeLane(extrapolation);
 }
 
 struct NodeEdge {
@@ -46,11 +46,11 @@ inline NodeEdge node_edge(const State& s, std::size_t from, std::size_t to) {
 }
 
 inline NodeVec node_air_quarter(const System& system, const State& s, const std::size_t* corner, double share,
-                                double lead) {
+                                double extrapolation) {
   NodeVec r[4], u[4];
   for (int k = 0; k < 4; ++k) {
     r[k] = node_at(s, corner[k]);
-    u[k] = node_speed(s, corner[k], lead);
+    u[k] = node_speed(s, corner[k], extrapolation);
   }
   const NodeVec speed = ((u[0] + u[1]) + (u[2] + u[3])) * NodeLane(0.25);
   return air_quarter(system.air, s.wind, r[3] - r[0], r[2] - r[1], speed, NodeLane(share));

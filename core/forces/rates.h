@@ -6,6 +6,7 @@
 namespace drape::forces {
 
 // Damping along springs and air at v + lead (v - w) into fx, fy, fz [nodes], N; returns the air's total.
-Vec3 rate_forces(const System& system, const State& state, double lead, double* fx, double* fy, double* fz);
+Vec3 rate_forces(const System& system, const State& state, double extrapolation, double* fx, double* fy,
+                 double* fz);
 
 }  // namespace drape::forces

@@ -16,25 +16,26 @@ double seam_mass(const System& system, const model::SeamPair& pair) {
   return sum > 0 ? 1 / sum : 0;
 }
 
-Vec3 seam_pull(const System& system, const model::Seam& seam, std::size_t p, const State& s, double lead) {
+Vec3 seam_pull(const System& system, const model::Seam& seam, std::size_t p, const State& s,
+               double extrapolation) {
   if (s.sewn[p] != model::Sewn::kPulled) return {0, 0, 0};
   const model::SeamPair& pair = system.seams.pair[p];
   const Vec3 gap = model::row_value(pair.gap, s), now = model::row_value(pair.gap, s.vx, s.vy, s.vz);
   const double* before = &s.gap_rate[3 * p];
   const double w = seam.pull, length = norm(gap);
   if (length == 0 || w == 0) return {0, 0, 0};
-  const Vec3 rate = now + lead * (now - Vec3{before[0], before[1], before[2]});
+  const Vec3 rate = now + extrapolation * (now - Vec3{before[0], before[1], before[2]});
   const double held = s.gap_hold[p] * length / std::hypot(length, seam.gap_tolerance);
   const double spring = w * w * (std::min(length, 2 * seam.speed / w) + held),
                damping = 2 * w * dot(rate, gap) / length;
   return (-seam_mass(system, pair) * (spring + damping) / length) * gap;
 }
 
-void seams_pull(const System& system, const State& s, double lead, model::SlotForces to) {
+void seams_pull(const System& system, const State& s, double extrapolation, model::SlotForces to) {
   for (const model::Seam& seam : system.seams.seam)
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p)
       if (s.sewn[p] == model::Sewn::kPulled)
-        model::row_force(system.seams.pair[p].gap, seam_pull(system, seam, p, s, lead), to);
+        model::row_force(system.seams.pair[p].gap, seam_pull(system, seam, p, s, extrapolation), to);
 }
 
 double seams_held(const System& system, const State& s) {

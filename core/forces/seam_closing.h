@@ -23,10 +23,10 @@ double seam_mass(const System& system, const model::SeamPair& pair);  // mu, kg
 
 // The pull on side b of a pair, N, at the velocity led on by `lead`; 0 where it is not pulled.
 Vec3 seam_pull(const System& system, const model::Seam& seam, std::size_t pair, const State& state,
-               double lead);
+               double extrapolation);
 
 // Adds it for all pairs to the slots.
-void seams_pull(const System& system, const State& state, double lead, model::SlotForces to);
+void seams_pull(const System& system, const State& state, double extrapolation, model::SlotForces to);
 
 // s/g, at most.
 double seams_held(const System& system, const State& state);

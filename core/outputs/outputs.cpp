@@ -112,8 +112,8 @@ void energy_fill(Outputs& o, const System& system, dynamics::Motion& motion, con
   e.kinetic = energy_kinetic(system, motion.now_x, motion.now_y, motion.now_z);
   if (!o.shown.has_balance) return;
   const dynamics::BalanceNow now =
-      dynamics::balance_now(system, motion.balance, s, dynamics::velocity_lead(system, s), motion.now_x,
-                            motion.now_y, motion.now_z);
+      dynamics::balance_now(system, motion.balance, s, dynamics::velocity_extrapolation(system, s),
+                            motion.now_x, motion.now_y, motion.now_z);
   e.dissipated = now.dissipated + motion.contact.dissipated + motion.self.dissipated;
   e.input = now.input + motion.held.work + motion.contact.input;
   e.balance_error = energy_sum(e) - s.energy_start - e.input + e.dissipated;

@@ -22,7 +22,7 @@ void pass_run_all(const Kernel& kernel, const System& system, const StepCoeffici
                   const State& s, const PassTarget& to) {
   const bool rates = model::system_has_rates(system);
   if (!system.irregular.node.empty())
-    forces::irregular_forces(system, s, rates, c.lead, kernel.hinges,
+    forces::irregular_forces(system, s, rates, c.extrapolation, kernel.hinges,
                              {w.slot_x.data(), w.slot_y.data(), w.slot_z.data()});
   blocks_copy(system, s, w);
   struct Task {
@@ -45,7 +45,7 @@ void pass_run_all(const Kernel& kernel, const System& system, const StepCoeffici
 
 }  // namespace
 
-double velocity_lead(const System& system, const State& s) {
+double velocity_extrapolation(const System& system, const State& s) {
   if (system.integrator == scene::Integrator::kPaper || s.h_old == 0) return 0;
   return s.h_old / (s.h_old + s.h_older);
 }
@@ -58,7 +58,7 @@ void kernel_step(const Kernel& kernel, const System& system, const StepCoefficie
 void kernel_forces(const Kernel& kernel, const System& system, const State& s, Workspace& w, double* fx,
                    double* fy, double* fz) {
   StepCoefficients c{};
-  c.lead = velocity_lead(system, s);
+  c.extrapolation = velocity_extrapolation(system, s);
   pass_run_all(kernel, system, c, w, s, {nullptr, fx, fy, fz});
 }
 

@@ -11,7 +11,7 @@ namespace drape::dynamics {
 struct StepCoefficients {
   double keep, kick, drift;
   Vec3 gravity;
-  double lead;
+  double extrapolation;
 };
 
 // Rows begin .. end - 1 of a lattice, which one thread moves. Rows of its neighbours, which move meanwhile,
@@ -73,7 +73,7 @@ void kernel_forces(const Kernel& kernel, const System& system, const State& stat
                    double* fx, double* fy, double* fz);
 
 // How far the velocity is led on to t_n: u_n = v + lead (v - w), v = v_{n-1/2}, w = v_{n-3/2}.
-double velocity_lead(const System& system, const State& state);
+double velocity_extrapolation(const System& system, const State& state);
 
 // The fastest kernel of this processor. The environment variable DRAPE_SIMD = portable | scalar | avx2 |
 // avx512 picks one where the processor has it; `scalar` is a slow yardstick with fused arithmetic.

@@ -63,10 +63,11 @@ DRAPE_INLINE void row_clear(int n, simd::PackedRow r) {
 }
 // u = v + lead (v - w)
 template <class L>
-DRAPE_INLINE void row_lead(int n, double lead, simd::ConstRow v, simd::ConstRow w, simd::Row out) {
+DRAPE_INLINE void row_extrapolate(int n, double extrapolation, simd::ConstRow v, simd::ConstRow w,
+                                  simd::Row out) {
   for (int i = 0; i < n; i += L::kWidth) {
     const simd::Vec<L> now = simd::vec_load<L>(v, i);
-    simd::vec_store(out, i, now + (now - simd::vec_load<L>(w, i)) * L(lead));
+    simd::vec_store(out, i, now + (now - simd::vec_load<L>(w, i)) * L(extrapolation));
   }
 }
 
@@ -115,8 +116,8 @@ struct PassRun {
 
 template <class L>
 DRAPE_INLINE void speed_load(const PassRun& run, int j) {
-  row_lead<L>(run.l.stride, run.c.lead, run.row(run.s.vx, run.s.vy, run.s.vz, 3, j),
-              run.row(run.s.wx, run.s.wy, run.s.wz, 6, j), run.p.speed[j % 2]);
+  row_extrapolate<L>(run.l.stride, run.c.extrapolation, run.row(run.s.vx, run.s.vy, run.s.vz, 3, j),
+                     run.row(run.s.wx, run.s.wy, run.s.wz, 6, j), run.p.speed[j % 2]);
 }
 
 template <class L, bool kRates>
