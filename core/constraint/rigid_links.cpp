@@ -182,8 +182,8 @@ double rigid_along(const Rigid& rigid, const RigidNow& now, std::size_t link, co
   return sum;
 }
 
-void rigid_take(const Rigid& rigid, const Array& inverse_mass, RigidNow& now, const RigidField* field,
-                int fields) {
+void rigid_correct(const Rigid& rigid, const Array& inverse_mass, RigidNow& now, const RigidField* field,
+                   int fields) {
   rigid_factor(rigid, inverse_mass, now);
   math::cholesky_solve_scalar(now.factor, now.b.data());
   for (std::size_t r = 0; r + 1 < rigid.begin.size(); ++r) {

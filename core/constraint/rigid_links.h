@@ -78,7 +78,7 @@ struct RigidField {
   double *x, *y, *z;
   double scale;  // s
 };
-void rigid_take(const Rigid& rigid, const Array& inverse_mass, RigidNow& now, const RigidField* field,
-                int fields);
+void rigid_correct(const Rigid& rigid, const Array& inverse_mass, RigidNow& now, const RigidField* field,
+                   int fields);
 
 }  // namespace drape::constraint

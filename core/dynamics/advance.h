@@ -89,7 +89,7 @@ contact::ContactStops leapfrog_stops(const System& system, Motion& motion, const
 // What is held, then what touches, on synchronous velocities in the last half kick of `half` s, or on
 // accelerations (half = 0). What touching changes is held again, so that it meets the velocities that pins
 // and welds leave, as in a step. Adds to the loads where `load` is not null.
-void synchronous_meet(const System& system, Motion& motion, const State& state, Rate which, double half,
-                      double centred, Field field, std::vector<math::Wrench>* load);
+void project_synchronous(const System& system, Motion& motion, const State& state, Rate which, double half,
+                         double centred, Field field, std::vector<math::Wrench>* load);
 
 }  // namespace drape::dynamics

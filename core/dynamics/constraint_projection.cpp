@@ -182,7 +182,8 @@ void rows_apply(const System& system, const constraint::Constraints& c, const He
 
 // The scalar rows of rows and links: what is left of the rows, as in `left`, and what `excess` says of links.
 template <class Left, class Excess>
-void rigid_ask(const constraint::Constraints& c, constraint::RigidNow& now, Left left, Excess excess) {
+void rigid_right_hand_side(const constraint::Constraints& c, constraint::RigidNow& now, Left left,
+                           Excess excess) {
   for (std::size_t k = 0; k < c.rows.size(); ++k) {
     const Vec3 v = left(k);
     std::copy(v.begin(), v.end(), &now.b[3 * k]);
@@ -198,8 +199,8 @@ double largest_excess(const constraint::Constraints& c, const Field& r) {  // ov
 }
 
 // Rows and links met at positions r, by sweeps; what they took in now.y. `v` follows by 1/h.
-void rigid_meet(const System& system, const constraint::Constraints& c, const Array& target, const Field& r,
-                const Field* v, double h, constraint::RigidNow& now) {
+void rigid_project_positions(const System& system, const constraint::Constraints& c, const Array& target,
+                             const Field& r, const Field* v, double h, constraint::RigidNow& now) {
   constexpr int kSweeps = 4;
   constexpr double kMet = 1e-9;
   const constraint::RigidField fields[] = {{r.x, r.y, r.z, 1},
@@ -207,10 +208,10 @@ void rigid_meet(const System& system, const constraint::Constraints& c, const Ar
   std::fill(now.y.begin(), now.y.end(), 0.0);
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     if (sweep > 0 && largest_excess(c, r) <= kMet) break;
-    rigid_ask(
+    rigid_right_hand_side(
         c, now, [&](std::size_t k) { return row_sum(c.rows[k].on, r) - at(target, c.fixed.size() + k); },
         [&](std::size_t k) { return constraint::rigid_excess(c.rigid.link[k], r.x, r.y, r.z); });
-    constraint::rigid_take(c.rigid, system.inverse_mass, now, fields, v ? 2 : 1);
+    constraint::rigid_correct(c.rigid, system.inverse_mass, now, fields, v ? 2 : 1);
   }
 }
 
@@ -221,10 +222,10 @@ void rigid_project(const System& system, const constraint::Constraints& c, const
   const constraint::RigidField field{f.x, f.y, f.z, 1};
   std::fill(now.y.begin(), now.y.end(), 0.0);
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    rigid_ask(
+    rigid_right_hand_side(
         c, now, [&](std::size_t k) { return row_sum(c.rows[k].on, f) - at(held.rate, c.fixed.size() + k); },
         [&](std::size_t k) { return constraint::rigid_along(c.rigid, now, k, f.x, f.y, f.z) - now.rate[k]; });
-    constraint::rigid_take(c.rigid, system.inverse_mass, now, &field, 1);
+    constraint::rigid_correct(c.rigid, system.inverse_mass, now, &field, 1);
   }
   std::copy_n(now.y.begin(), held.y.size(), held.y.begin());
 }
@@ -255,7 +256,7 @@ void rigid_apply(const System& system, const constraint::Constraints& c, const H
     old.push_back(sum);
   }
   if (reports) {
-    rigid_ask(
+    rigid_right_hand_side(
         c, now,
         [&](std::size_t k) {
           return reported(step, old[k], row_sum(c.rows[k].on, v), at(held.rate, fixed + k));
@@ -273,7 +274,7 @@ void rigid_apply(const System& system, const constraint::Constraints& c, const H
     math::cholesky_solve_scalar(now.factor, now.b.data());
     std::copy_n(now.b.begin(), held.z.size(), held.z.begin());
   }
-  rigid_meet(system, c, held.next, r, &v, step.h, now);
+  rigid_project_positions(system, c, held.next, r, &v, step.h, now);
   for (std::size_t k = 0; k < c.rows.size(); ++k) {
     Vec3 impulse = (step.impulse / step.h) * at(now.y, k);
     if (system.energy) s.input += work(impulse, step.before * old[k], row_sum(c.rows[k].on, v));
@@ -334,8 +335,8 @@ void held_store_velocities(const constraint::Constraints& c, const State& s, Hel
     for (std::size_t n : link.node) keep(n);
 }
 
-void constraints_meet(const System& system, const constraint::Constraints& c, const HeldStep& step,
-                      HeldMotion& held, State& s) {
+void constraints_project_step(const System& system, const constraint::Constraints& c, const HeldStep& step,
+                              HeldMotion& held, State& s) {
   if (held.moves && !step.again)
     each_target(c, [&](std::size_t k, const constraint::Target& t) {
       if (t.moves) set(held.next, k, target_now(c, s, t));
@@ -345,7 +346,7 @@ void constraints_meet(const System& system, const constraint::Constraints& c, co
   else if (!c.rows.empty()) rows_apply(system, c, step, held, s);
 }
 
-void constraints_end(const constraint::Constraints& c, const State& s, HeldMotion& held) {
+void constraints_end_step(const constraint::Constraints& c, const State& s, HeldMotion& held) {
   constraint::rigid_aim(c.rigid, s.x.data(), s.y.data(), s.z.data(), held.rigid);
   if (!held.moves) return;
   held.now.swap(held.next);
@@ -356,7 +357,7 @@ void constraints_end(const constraint::Constraints& c, const State& s, HeldMotio
 void constraints_place(const System& system, const constraint::Constraints& c, HeldMotion& held, Field r) {
   for (std::size_t k = 0; k < c.fixed.size(); ++k) set(r, c.fixed[k].node, at(held.now, k));
   if (!c.rigid.link.empty()) {
-    rigid_meet(system, c, held.now, r, nullptr, 1, held.rigid);
+    rigid_project_positions(system, c, held.now, r, nullptr, 1, held.rigid);
     constraint::rigid_aim(c.rigid, r.x, r.y, r.z, held.rigid);
     return;
   }

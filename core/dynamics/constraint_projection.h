@@ -47,11 +47,11 @@ struct HeldStep {
 
 // Puts held nodes where the frames of the state (at t_{n+1}) want them after the free step, and adds to the
 // impulses of the pins. With system.energy (and held_keep), adds their work on the cloth to state.input.
-void constraints_meet(const System& system, const constraint::Constraints& constraints, const HeldStep& step,
-                      HeldMotion& held, State& state);
+void constraints_project_step(const System& system, const constraint::Constraints& constraints,
+                              const HeldStep& step, HeldMotion& held, State& state);
 
 // Ends a step: what is held at t_{n+1} is so now.
-void constraints_end(const constraint::Constraints& constraints, const State& state, HeldMotion& held);
+void constraints_end_step(const constraint::Constraints& constraints, const State& state, HeldMotion& held);
 
 // Three components of a nodal field, [nodes] each.
 struct Field {

@@ -159,8 +159,8 @@ Left forces_left(const System& system, Motion& motion, const State& s) {
     for (std::size_t k = 0; k < 3; ++k) (*a[k])[n] = (*a[k])[n] * system.inverse_mass[n] + g[k];
   std::vector<math::Wrench> load(s.pin_impulse.size());
   held_refresh(motion.constraints, s, motion.held);
-  synchronous_meet(system, motion, s, Rate::kAcceleration, 0, 1,
-                   {motion.now_x.data(), motion.now_y.data(), motion.now_z.data()}, &load);
+  project_synchronous(system, motion, s, Rate::kAcceleration, 0, 1,
+                      {motion.now_x.data(), motion.now_y.data(), motion.now_z.data()}, &load);
   Left left;
   for (const math::Wrench& l : load) left.pins += norm(l.force);
   for (std::size_t n : system.particle)

@@ -86,15 +86,15 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
                 begins ? stage.centred : 1,
                 stage.before};
   if (touches) contact::warm_start(system, motion.contact, contact, s);
-  constraints_meet(system, motion.constraints, step, motion.held, s);
+  constraints_project_step(system, motion.constraints, step, motion.held, s);
   if (rubs) contact::self_apply(system, motion.self, contact, s);
   if (touches) contact::apply(system, motion.kernel->contact, motion.contact, contact, s);
   if (touches || (rubs && contact::self_any_touching(motion.self))) {
     step.again = true;
     if (!rubs && !motion.contact.touched.empty()) step.hit = motion.contact.touched.data();
-    constraints_meet(system, motion.constraints, step, motion.held, s);
+    constraints_project_step(system, motion.constraints, step, motion.held, s);
   }
-  constraints_end(motion.constraints, s, motion.held);
+  constraints_end_step(motion.constraints, s, motion.held);
   bodies_follow(motion.path, u, s);
   if (!s.body.empty())
     contact::update_proximity(system, motion.kernel->contact, motion.contact, s, stage.drift, h);
@@ -175,8 +175,8 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
   s.h_old = s.h_older = 0;
 }
 
-void synchronous_meet(const System& system, Motion& motion, const State& s, Rate which, double half,
-                      double centred, Field f, std::vector<math::Wrench>* load) {
+void project_synchronous(const System& system, Motion& motion, const State& s, Rate which, double half,
+                         double centred, Field f, std::vector<math::Wrench>* load) {
   held_rates(motion.constraints, s, which, motion.held);
   contact::warm_start_synchronous(system, motion.contact, s, half, centred, f.x, f.y, f.z);
   constraints_project(system, motion.constraints, motion.held, f, load);
@@ -222,13 +222,13 @@ void leapfrog_synchronous(const System& system, Motion& motion, const State& s, 
     each([&](double force, double v, double kick, double inverse_mass, double g) {
       return (decay * v + kick * (force * inverse_mass + g)) / centred;
     });
-    synchronous_meet(system, motion, s, Rate::kVelocity, half, centred, {vx, vy, vz}, &load);
+    project_synchronous(system, motion, s, Rate::kVelocity, half, centred, {vx, vy, vz}, &load);
   } else {
     each([&](double force, double v, double kick, double inverse_mass, double g) {
       const double free = force * inverse_mass + g;
       return free - damping * ((v + kick * free) / centred);
     });
-    synchronous_meet(system, motion, s, Rate::kAcceleration, 0, 1, {vx, vy, vz}, &load);
+    project_synchronous(system, motion, s, Rate::kAcceleration, 0, 1, {vx, vy, vz}, &load);
     each([&](double acceleration, double v, double kick, double, double) {
       return (v + kick * acceleration) / (centred - kick * damping);
     });
