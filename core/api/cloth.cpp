@@ -24,7 +24,7 @@ struct drape_snapshot {
 namespace drape::api {
 namespace {
 
-constexpr double kIntervalsMost = 1e9;  // in one advance
+constexpr double kMaxIntervals = 1e9;  // in one advance
 
 void inputs_save(const drape_inputs& from, drape_snapshot::Inputs& to) {
   std::copy(from.wind, from.wind + 3, to.wind);
@@ -187,10 +187,10 @@ drape_status drape_advance(drape_cloth* c, double length) {
         "the length of an advance is " + number(length) + " s; allowed: above 0 s, finite");
     return DRAPE_DISCARD;
   }
-  if (length / c->system.communication > kIntervalsMost) {
+  if (length / c->system.communication > kMaxIntervals) {
     say(*c, DRAPE_LOG_ERROR,
         "the length of an advance is " + number(length) + " s; allowed: at most " +
-            number(kIntervalsMost * c->system.communication) + " s, " + number(kIntervalsMost) +
+            number(kMaxIntervals * c->system.communication) + " s, " + number(kMaxIntervals) +
             " communication intervals");
     return DRAPE_DISCARD;
   }

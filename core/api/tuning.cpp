@@ -41,7 +41,7 @@ double omega2_to_come(const drape_cloth& c) {
 void step_check(const drape_cloth& c, std::vector<Problem>& problems) {
   const double omega2 = omega2_to_come(c), q = c.system.communication,
                limit = dynamics::step_limit_of(c.system, omega2),
-               steps = dynamics::leapfrog_steps(c.system, omega2), most = dynamics::kMaxStepsPerInterval,
+               steps = dynamics::leapfrog_steps(c.system, omega2), largest = dynamics::kMaxStepsPerInterval,
                given = c.system.step_given, longest = given > 0 ? given : c.system.step_max;
   const auto set_by = [&] { return ", set by the " + dynamics::step_limit_link(c.system, c.scene, c.state); };
   if (!(limit > 0) || !std::isfinite(omega2)) {
@@ -50,15 +50,15 @@ void step_check(const drape_cloth& c, std::vector<Problem>& problems) {
   } else if (given > limit) {
     problems.push_back({"scene.step", "= " + number(given) + " s; allowed: above 0, at most the step limit " +
                                           number(limit) + " s" + set_by()});
-  } else if (!(steps <= most) && longest * most < q) {
+  } else if (!(steps <= largest) && longest * largest < q) {
     problems.push_back({longest == given ? "scene.step" : "step.max",
                         "= " + number(longest) + " s takes " + number(steps) +
                             " steps in a communication interval of " + number(q) + " s; allowed: at most " +
-                            number(most) + ", " + number(q / most) + " s or more each"});
-  } else if (!(steps <= most)) {
+                            number(largest) + ", " + number(q / largest) + " s or more each"});
+  } else if (!(steps <= largest)) {
     problems.push_back({"scene.communication",
                         "= " + number(q) + " s takes " + number(steps) + " steps; allowed: at most " +
-                            number(most) + ", but the step limit is " + number(limit) + " s" + set_by()});
+                            number(largest) + ", but the step limit is " + number(limit) + " s" + set_by()});
   }
 }
 
@@ -67,11 +67,11 @@ namespace {
 // The fabric of the piece that sets the step limit.
 int step_fabric(const drape_cloth& c) {
   int fabric = 0;
-  double most = -1;
+  double largest = -1;
   for (const model::Lattice& l : c.system.lattices)
     if (const double omega2 = dynamics::step_limit_lattice(c.system, *c.motion.kernel, l, c.state);
-        !(omega2 <= most))
-      most = omega2, fabric = l.fabric;
+        !(omega2 <= largest))
+      largest = omega2, fabric = l.fabric;
   return fabric;
 }
 

@@ -116,7 +116,7 @@ double gram_bound(const System& system, const std::vector<Bond>& bonds) {
   std::unordered_map<std::size_t, std::vector<std::pair<std::size_t, double>>> by_node;
   for (std::size_t p = 0; p < bonds.size(); ++p)
     for (const model::SeamTerm& t : *bonds[p].row) by_node[t.node].push_back({p, t.weight});
-  double most = 0;
+  double largest = 0;
   std::map<std::size_t, double> gram;
   for (std::size_t p = 0; p < bonds.size(); ++p) {
     const model::SeamRow& row = *bonds[p].row;
@@ -127,9 +127,9 @@ double gram_bound(const System& system, const std::vector<Bond>& bonds) {
     double sum = 0;
     for (const auto& [q, value] : gram)
       sum += std::sqrt(bonds[p].strength * bonds[q].strength) * std::abs(value);
-    most = std::max(most, sum);
+    largest = std::max(largest, sum);
   }
-  return most;
+  return largest;
 }
 
 // c/|c| - a/|a| of a hinge, in flat cloth the rate of its angle.

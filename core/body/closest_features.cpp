@@ -109,7 +109,7 @@ ClosestFeature touch_of(const BodySurface& s, const Foot& foot, const Vec3& x, d
 
 // How far x may go along the triangle until a neighbour is nearer by more than `slack`.
 double inside_by(const BodySurface& s, int t, const Vec3& x, double slack) {
-  double least = INFINITY;
+  double smallest = INFINITY;
   const std::array<int, 3>& c = s.corner[std::size_t(t)];
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 &a = s.point[std::size_t(c[k])], &b = s.point[std::size_t(c[(k + 1) % 3])],
@@ -119,9 +119,9 @@ double inside_by(const BodySurface& s, int t, const Vec3& x, double slack) {
     into -= dot(into, along) * along;
     const double turn = s.edges[std::size_t(s.edge[std::size_t(t)][k])].turn;
     const double beyond = turn > 0 ? slack / turn : 0;
-    least = std::min(least, dot(x - a, into) / norm(into) + std::min(beyond, norm(b - a)));
+    smallest = std::min(smallest, dot(x - a, into) / norm(into) + std::min(beyond, norm(b - a)));
   }
-  return least;
+  return smallest;
 }
 
 // Of two triangles that share an edge, true where the other one does not rise over the face of the first on

@@ -27,10 +27,10 @@ bool is_sharp(Ridge& r, double sine, const Vec3* normal) {
 
 // How far a triangle reaches along `into` from an edge through `from`.
 double height_over(const BodySurface& s, const Vec3& from, int triangle, const Vec3& into) {
-  double most = 0;
+  double largest = 0;
   for (int c : s.corner[std::size_t(triangle)])
-    most = std::max(most, dot(s.point[std::size_t(c)] - from, into));
-  return most;
+    largest = std::max(largest, dot(s.point[std::size_t(c)] - from, into));
+  return largest;
 }
 
 void edges_add(const BodySurface& s, double sine, Ridges& to) {
@@ -150,13 +150,13 @@ void ridges_in(const Ridges& ridges, const Vec3& low, const Vec3& high, std::vec
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
-double ridges_distance(const Ridges& ridges, const Vec3& x, double most) {
+double ridges_distance(const Ridges& ridges, const Vec3& x, double largest) {
   static thread_local std::vector<std::uint32_t> found;
-  const Vec3 way{most, most, most};
+  const Vec3 way{largest, largest, largest};
   for (std::size_t k = 0; k < 3; ++k)
-    if (x[k] + most < ridges.low[k] || x[k] - most > ridges.high[k]) return most;
+    if (x[k] + largest < ridges.low[k] || x[k] - largest > ridges.high[k]) return largest;
   ridges_in(ridges, x - way, x + way, found);
-  double least2 = most * most;
+  double least2 = largest * largest;
   for (std::uint32_t r : found)
     least2 = std::min(least2, math::segment_distance2(x, ridges.ridge[r].from, ridges.ridge[r].to));
   return std::sqrt(least2);

@@ -41,6 +41,6 @@ Ridges ridges_make(const BodySurface& surface, double sine, double bucket);
 void ridges_in(const Ridges& ridges, const Vec3& low, const Vec3& high, std::vector<std::uint32_t>& found);
 
 // How far from x the nearest is (m), at most `most`.
-double ridges_distance(const Ridges& ridges, const Vec3& x, double most);
+double ridges_distance(const Ridges& ridges, const Vec3& x, double largest);
 
 }  // namespace drape::body

@@ -30,8 +30,8 @@ void rates_begin(const System& system, State& s) {
 
 std::int64_t steps_for(double length, double h_max) {
   const double n = std::ceil(length / h_max * (1 - 1e-12));
-  constexpr double kMost = 1e16;  // beyond 1e9 intervals of kSubsMost steps; no number counts as beyond, too
-  return n < 1 ? 1 : std::int64_t(n < kMost ? n : kMost);
+  constexpr double kMax = 1e16;  // beyond 1e9 intervals of kSubsMost steps; no number counts as beyond, too
+  return n < 1 ? 1 : std::int64_t(n < kMax ? n : kMax);
 }
 
 // The largest step allowed at the state the last look saw.
@@ -41,7 +41,7 @@ double step_allowed(const System& system, double damping, double omega2) {
 }
 
 double step_now(const System& system, const State& s, double omega2) {
-  return std::min(step_allowed(system, damping_of(system, s), omega2), s.step_most);
+  return std::min(step_allowed(system, damping_of(system, s), omega2), s.max_contact_step);
 }
 
 bool all_finite(const System& system, const State& s) {
@@ -59,12 +59,12 @@ void check_step_limit(const System& system, const Motion& motion, State& s, doub
     s.steps_to_limit_check = kLimitCheckGiven;
     return;
   }
-  s.step_most = contact::touch_step_most(system, s);
+  s.max_contact_step = contact::max_step(system, s);
   for (;; s.limit_check_period = std::max(s.limit_check_period / 4, 1)) {
     s.omega2 = step_limit_omega2(system, *motion.kernel, s, s.limit_check_period * h);
     if (h <= step_now(system, s, s.omega2) || s.limit_check_period == 1) break;
   }
-  s.omega2_most = std::max(s.omega2_most, s.omega2);
+  s.max_omega2 = std::max(s.max_omega2, s.omega2);
   s.steps_to_limit_check = s.limit_check_period;
   s.limit_check_period = std::min(2 * s.limit_check_period, kLimitCheckLongest);
 }
@@ -80,9 +80,9 @@ void say_step(std::string& event, const char* verb, double time, double h, const
 void steps_relax(const System& system, State& s, std::string& event) {
   if (s.intervals_since_change < kIntervalsBeforeGrowth || system.fit) return;
   const double q = system.communication;
-  const std::int64_t wanted = steps_for(q, step_now(system, s, s.omega2_most));
+  const std::int64_t wanted = steps_for(q, step_now(system, s, s.max_omega2));
   s.intervals_since_change = 0;
-  s.omega2_most = s.omega2;
+  s.max_omega2 = s.omega2;
   if (wanted >= s.steps_per_interval) return;
   s.steps_per_interval = wanted;
   s.steps_to_limit_check = 0;
@@ -108,7 +108,7 @@ Advance watch(const System& system, Motion& motion, State& s, double length, std
     done *= 2;
     s.steps_per_interval *= 2;
     s.intervals_since_change = 0;
-    s.omega2_most = s.omega2;
+    s.max_omega2 = s.omega2;
     say_step(event, "falls", model::state_time(s, system.communication) + double(done) * h(), h(), s);
   }
   return Advance::kDone;
@@ -130,8 +130,8 @@ Advance interval_run(const System& system, Motion& motion, State& s, double leng
 }
 
 void subs_begin(const System& system, const Motion& motion, State& s) {
-  if (system.step_given == 0) s.step_most = contact::touch_step_most(system, s);
-  s.omega2 = s.omega2_most = step_limit_omega2(system, *motion.kernel, s);
+  if (system.step_given == 0) s.max_contact_step = contact::max_step(system, s);
+  s.omega2 = s.max_omega2 = step_limit_omega2(system, *motion.kernel, s);
   s.steps_per_interval = steps_for(system.communication, step_now(system, s, s.omega2));
   s.steps_to_limit_check = 0;
 }

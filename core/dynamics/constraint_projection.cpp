@@ -192,10 +192,10 @@ void rigid_right_hand_side(const constraint::Constraints& c, constraint::RigidNo
 }
 
 double largest_excess(const constraint::Constraints& c, const Field& r) {  // over the length of a link
-  double most = 0;
+  double largest = 0;
   for (const constraint::RigidLink& link : c.rigid.link)
-    most = std::max(most, std::abs(constraint::rigid_excess(link, r.x, r.y, r.z)) / link.length);
-  return most;
+    largest = std::max(largest, std::abs(constraint::rigid_excess(link, r.x, r.y, r.z)) / link.length);
+  return largest;
 }
 
 // Rows and links met at positions r, by sweeps; what they took in now.y. `v` follows by 1/h.

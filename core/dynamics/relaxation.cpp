@@ -26,12 +26,12 @@ constexpr double kFaded = 1e-4;         // of the most there was, where nothing 
 // True where that changes one.
 template <class Nodes>
 bool nodes_even(const Nodes& nodes, State& s) {
-  double least = 1;
+  double smallest = 1;
   bool changed = false;
-  for (std::size_t n : nodes) least = std::min(least, s.inverse_mass_scale[n]);
+  for (std::size_t n : nodes) smallest = std::min(smallest, s.inverse_mass_scale[n]);
   for (std::size_t n : nodes) {
-    changed = changed || s.inverse_mass_scale[n] != least;
-    s.inverse_mass_scale[n] = least;
+    changed = changed || s.inverse_mass_scale[n] != smallest;
+    s.inverse_mass_scale[n] = smallest;
   }
   return changed;
 }
@@ -83,7 +83,7 @@ void relaxation_scale_masses(const System& system, const constraint::Constraints
   s.inverse_mass_scale.assign(system.nodes, 0.0);  // holds m'/rho at first
   const double drag = step_limit_drag(system, s);
   const SeamsBound seams = step_limit_seams(system, s);
-  double most = 0;
+  double largest = 0;
   for (const model::Lattice& l : system.lattices) {
     const double clamps = step_limit_clamps(system, l, s, steps * h);
     const double contact = contact::added_omega2(system, s, l.piece);
@@ -93,7 +93,7 @@ void relaxation_scale_masses(const System& system, const constraint::Constraints
       const double ratio = h / (kSafetyDamped * step_limit_of(system, omega2));
       const double quarter = share * l.cell * l.cell / 4 * std::max(1.0, ratio * ratio);
       for (int k = 0; k < 4; ++k) s.inverse_mass_scale[corner[k]] += quarter;
-      most = std::max(most, std::min(omega2, omega2 / (ratio * ratio)));
+      largest = std::max(largest, std::min(omega2, omega2 / (ratio * ratio)));
     });
   }
   for (std::size_t n : system.particle) {
@@ -102,7 +102,7 @@ void relaxation_scale_masses(const System& system, const constraint::Constraints
       s.inverse_mass_scale[n] = std::min(s.inverse_mass_scale[n], before[n] / (1 - kShrink));
   }
   rows_even(constraints, s);
-  s.omega2 = most;
+  s.omega2 = largest;
   s.steps_to_limit_check = steps;
 }
 
@@ -186,11 +186,11 @@ void check_convergence(const System& system, Motion& motion, State& s) {
   double weight = 0, size = 0;
   for (std::size_t n : system.particle) weight += system.mass[n] * norm(system.gravity);
   for (const model::Lattice& l : system.lattices) size = std::max(size, l.cell * std::max(l.columns, l.rows));
-  s.relaxation.most = std::max(s.relaxation.most, left.sum + left.pins);
+  s.relaxation.max_force = std::max(s.relaxation.max_force, left.sum + left.pins);
   s.relaxation.load = std::max(weight, left.pins);
   if (weight == 0)
     s.relaxation.load =
-        std::max({s.relaxation.load, kFaded * s.relaxation.most, rounding(system, s) / kResidualRest});
+        std::max({s.relaxation.load, kFaded * s.relaxation.max_force, rounding(system, s) / kResidualRest});
   s.relaxation.residual = left.sum / s.relaxation.load;
   const bool sewn = !seams_to_close(system, s);
   if (sewn && s.relaxation.residual <= kSettled) s.relaxation.settling = 0;
@@ -202,7 +202,7 @@ void check_convergence(const System& system, Motion& motion, State& s) {
 void relaxation_forget(State& s) { s.relaxation.measure_every = 0; }
 
 void relaxation_resume(State& s) {
-  s.relaxation.most = 0;
+  s.relaxation.max_force = 0;
   if (!s.relaxation.at_rest) return;
   relaxation_forget(s);
   s.relaxation.at_rest = false;

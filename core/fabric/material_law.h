@@ -23,7 +23,7 @@ struct LawOptions {
 
 // True where the diagram of bias is divided by K = r (r - 1.25)/(r - 1)^2, r = gauge/width. As a factor of
 // jaws it rises as strips get shorter, down to r = kJawRatioLeast; from there on it falls, to 0 at 1.25.
-inline constexpr double kJawRatioLeast = 5.0 / 3;
+inline constexpr double kMinJawRatio = 5.0 / 3;
 bool law_takes_jaws_out(const scene::FabricSpec& fabric, const LawOptions& options);
 
 // The law of a fabric on cells of edge `cell`. `place` names the fabric in problems.

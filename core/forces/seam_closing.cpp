@@ -39,15 +39,15 @@ void seams_pull(const System& system, const State& s, double extrapolation, mode
 }
 
 double seams_held(const System& system, const State& s) {
-  double most = 0;
+  double largest = 0;
   for (const model::Seam& seam : system.seams.seam)
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p)
-      if (s.sewn[p] == model::Sewn::kPulled) most = std::max(most, s.gap_hold[p] / seam.gap_tolerance);
-  return most;
+      if (s.sewn[p] == model::Sewn::kPulled) largest = std::max(largest, s.gap_hold[p] / seam.gap_tolerance);
+  return largest;
 }
 
 void seams_hold(const System& system, State& s, double h) {
-  constexpr double kWait = 20, kStalled = 0.1, kMost = 2000;
+  constexpr double kWait = 20, kStalled = 0.1, kMax = 2000;
   for (const model::Seam& seam : system.seams.seam) {
     const double w = seam.pull, reach = 2 * seam.speed / w;
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
@@ -59,7 +59,7 @@ void seams_hold(const System& system, State& s, double h) {
                  gap = model::row_value(row, s) - (h / 2) * rate;
       const double length = norm(gap), closing = -dot(rate, gap);
       if (closing < kStalled * length * std::min(w * length, 2 * seam.speed))
-        s.gap_hold[p] = std::min(s.gap_hold[p] + h * w * std::min(length, reach), kMost * reach);
+        s.gap_hold[p] = std::min(s.gap_hold[p] + h * w * std::min(length, reach), kMax * reach);
     }
   }
 }

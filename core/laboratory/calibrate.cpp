@@ -11,7 +11,7 @@ namespace drape::laboratory {
 namespace {
 
 constexpr int kPlacingSweeps = 3;  // that move the points of the bias law
-constexpr double kLeast = 1e-3;    // of a correction; the range of its key
+constexpr double kMin = 1e-3;      // of a correction; the range of its key
 constexpr model::YarnDirection kThreads[] = {model::YarnDirection::kWarp, model::YarnDirection::kWeft,
                                              model::YarnDirection::kBias};
 
@@ -54,7 +54,7 @@ void corrections_end(std::vector<double>& q, std::size_t reached) {
 void warp_correct(scene::DiagramSpec& d, const StripPull& pull) {
   for (std::size_t k = 0; k < pull.force.size(); ++k)
     if (const double f = d.force[k + 1]; f > 0)
-      d.correction[k + 1] = std::max(kLeast, d.correction[k + 1] + (f - pull.force[k]) / f);
+      d.correction[k + 1] = std::max(kMin, d.correction[k + 1] + (f - pull.force[k]) / f);
   corrections_end(d.correction, pull.force.size());
 }
 
@@ -81,16 +81,15 @@ void bias_correct(Mixing& mixing, scene::DiagramSpec& d, const StripPull& pull) 
   }
   const Eigen::VectorXd next = mixing_next(mixing, x, left);
   for (Eigen::Index k = 0; k < points; ++k)
-    if (d.force[std::size_t(k) + 1] > 0)
-      d.correction[std::size_t(k) + 1] = std::max(kLeast, std::exp(next[k]));
+    if (d.force[std::size_t(k) + 1] > 0) d.correction[std::size_t(k) + 1] = std::max(kMin, std::exp(next[k]));
   corrections_end(d.correction, pull.force.size());
 }
 
 double difference_most(const scene::DiagramSpec& d, const StripPull& pull) {
-  double most = 0;
+  double largest = 0;
   for (std::size_t k = 0; k < pull.force.size(); ++k)
-    if (const double f = d.force[k + 1]; f > 0) most = std::max(most, std::abs(pull.force[k] / f - 1));
-  return most;
+    if (const double f = d.force[k + 1]; f > 0) largest = std::max(largest, std::abs(pull.force[k] / f - 1));
+  return largest;
 }
 
 // Empty, or why a law of these corrections is none.
@@ -99,7 +98,7 @@ std::string law_problem(const scene::FabricSpec& f) {
     const scene::DiagramSpec& d = strip_diagram(f, along);
     for (std::size_t i = 1; i < d.force.size(); ++i) {
       const std::string at = std::string(yarn_direction_name(along)) + " at " + percent(d.elongation[i]);
-      if (d.correction[i] <= kLeast)
+      if (d.correction[i] <= kMin)
         return "the " + at + " pulls no harder than the rest of the cloth in its strip";
       if (d.force[i] * d.correction[i] < d.force[i - 1] * d.correction[i - 1])
         return "the law of the " + at + " would fall; smooth its diagram";
@@ -158,7 +157,7 @@ Calibration calibrate(const scene::FabricSpec& fabric, const CalibrationOptions&
     if (d->correction.empty()) d->correction.assign(d->force.size(), 1.0);
   c.fabric = f;
   Mixing mixing;
-  for (int k = 0; k < options.sweeps_most && problems.empty(); ++k) {
+  for (int k = 0; k < options.max_sweeps && problems.empty(); ++k) {
     if (!sweep(f, fresh && f.bias.jaws && k < kPlacingSweeps, mixing, c, problems)) return c;
     if (c.residuals.back() > options.tolerance) continue;
     c.why = law_problem(c.fabric);

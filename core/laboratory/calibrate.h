@@ -18,7 +18,7 @@ namespace drape::laboratory {
 struct CalibrationOptions {
   double cell = 0;          // m; 0: the strip's width over kStripCells
   double tolerance = 1e-4;  // of the force, at each point
-  int sweeps_most = 40;
+  int max_sweeps = 40;
 };
 
 struct Calibration {

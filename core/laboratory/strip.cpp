@@ -157,22 +157,22 @@ StripExcess strip_excess(const scene::FabricSpec& fabric, model::YarnDirection a
   const scene::DiagramSpec& d = strip_diagram(fabric, along);
   if (d.elongation.empty()) return {};
   const std::vector<double> elongation = strip_elongations(fabric, along, d.elongation.back());
-  const double cell = std::min(fabric.strip_width / kExcessCells, fabric.strip_gauge / kLeastCells);
-  if (fabric.strip_gauge > kLongestCells * cell) return {0, 0, "its strip is too long to be simulated"};
+  const double cell = std::min(fabric.strip_width / kExcessCells, fabric.strip_gauge / kMinCells);
+  if (fabric.strip_gauge > kMaxCells * cell) return {0, 0, "its strip is too long to be simulated"};
   std::vector<Problem> problems;
   const StripPull pull = strip_pull(fabric, along, cell, elongation, problems, options);
-  StripExcess most;
+  StripExcess largest;
   for (std::size_t k = 0; k < pull.force.size(); ++k)
     if (const double f = d.force[k + 1]; f > 0)
-      if (const double off = pull.force[k] / f - 1; std::abs(off) > std::abs(most.excess))
-        most = {off, elongation[k], ""};
+      if (const double off = pull.force[k] / f - 1; std::abs(off) > std::abs(largest.excess))
+        largest = {off, elongation[k], ""};
   if (pull.force.size() < elongation.size()) {
     char text[64];
     std::snprintf(text, sizeof text, "its simulated strip finds no rest at %.4g %%",
                   100 * elongation[pull.force.size()]);
-    most.why = text;
+    largest.why = text;
   }
-  return most;
+  return largest;
 }
 
 }  // namespace drape::laboratory

@@ -7,10 +7,10 @@
 
 namespace drape::laboratory {
 
-inline constexpr int kStripCells = 16;      // across the strip, unless told otherwise: the calibration's cell
-inline constexpr int kLeastCells = 4;       // across and along a specimen
-inline constexpr int kLongestCells = 2000;  // along a strip, at most
-inline constexpr int kExcessCells = 8;      // across the strip: quick, and good to some percent of the force
+inline constexpr int kStripCells = 16;  // across the strip, unless told otherwise: the calibration's cell
+inline constexpr int kMinCells = 4;     // across and along a specimen
+inline constexpr int kMaxCells = 2000;  // along a strip, at most
+inline constexpr int kExcessCells = 8;  // across the strip: quick, and good to some percent of the force
 
 // The cell that a strip is made on where `cell` is asked for. Across the ends of a strip at 45 degrees it is
 // the nearest one whose diagonals go evenly into the width, so that the corners of the jaws are nodes (of all

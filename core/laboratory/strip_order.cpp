@@ -24,7 +24,7 @@ StripOrder strip_order(const scene::FabricSpec& f, double cell, const std::vecto
   const double middle = strip_cell(f, model::YarnDirection::kBias, cell);
   o.cell = {strip_cell(f, model::YarnDirection::kBias, 2 * middle), middle,
             strip_cell(f, model::YarnDirection::kBias, middle / 2)};
-  o.has_order = o.cell[0] <= std::min(f.strip_width, f.strip_gauge) / kLeastCells;
+  o.has_order = o.cell[0] <= std::min(f.strip_width, f.strip_gauge) / kMinCells;
   if (!o.has_order) return o;
   std::array<StripPull, 3> pull;
   for (std::size_t i = 0; i < 3; ++i) {

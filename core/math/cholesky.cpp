@@ -67,11 +67,11 @@ CholeskyFactor cholesky_factorise(const std::vector<const SparseRow*>& rows, con
        {std::tuple{std::size_t(0), late, tolerance}, {late, rows.size(), late_tolerance}})
     for (std::size_t step = from; step < to; ++step) {
       int best = -1;
-      double most = least;
+      double largest = least;
       for (std::size_t r = from; r < to; ++r) {
         if (done[r]) continue;
         const double pivot = diagonals[r] * scale[r];
-        if (pivot > most) most = pivot, best = int(r);
+        if (pivot > largest) largest = pivot, best = int(r);
       }
       if (best < 0) break;
       done[std::size_t(best)] = 1;

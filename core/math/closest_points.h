@@ -85,9 +85,9 @@ inline EdgesClosest edges_closest(const Vec3& a0, const Vec3& a1, const Vec3& b0
     const Vec3 arm = r + s * e - t * f;
     return {{s, t}, arm, dot(arm, arm), true};
   }
-  const double least = std::min(std::min(segment_distance2(a0, b0, b1), segment_distance2(a1, b0, b1)),
-                                std::min(segment_distance2(b0, a0, a1), segment_distance2(b1, a0, a1)));
-  return {{0, 0}, {0, 0, 0}, least, false};
+  const double smallest = std::min(std::min(segment_distance2(a0, b0, b1), segment_distance2(a1, b0, b1)),
+                                   std::min(segment_distance2(b0, a0, a1), segment_distance2(b1, a0, a1)));
+  return {{0, 0}, {0, 0, 0}, smallest, false};
 }
 
 }  // namespace drape::math

@@ -122,12 +122,12 @@ void start_set(const Curve& c, CurveStart<kSize>& s) {
     const double limit = ends == c.segments - 1 ? kInfinite : end(ends);
     for (int phase = 1; phase < kPhases; ++phase) {
       const double before = double(phase) / kPhases;  // of a bin, that the first end lies beyond `low`
-      const double least = span / (kSize - before) * 1.001;
+      const double smallest = span / (kSize - before) * 1.001;
       for (int w = 0; w < kWidths + ends - 1; ++w) {
         const double width =
-            w < kWidths ? least * (1 + w / (2.0 * kWidths)) : end(w - kWidths + 1) - end(w - kWidths);
+            w < kWidths ? smallest * (1 + w / (2.0 * kWidths)) : end(w - kWidths + 1) - end(w - kWidths);
         const double low = end(0) - before * width;
-        if (width >= least && bins_part(c, low, width, ends)) return start_fill(c, low, width, limit, s);
+        if (width >= smallest && bins_part(c, low, width, ends)) return start_fill(c, low, width, limit, s);
       }
     }
   }

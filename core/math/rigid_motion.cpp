@@ -47,9 +47,9 @@ Quaternion quaternion_product(const Quaternion& a, const Quaternion& b) {
 }
 
 Quaternion quaternion_normalised(const Quaternion& q) {
-  double most = 0;  // first to size 1: squares of what is allowed may underflow
-  for (double x : q) most = std::max(most, std::abs(x));
-  const Quaternion s{q[0] / most, q[1] / most, q[2] / most, q[3] / most};
+  double largest = 0;  // first to size 1: squares of what is allowed may underflow
+  for (double x : q) largest = std::max(largest, std::abs(x));
+  const Quaternion s{q[0] / largest, q[1] / largest, q[2] / largest, q[3] / largest};
   const double size = std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + s[3] * s[3]);
   return {s[0] / size, s[1] / size, s[2] / size, s[3] / size};
 }

@@ -47,12 +47,12 @@ struct SelfMesh {
   std::vector<NodeSpan> span;      // runs of particles in the arrays of nodes
   std::vector<int> lattice_of;     // [nodes]
   std::vector<char> fixed;         // [nodes] 1 where a pin holds it
-  Array layer_most;                // [nodes] m: nearer than the thickness at the start, else infinite
+  Array max_contact_distance;      // [nodes] m: nearer than the thickness at the start, else infinite
   std::vector<int> apart;          // [lattices] cells as near as this along the cloth do not touch
   std::vector<double> stands_out;  // [lattices] sine from which edges do: look.cpp
   double seam_apart = 0;           // m, likewise along the cloth across a seam
   double layer = 0;                // m, the thickest
-  double cell_least = 0;           // m
+  double min_cell = 0;             // m
 };
 
 // A particle and a triangle; two edges.

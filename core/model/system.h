@@ -130,7 +130,7 @@ struct RelaxationState {
   int intervals_to_convergence_check = 0;  // intervals until the forces left are looked at
   double residual = 1;                     // their sum over the load
   double load = 0;                         // N, weight or pins' forces
-  double most = 0;  // N, forces left and pins' forces, the most since something last changed
+  double max_force = 0;  // N, forces left and pins' forces, the most since something last changed
   bool at_rest = false;
   bool sewing = false;        // seams are to be closed: weight and friction wait
   double settling = 0;        // s, for which friction waits yet at most
@@ -176,8 +176,8 @@ struct State {
   int steps_to_limit_check = 0;  // steps until the step limit is looked at again
   int limit_check_period = 1;    // steps that the next look looks ahead
   double omega2 = 0;             // 1/s^2, what the last look found
-  double step_most = std::numeric_limits<double>::infinity();  // s, of bodies near, at the last look
-  double omega2_most = 0;  // 1/s^2, the most that any look found since the number of steps last changed
+  double max_contact_step = std::numeric_limits<double>::infinity();  // s, of bodies near, at the last look
+  double max_omega2 = 0;  // 1/s^2, the most that any look found since the number of steps last changed
 
   double advance_length = 0;    // s, of the last advance; 0 = none yet
   bool advance_begins = false;  // the next step is the first of an advance

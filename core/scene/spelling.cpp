@@ -31,11 +31,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string name_nearest(std::string_view word, const std::vector<std::string>& known) {
   std::string nearest;
-  std::size_t least = std::string::npos;
+  std::size_t smallest = std::string::npos;
   for (const std::string& name : known) {
     const std::size_t distance = edit_distance(word, name);
-    if (distance < least && 3 * distance <= std::max(word.size(), name.size()))
-      least = distance, nearest = name;
+    if (distance < smallest && 3 * distance <= std::max(word.size(), name.size()))
+      smallest = distance, nearest = name;
   }
   return nearest;
 }

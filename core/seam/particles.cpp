@@ -8,9 +8,9 @@
 namespace drape::seam {
 namespace {
 
-constexpr double kReach = 1.5;     // cells, of a tie [P]
-constexpr std::size_t kLeast = 3;  // ties of a particle that has fewer within reach: to the nearest
-constexpr double kSame = 1e-9;     // cells: particles nearer than that are one
+constexpr double kReach = 1.5;   // cells, of a tie [P]
+constexpr std::size_t kMin = 3;  // ties of a particle that has fewer within reach: to the nearest
+constexpr double kSame = 1e-9;   // cells: particles nearer than that are one
 
 double distance(Vec2 p, Vec2 q) { return std::hypot(q[0] - p[0], q[1] - p[1]); }
 
@@ -32,7 +32,7 @@ std::vector<int> ties_of(const piece::Grid& grid, const std::vector<int>& edge, 
   std::sort(near.begin(), near.end());
   std::vector<int> tied;
   for (const auto& [d, n] : near)
-    if (d <= kReach * grid.cell * (1 + kSame) || tied.size() < kLeast) tied.push_back(n);
+    if (d <= kReach * grid.cell * (1 + kSame) || tied.size() < kMin) tied.push_back(n);
   return tied;
 }
 

@@ -85,11 +85,11 @@ void print_jaws(const Scene& scene) {
   for (const scene::FabricSpec& f : scene.fabrics)
     if (const double r = f.strip_gauge / f.strip_width; !f.bias.elongation.empty() &&
                                                         fabric::law_takes_jaws_out(f, options) &&
-                                                        r < fabric::kJawRatioLeast * (1 - 1e-9))
+                                                        r < fabric::kMinJawRatio * (1 - 1e-9))
       std::printf(
           "fabric %s: strip has gauge/width = %.4g; the clamp correction of bias holds from %.4g on: "
           "calibrate it\n",
-          f.name.c_str(), r, fabric::kJawRatioLeast);
+          f.name.c_str(), r, fabric::kMinJawRatio);
 }
 
 // False, with the reason in errno, where the file cannot be written.

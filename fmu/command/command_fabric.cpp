@@ -71,15 +71,15 @@ std::string text_of(double value, const char* format = "%.6g") {
 bool wishes_check(const Options& options, const scene::FabricSpec& f) {
   std::vector<std::string> problems;
   const double cell = cell_of(options, f),
-               least = std::min(f.strip_width, f.strip_gauge) / laboratory::kLeastCells;
-  if (cell > least * (1 + 1e-9) || cell < f.strip_width / kMostCells)
+               smallest = std::min(f.strip_width, f.strip_gauge) / laboratory::kMinCells;
+  if (cell > smallest * (1 + 1e-9) || cell < f.strip_width / kMostCells)
     problems.push_back((options.cell > 0 ? "--cell" : "strip: the cell") + (" = " + text_of(cell)) +
-                       " m; allowed: from " + text_of(f.strip_width / kMostCells) + " to " + text_of(least) +
-                       " m, four cells across and along a strip of " + text_of(f.strip_width) + " x " +
-                       text_of(f.strip_gauge) + " m");
-  if (problems.empty() && f.strip_gauge > laboratory::kLongestCells * cell)
+                       " m; allowed: from " + text_of(f.strip_width / kMostCells) + " to " +
+                       text_of(smallest) + " m, four cells across and along a strip of " +
+                       text_of(f.strip_width) + " x " + text_of(f.strip_gauge) + " m");
+  if (problems.empty() && f.strip_gauge > laboratory::kMaxCells * cell)
     problems.push_back("strip: " + text_of(f.strip_gauge / cell) + " cells along its gauge of " +
-                       text_of(f.strip_gauge) + " m; allowed: at most " + text_of(laboratory::kLongestCells));
+                       text_of(f.strip_gauge) + " m; allowed: at most " + text_of(laboratory::kMaxCells));
   bool any = false;
   for (model::YarnDirection along : kThreads) {
     const scene::DiagramSpec& d = laboratory::strip_diagram(f, along);

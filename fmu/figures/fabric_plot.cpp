@@ -13,10 +13,10 @@ namespace {
 constexpr double kWide = 250, kHigh = 200, kLeft = 56, kTop = 64, kBetween = 76, kBelow = 52;  // units
 
 // The least of 1, 2, 5 times a power of ten that parts `most` into at most five.
-double tick_of(double most) {
-  const double power = std::pow(10, std::floor(std::log10(most / 5)));
+double tick_of(double largest) {
+  const double power = std::pow(10, std::floor(std::log10(largest / 5)));
   for (double step : {1.0, 2.0, 5.0})
-    if (step * power >= most / 5) return step * power;
+    if (step * power >= largest / 5) return step * power;
   return 10 * power;
 }
 
@@ -58,10 +58,11 @@ void axes_draw(pugi::xml_node to, const Axes& at) {
 }
 
 void panel_draw(pugi::xml_node to, const PlotPanel& panel, Vec2 corner) {
-  double most = 0;
-  for (double f : panel.input) most = std::max(most, f);
-  for (double f : panel.simulated) most = std::max(most, f);
-  const Axes at{corner, panel.elongation.empty() ? 1 : 100 * panel.elongation.back(), most > 0 ? most : 1};
+  double largest = 0;
+  for (double f : panel.input) largest = std::max(largest, f);
+  for (double f : panel.simulated) largest = std::max(largest, f);
+  const Axes at{corner, panel.elongation.empty() ? 1 : 100 * panel.elongation.back(),
+                largest > 0 ? largest : 1};
   axes_draw(to, at);
   svg_text(to, {corner[0], corner[1] - 10}, panel.title + ", N",
            {{"font-size", "13"}, {"font-weight", "bold"}});

@@ -85,8 +85,8 @@ std::vector<Item> pin_items(pugi::xml_node parent, const Scene& scene) {
 
 // The longest of 1, 2 and 5 times a power of ten that takes at most 130 units.
 Item scale_item(pugi::xml_node parent, double scale) {
-  const double most = 130 / scale, power = std::pow(10, std::floor(std::log10(most)));
-  const double length = power * (most >= 5 * power ? 5 : most >= 2 * power ? 2 : 1);
+  const double largest = 130 / scale, power = std::pow(10, std::floor(std::log10(largest)));
+  const double length = power * (largest >= 5 * power ? 5 : largest >= 2 * power ? 2 : 1);
   const double per_unit = length >= 1 ? 1 : length > 0.009 ? 100 : 1000;
   char text[32];
   std::snprintf(text, sizeof text, "%.6g %s", length * per_unit,

@@ -100,29 +100,29 @@ std::vector<double> moved(const Trial& t, const Candidate& c, long steps) {
 }
 
 double apart(const std::vector<double>& a, const std::vector<double>& b) {
-  double most = 0;
+  double largest = 0;
   for (std::size_t k = 0; k < a.size(); ++k) {
     const double d = std::abs(a[k] - b[k]);
-    most = d <= most ? most : d;  // what is no number stays
+    largest = d <= largest ? largest : d;  // what is no number stays
   }
-  return most;
+  return largest;
 }
 
 void table_print(const Trial& t, bool quick) {
   const std::vector<Candidate> all = candidates();
   const Ready start = ready_at_start(t.scene);
-  const double least = t.end * std::sqrt(start.state.omega2) / 2;  // leapfrog's steps
+  const double smallest = t.end * std::sqrt(start.state.omega2) / 2;  // leapfrog's steps
   const int shares[] = {2, 4, 8, 16};
-  const std::vector<double> exact = moved(t, all.back(), long((quick ? 16 : 64) * least / 11));
+  const std::vector<double> exact = moved(t, all.back(), long((quick ? 16 : 64) * smallest / 11));
   const double way = apart(exact, moved(t, all[0], 0));
-  std::printf("\n%s: forces over leapfrog's least, %.0f\n%-30s %5s %6s  %6s %8s", t.scene.name.c_str(), least,
-              "", "order", "limit", "least", "error");
+  std::printf("\n%s: forces over leapfrog's least, %.0f\n%-30s %5s %6s  %6s %8s", t.scene.name.c_str(),
+              smallest, "", "order", "limit", "least", "error");
   for (int share : shares) std::printf(" %8d", share);
   std::printf("\n");
   for (const Candidate& c : all) {
     const double stages = double(c.drift.size());
     const auto error = [&](double forces) {
-      return apart(moved(t, c, std::max(1L, long(std::ceil(forces * least / stages)))), exact) / way;
+      return apart(moved(t, c, std::max(1L, long(std::ceil(forces * smallest / stages)))), exact) / way;
     };
     double forces = 2 * stages / c.limit, first = error(forces);
     while (!(first < 0.1) && forces < 50) first = error(forces *= 1.05);

@@ -135,22 +135,22 @@ Energy energy_of(Run& r) {
 bool survives(const Cloth& cloth, double damping, int order, double ratio, unsigned seed, long steps) {
   Run r;
   run_begin(r, scene_of(cloth, damping, order), seed);
-  double mass = 0, h = INFINITY, least = INFINITY;
+  double mass = 0, h = INFINITY, smallest = INFINITY;
   for (std::size_t n : r.system.particle) mass += r.system.mass[n];
   const Energy start = energy_of(r);
-  const double most = start.total + kRise * (mass * 9.81 * kSide * std::sqrt(2.0) + start.moving);
+  const double largest = start.total + kRise * (mass * 9.81 * kSide * std::sqrt(2.0) + start.moving);
   for (long n = 0; n < steps; ++n) {
     if (n % kLook == 0) {
       const double ahead = std::isfinite(h) ? kLook * h : 0;
       const double limit = dynamics::step_limit_of(
           r.system, dynamics::step_limit_omega2(r.system, *r.motion.kernel, r.state, ahead));
       h = std::min(h, ratio * limit);
-      least = std::min(least, limit);
+      smallest = std::min(smallest, limit);
       if (!(h > 1e-9)) return false;
     }
-    if (n % kWindow == kWindow - 1) h = ratio * least, least = INFINITY;
+    if (n % kWindow == kWindow - 1) h = ratio * smallest, smallest = INFINITY;
     dynamics::leapfrog_step(r.system, r.motion, r.state, h);
-    if (n % kSample == kSample - 1 && !(energy_of(r).total <= most)) return false;
+    if (n % kSample == kSample - 1 && !(energy_of(r).total <= largest)) return false;
   }
   return true;
 }
@@ -187,10 +187,10 @@ void table_print(const std::vector<Job>& jobs, double damping) {
   line("all", nullptr);
 }
 
-int run(long steps, unsigned seeds, const char* only, double least, double most, int order) {
+int run(long steps, unsigned seeds, const char* only, double smallest, double largest, int order) {
   std::vector<Job> jobs;
   for (double ratio : kRatios) {
-    if (ratio < least || ratio > most) continue;
+    if (ratio < smallest || ratio > largest) continue;
     for (double damping : kDampings)
       for (const Cloth& c : kCloths)
         for (unsigned seed = 1; seed <= seeds; ++seed)

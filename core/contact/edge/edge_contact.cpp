@@ -50,20 +50,20 @@ EdgeContactPair touch_of(const System& system, const State& s, std::size_t b, st
                          const model::RidgePart& part, const RidgeGap& gap) {
   const model::Body& body = system.bodies[b];
   EdgeContactPair t{b, pair, &part, gap, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0};
-  double least = INFINITY, inverse_mass_scale = 0;  // kg, 1/kg, of inertia
+  double smallest = INFINITY, inverse_mass_scale = 0;  // kg, 1/kg, of inertia
   for (int k = 0; k < part.weights(); ++k) {
     const std::size_t n = part.node[k];
     const double w = gap.weight[k];
     t.at += w * Vec3{s.x[n], s.y[n], s.z[n]};
     t.old += w * Vec3{s.vx[n], s.vy[n], s.vz[n]};
     const double inertia = model::inertia_of(system, s, n);
-    least = std::min(least, inertia);
+    smallest = std::min(smallest, inertia);
     inverse_mass_scale += w * w / inertia;
   }
   t.gap.n = model::pose_outward(body, s.body[b], gap.n);
   t.body_velocity = model::pose_velocity(body, s.body[b], t.at);
   t.stiffness = gap.share * kSoft * system.lattices[std::size_t(part.lattice)].contact_law.omega2 *
-                (system.fit ? 1 / inverse_mass_scale : least);
+                (system.fit ? 1 / inverse_mass_scale : smallest);
   return t;
 }
 
@@ -238,12 +238,12 @@ void ridge_respond(const System& system, const State& s, const std::vector<EdgeC
     given[k].impulse = c.kick * s.body[touches[k].body].ridge.pair[touches[k].pair].warm_start;
   double first = 0;
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    double most = 0;
+    double largest = 0;
     for (std::size_t k = 0; k < touches.size(); ++k) {
-      most = std::max(most, pair_respond(s, touches[k], laws[k], c, f, given[k]));
+      largest = std::max(largest, pair_respond(s, touches[k], laws[k], c, f, given[k]));
       if (sweep == 0) first = std::max(first, laws[k].inverse_effective_mass * norm(given[k].impulse));
     }
-    if (!(most > kSettled * first)) break;
+    if (!(largest > kSettled * first)) break;
   }
   sums.stop.assign(touches.size(), 0.0);
   for (std::size_t k = 0; k < touches.size(); ++k) {

@@ -40,7 +40,7 @@ void edge_update_proximity(const System& system, State& state, std::size_t body,
 double edge_record_sides(const System& system, State& state, double moved);
 
 // The longest step (s) in which nodes near a ridge move by no more than a quarter of the layer.
-double ridge_step_most(const System& system, const State& state);
+double edge_max_step(const System& system, const State& state);
 
 // Before a step: finds what touches at t_n, and keeps its velocities. Gives J that penalties have lost since
 // the step before otherwise than by their work: as their share fell, or as pairs opened.

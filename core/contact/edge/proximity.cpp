@@ -163,10 +163,10 @@ bool travel_add(const System& system, State& s, std::size_t b, double ahead, dou
   return due;
 }
 
-double margin_least(const System& system) {
-  double least = INFINITY;
-  for (const model::Lattice& l : system.lattices) least = std::min(least, ridge_margin(l));
-  return least;
+double min_margin(const System& system) {
+  double smallest = INFINITY;
+  for (const model::Lattice& l : system.lattices) smallest = std::min(smallest, ridge_margin(l));
+  return smallest;
 }
 
 }  // namespace
@@ -185,7 +185,7 @@ void edge_update_proximity(const System& system, State& s, std::size_t b, double
   static thread_local std::vector<std::uint32_t> nodes;
   model::RidgeContact& c = s.body[b].ridge;
   if (c.fresh.empty() && c.node.empty()) return;
-  const double half = margin_least(system) / 2;
+  const double half = min_margin(system) / 2;
   const bool due = travel_add(system, s, b, ahead, half);
   if (!due && c.fresh.empty()) return;
   nodes = c.fresh;
@@ -222,7 +222,7 @@ void ridge_stick(const System& system, State& s) {
   }
 }
 
-double ridge_step_most(const System& system, const State& s) {
+double edge_max_step(const System& system, const State& s) {
   double longest = INFINITY;
   for (std::size_t b = 0; b < s.body.size(); ++b)
     for (std::uint32_t n : s.body[b].ridge.node)

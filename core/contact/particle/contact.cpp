@@ -19,10 +19,10 @@ using math::vector3::operator+;
 using math::vector3::operator-;
 using math::vector3::operator+=;
 
-double layer_most(const System& system) {
-  double most = 0;
-  for (const model::Lattice& l : system.lattices) most = std::max(most, l.contact_law.layer);
-  return most;
+double max_contact_distance(const System& system) {
+  double largest = 0;
+  for (const model::Lattice& l : system.lattices) largest = std::max(largest, l.contact_law.layer);
+  return largest;
 }
 
 void block_update(const System& system, ContactWorkspace& workspace, State& s, std::size_t b,
@@ -111,7 +111,7 @@ ContactCoefficients force_coefficients(const System& system, const State& s) {
 
 ContactWorkspace workspace_make(const System& system) {
   ContactWorkspace workspace;
-  const double layer = layer_most(system);
+  const double layer = max_contact_distance(system);
   for (const model::Body& body : system.bodies)
     workspace.voxels.push_back(body::voxels_make(*body.mesh.library, *body.mesh.query, body.mesh.surface,
                                                  search_reach(body.mesh.surface, layer)));
@@ -268,7 +268,7 @@ struct StepBound {
 };
 StepBound step_bound(const System& system, const State& s, std::size_t b) {
   const body::BodySurface& surface = system.bodies[b].mesh.surface;
-  const double layer = layer_most(system);
+  const double layer = max_contact_distance(system);
   const math::RigidMotion& frame = s.body[b].motion;
   return {kWay * (search_reach(surface, layer) - layer),
           math::vector3::norm(frame.velocity) + math::vector3::norm(frame.angular_velocity) * surface.size};
@@ -366,7 +366,7 @@ void apply_synchronous(const System& system, const ContactKernel& kernel, Contac
   workspace.input += workspace.ridge_sums.input;
 }
 
-double touch_step_most(const System& system, const State& s) {
+double max_step(const System& system, const State& s) {
   double longest = INFINITY;
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const StepBound bound = step_bound(system, s, b);
@@ -379,7 +379,7 @@ double touch_step_most(const System& system, const State& s) {
     }
     longest = std::min(longest, std::sqrt(least2));
   }
-  return std::min(longest, ridge_step_most(system, s));
+  return std::min(longest, edge_max_step(system, s));
 }
 
 bool any_near(const State& s) {

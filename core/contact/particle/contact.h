@@ -85,7 +85,7 @@ void apply_synchronous(const System& system, const ContactKernel& kernel, Contac
                        const State& state, double half, double centred, double* vx, double* vy, double* vz);
 
 // The longest step (s) in which no particle goes past what its surroundings were searched for.
-double touch_step_most(const System& system, const State& state);
+double max_step(const System& system, const State& state);
 
 bool any_near(const State& state);  // a particle is near a body, or a link near a ridge
 

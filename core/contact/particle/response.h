@@ -298,12 +298,12 @@ double smallest(L a) {
 // The largest speed of nodes.
 template <class L>
 DRAPE_INLINE double contact_speed(const ProximityPass& pass, std::size_t begin, std::size_t end) {
-  L most(0.0);
+  L largest(0.0);
   for (std::size_t i = begin; i < end; i += L::kWidth) {
     const L x = L::load(pass.v[0] + i), y = L::load(pass.v[1] + i), z = L::load(pass.v[2] + i);
-    most = max(most, fma(x, x, fma(y, y, z * z)));
+    largest = max(largest, fma(x, x, fma(y, y, z * z)));
   }
-  return __builtin_sqrt(largest(most));
+  return __builtin_sqrt(largest(largest));
 }
 
 // Blocks of nodes of which one has moved as far as it may, or will in the next step. Against a body that

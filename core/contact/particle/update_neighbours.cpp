@@ -11,7 +11,7 @@ namespace {
 
 using namespace math::vector3;
 
-constexpr double kLeast = 0.02;      // of the layer: a particle may always move so far
+constexpr double kMin = 0.02;        // of the layer: a particle may always move so far
 constexpr double kUsed = 0.7;        // of the budget: what has used more is looked at with its neighbours
 constexpr double kAhead = 1.5;       // steps that a particle is looked ahead
 constexpr double kSeenEdges = 0.15;  // of the mean edge, likewise of kSeen
@@ -159,7 +159,7 @@ void update_neighbours(const body::BodySurface& surface, body::Voxels& voxels, m
           std::min(std::max(kKeptDistances * layer, layer + kAhead * norm(step[i])), voxels.reach),
           voxels.reach, near.listed, side_known(c.blocks, name, i, side) ? &side : nullptr, found);
     const double way = ridge_way(ridges, c.ridge, n, x[i], near.clearance, norm(step[i]));
-    const double budget = std::max(std::min(found.budget, way), kLeast * layer);
+    const double budget = std::max(std::min(found.budget, way), kMin * layer);
     c.x[n] = x[i][0], c.y[n] = x[i][1], c.z[n] = x[i][2];
     c.free_distance2[n] = budget * budget;
     lane_write(c.blocks, name, lattice, i, found.touch, !c.ridge.near.empty() && c.ridge.near[n]);

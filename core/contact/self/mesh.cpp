@@ -114,11 +114,11 @@ void seams_near(const System& system, model::SelfMesh& mesh) {
 
 // Where layers start too near to each other their distance then is their layer.
 void layers_ease(const System& system, const State& start, model::SelfMesh& mesh) {
-  mesh.layer_most.assign(system.nodes, INFINITY);
+  mesh.max_contact_distance.assign(system.nodes, INFINITY);
   const model::SelfPairs pairs = self_search(system, mesh, start, 0);
-  Array most = mesh.layer_most;
+  Array largest = mesh.max_contact_distance;
   const auto ease = [&](model::NodeIndex n, double distance, double layer) {
-    most[n] = std::min(most[n], distance > kTooNear * layer ? distance : 0);
+    largest[n] = std::min(largest[n], distance > kTooNear * layer ? distance : 0);
   };
   const auto at = [&](model::NodeIndex n) { return Vec3{start.x[n], start.y[n], start.z[n]}; };
   for (const model::SelfPoint& p : pairs.point) {
@@ -134,7 +134,7 @@ void layers_ease(const System& system, const State& start, model::SelfMesh& mesh
     if (foot.distance2 < layer * layer)
       for (model::NodeIndex n : c.node) ease(n, std::sqrt(foot.distance2), layer);
   }
-  mesh.layer_most = most;
+  mesh.max_contact_distance = largest;
 }
 
 }  // namespace
@@ -148,10 +148,10 @@ model::SelfMesh self_mesh_make(const System& system, const State& start) {
   for (std::size_t n : system.particle) mesh.lattice_of[n] = model::system_lattice_of(system, n).piece;
   mesh.fixed.assign(system.nodes, 0);
   for (const constraint::FixedNode& f : system.constraints.fixed) mesh.fixed[f.node] = 1;
-  mesh.cell_least = INFINITY;
+  mesh.min_cell = INFINITY;
   for (const model::Lattice& l : system.lattices) {
     mesh.layer = std::max(mesh.layer, 2 * l.contact_law.layer);
-    mesh.cell_least = std::min(mesh.cell_least, l.cell);
+    mesh.min_cell = std::min(mesh.min_cell, l.cell);
     mesh.stands_out.push_back(l.contact_law.layer / (4 * l.cell));
     mesh.apart.push_back(std::max(kApart, int(std::ceil(kApartThick * 2 * l.contact_law.layer / l.cell))));
   }

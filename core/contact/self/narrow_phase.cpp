@@ -98,9 +98,9 @@ bool may_stand(const NarrowPhase& l, model::NodeIndex edge) {
 double stands_out(const NarrowPhase& l, model::NodeIndex edge, const Vec3& out) {
   Vec3 into[2];
   const int count = into_set(l, l.system.self.edge[edge], into);
-  double least = 1;
-  for (int k = 0; k < count; ++k) least = std::min(least, dot(out, into[k]));
-  return least / sine_of(l, edge);
+  double smallest = 1;
+  for (int k = 0; k < count; ++k) smallest = std::min(smallest, dot(out, into[k]));
+  return smallest / sine_of(l, edge);
 }
 
 // The way left until the pair can touch; 0 where it is within reach, and then it may be one more of the

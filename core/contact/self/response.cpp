@@ -24,7 +24,7 @@ using namespace math::vector3;
 constexpr double kSoft = 0.25;   // of omega^2 of contact with bodies: a particle is in several pairs
 constexpr double kDamping = 1;   // zeta
 constexpr double kThin = 1e-12;  // of the trace cubed: nodes on one line do not turn
-constexpr double kLeast = 1 - kContactDeepest;
+constexpr double kMin = 1 - kContactDeepest;
 
 Vec3 times(const double* m, const Vec3& v) {
   return {m[0] * v[0] + m[1] * v[1] + m[2] * v[2], m[1] * v[0] + m[3] * v[1] + m[4] * v[2],
@@ -70,14 +70,14 @@ void law_set(const System& system, const std::vector<SelfNode>& node, SelfContac
   const auto& of = system.self.lattice_of;
   const model::ContactLaw &a = system.lattices[std::size_t(of[t.node[0]])].contact_law,
                           &b = system.lattices[std::size_t(of[t.node[t.cross ? 2 : 1]])].contact_law;
-  double least = INFINITY;
+  double smallest = INFINITY;
   t.inverse_effective_mass = 0;
   for (int k = 0; k < 4; ++k) {
     const SelfNode& n = node[std::size_t(t.at[k])];
-    least = std::min(least, system.mass[n.node]);
+    smallest = std::min(smallest, system.mass[n.node]);
     t.inverse_effective_mass += t.weight[k] * t.weight[k] * n.inverse;
   }
-  t.stiffness = t.share * kSoft * std::min(a.omega2, b.omega2) * least / 2;
+  t.stiffness = t.share * kSoft * std::min(a.omega2, b.omega2) * smallest / 2;
   t.drag =
       t.inverse_effective_mass > 0 ? 2 * kDamping * std::sqrt(t.stiffness / t.inverse_effective_mass) : 0;
   t.stick = (a.friction[0] + b.friction[0]) / 2;
@@ -141,7 +141,7 @@ double normal_sweep(const ContactCoefficients& c, SelfContactPairs& all, SelfCon
 }
 
 double stop_sweep(const ContactCoefficients& c, SelfContactPairs& all, SelfContactPair& t) {
-  const double w = dot(t.n, gap_rate(all, t, &SelfNode::v)), workspace = t.distance - kLeast * t.layer;
+  const double w = dot(t.n, gap_rate(all, t, &SelfNode::v)), workspace = t.distance - kMin * t.layer;
   const double wanted = -workspace * (workspace >= 0 ? c.stop_rate : c.push_rate);
   const double stop = std::max(t.stop + (wanted - w) / t.inverse_effective_mass, 0.0), more = stop - t.stop;
   if (more == 0) return 0;
@@ -212,16 +212,16 @@ void self_respond(const ContactCoefficients& c, double settled, int sweeps, Self
   for (SelfContactPair& t : all.pair)
     if (t.normal > 0) friction_change(all, t, c.kick * t.hold);
   for (int k = 0; k < sweeps; ++k) {
-    double most = 0;
+    double largest = 0;
     for (SelfContactPair& t : all.pair) {
-      most = std::max(most, normal_sweep(c, all, t));
-      most = std::max(most, stop_sweep(c, all, t));
+      largest = std::max(largest, normal_sweep(c, all, t));
+      largest = std::max(largest, stop_sweep(c, all, t));
       if (!(t.normal + t.stop > 0) && dot(t.friction, t.friction) == 0) continue;
       const Vec3 w = slip(all, t, &SelfNode::v);
-      most = std::max(most, friction_change(all, t, t.friction - (1 / t.inverse_effective_mass) * w));
+      largest = std::max(largest, friction_change(all, t, t.friction - (1 / t.inverse_effective_mass) * w));
     }
-    if (k == 0) first = std::max(first, most);
-    if (!(most > settled * first)) break;
+    if (k == 0) first = std::max(first, largest);
+    if (!(largest > settled * first)) break;
   }
 }
 

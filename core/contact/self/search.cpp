@@ -110,7 +110,7 @@ void points_find(const Search& s, const model::SelfCell& of, const model::SelfCe
     for (const auto& t :
          {std::array{on.node[0], on.node[1], on.node[3]}, std::array{on.node[0], on.node[3], on.node[2]}}) {
       const model::SelfPoint pair{{n, t[0], t[1], t[2]},
-                                  std::min(layer_of(s, n, t[0]), s.mesh.layer_most[n])};
+                                  std::min(layer_of(s, n, t[0]), s.mesh.max_contact_distance[n])};
       const double reach = pair.layer + s.margin;
       const math::TriangleClosest foot =
           math::triangle_closest(at, place(s.state, t[0]), place(s.state, t[1]), place(s.state, t[2]));
@@ -127,7 +127,7 @@ void crosses_find(const Search& s, const model::SelfCell& a, const model::SelfCe
       if (s.mesh.edge[f].node[0] < s.mesh.edge[e].node[0]) std::swap(e, f);
       const model::NodeIndex *from = s.mesh.edge[e].node, *to = s.mesh.edge[f].node;
       model::SelfCross pair{{from[0], from[1], to[0], to[1]}, {e, f}, layer_of(s, from[0], to[0])};
-      for (model::NodeIndex n : pair.node) pair.layer = std::min(pair.layer, s.mesh.layer_most[n]);
+      for (model::NodeIndex n : pair.node) pair.layer = std::min(pair.layer, s.mesh.max_contact_distance[n]);
       const double reach = pair.layer + s.margin;
       const Vec3 a0 = place(s.state, pair.node[0]), a1 = place(s.state, pair.node[1]),
                  b0 = place(s.state, pair.node[2]), b1 = place(s.state, pair.node[3]);
@@ -151,12 +151,12 @@ bool are_apart(const State& s, const model::SelfCell& a, const model::SelfCell& 
 template <class Visit>
 void each_pair(const model::SelfMesh& mesh, const State& state, double reach, Visit visit) {
   std::vector<Ball> balls = balls_of(mesh, state);
-  double most = 0, farthest = 0;
+  double largest = 0, farthest = 0;
   for (const Ball& ball : balls) {
-    most = std::max(most, ball.radius);
+    largest = std::max(largest, ball.radius);
     farthest += std::abs(ball.centre[0]) + std::abs(ball.centre[1]) + std::abs(ball.centre[2]);
   }
-  const double width = 2 * most + reach;
+  const double width = 2 * largest + reach;
   if (!(width > 0 && farthest < kFarthest * width)) return;  // a run that leaves the finite numbers
   const Buckets buckets = buckets_fill(balls, width);
   each_near(buckets, balls, [&](std::size_t p, std::size_t q) {

@@ -52,7 +52,7 @@ double reach_of(const System& system, const State& s, double h) {
 }
 
 void search(const System& system, State& s, double h) {
-  const double cell = system.self.cell_least;
+  const double cell = system.self.min_cell;
   model::SelfState& self = s.self;
   self.margin = std::max(kMarginReach * reach_of(system, s, h),
                          std::clamp(kSearchSteps * self.speed * h, kMarginLeast * cell, kMarginMost * cell));

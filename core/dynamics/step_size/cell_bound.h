@@ -90,9 +90,9 @@ double cells_omega2(const System& system, const model::Lattice& l, const State& 
     const L present = select(gt(L::load(share + i), L(0.0)), bound, L(0.0));
     L::store(worst, max(present, L::load(worst)));
   }
-  double most = 0;
-  for (double w : worst) most = w > most ? w : most;
-  return most / (l.law.areal_density * l.cell * l.cell);
+  double largest = 0;
+  for (double w : worst) largest = w > largest ? w : largest;
+  return largest / (l.law.areal_density * l.cell * l.cell);
 }
 
 }  // namespace

@@ -49,10 +49,10 @@ double cell_bound(const model::Lattice& l, const State& s, const std::size_t* co
 
 // The same of the cells beside the rows.
 double side_bound(const System& system, const model::Lattice& l, const State& s, double ahead) {
-  double most = 0;
+  double largest = 0;
   for (const model::IrregularCell& cell : system.irregular.cells)
-    if (cell.lattice == l.piece) most = most_of(cell_bound(l, s, cell.node, ahead), most);
-  return most;
+    if (cell.lattice == l.piece) largest = most_of(cell_bound(l, s, cell.node, ahead), largest);
+  return largest;
 }
 
 // What a clamp adds to rho b^2 omega^2.
@@ -61,21 +61,21 @@ double clamp_term(const model::ClampHinge& c, const fabric::Law& law, const Stat
          std::pow(distance(s, c.node[0], c.node[1], ahead), 2);
 }
 double clamps_bound(const System& system, const model::Lattice& l, const State& s, double ahead) {
-  double most[2] = {0, 0};
+  double largest[2] = {0, 0};
   for (const model::ClampHinge& c : system.irregular.clamps)
     if (c.lattice == l.piece && c.excess > 0)
-      most[c.warp] = most_of(clamp_term(c, l.law, s, ahead), most[c.warp]);
-  return most[0] + most[1];
+      largest[c.warp] = most_of(clamp_term(c, l.law, s, ahead), largest[c.warp]);
+  return largest[0] + largest[1];
 }
 
 // The largest speed (m/s) of a particle against the wind.
 double speed_against_wind(const System& system, const State& s) {
-  double most = 0;
+  double largest = 0;
   for (std::size_t n : system.particle) {
     const double x = s.vx[n] - s.wind[0], y = s.vy[n] - s.wind[1], z = s.vz[n] - s.wind[2];
-    most = most_of(x * x + y * y + z * z, most);
+    largest = most_of(x * x + y * y + z * z, largest);
   }
-  return std::sqrt(most);
+  return std::sqrt(largest);
 }
 
 // The omega^2 that without forces that depend on velocity leads to the limit of omega^2 and d.
@@ -126,13 +126,13 @@ void link_offer(WorstPart& worst, const Scene& scene, const model::Lattice& l, c
 template <class Stiffness>
 std::string seam_words(const System& system, const Scene& scene, const State& s, model::Sewn sewn,
                        Stiffness stiffness) {
-  double most = -1;
+  double largest = -1;
   std::string name;
   for (std::size_t k = 0; k < system.seams.seam.size(); ++k) {
     const model::Seam& seam = system.seams.seam[k];
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p)
-      if (s.sewn[p] == sewn && stiffness(seam, p) > most)
-        most = stiffness(seam, p), name = scene.seams[k].name;
+      if (s.sewn[p] == sewn && stiffness(seam, p) > largest)
+        largest = stiffness(seam, p), name = scene.seams[k].name;
   }
   return "seam '" + name + "'";
 }
@@ -172,10 +172,10 @@ double step_limit_clamps(const System& system, const model::Lattice& l, const St
 
 double step_limit_lattice(const System& system, const Kernel& kernel, const model::Lattice& l,
                           const State& state, double ahead) {
-  double most = 0;
-  for (int j = 0; j + 1 < l.rows; ++j) most = most_of(kernel.omega2(system, l, state, j, ahead), most);
-  most = most_of(side_bound(system, l, state, ahead) / (l.law.areal_density * l.cell * l.cell), most);
-  return most / l.mass_kept + step_limit_clamps(system, l, state, ahead);
+  double largest = 0;
+  for (int j = 0; j + 1 < l.rows; ++j) largest = most_of(kernel.omega2(system, l, state, j, ahead), largest);
+  largest = most_of(side_bound(system, l, state, ahead) / (l.law.areal_density * l.cell * l.cell), largest);
+  return largest / l.mass_kept + step_limit_clamps(system, l, state, ahead);
 }
 
 double step_limit_drag(const System& system, const State& state) {
@@ -206,14 +206,14 @@ double step_limit_rated(const System& system, const model::Lattice& l, double om
 double step_limit_omega2(const System& system, const Kernel& kernel, const State& state, double ahead) {
   const double drag = step_limit_drag(system, state);
   const SeamsBound seams = step_limit_seams(system, state);
-  double most = 0;
+  double largest = 0;
   for (const model::Lattice& l : system.lattices) {
     const double omega2 = step_limit_lattice(system, kernel, l, state, ahead);
-    most = most_of(
+    largest = most_of(
         step_limit_rated(system, l, omega2, drag, seams, contact::added_omega2(system, state, l.piece)),
-        most);
+        largest);
   }
-  return most;
+  return largest;
 }
 
 double step_limit_angle(const System& system) { return system.composition ? system.composition->limit : 2; }

@@ -98,9 +98,9 @@ void twins_fill(Build& b) {
     std::vector<double> area(sets.size(), 0.0);
     for (std::size_t s = 0; s < sets.size(); ++s)
       for (PartRef part : sets[s]) area[s] += part_share(b.cut, b.merged, part);
-    const std::size_t most = std::size_t(std::max_element(area.begin(), area.end()) - area.begin());
+    const std::size_t largest = std::size_t(std::max_element(area.begin(), area.end()) - area.begin());
     for (std::size_t s = 0; s < sets.size(); ++s) {
-      if (s == most) continue;
+      if (s == largest) continue;
       for (PartRef part : sets[s]) {
         const int back = place - part_place(b.cut, part);
         b.twin_of[4L * part + (back == 0 ? 0 : back == 1 ? 1 : back == up ? 2 : 3)] = b.grid.nodes();
@@ -161,13 +161,13 @@ int particle_nearest(const Grid& grid, const std::vector<char>& particle, Vec2 a
   const int i = int(std::clamp(std::floor(at[0]), 0.0, grid.columns - 1.0));
   const int j = int(std::clamp(std::floor(at[1]), 0.0, grid.rows - 1.0));
   int best = -1;
-  double least = INFINITY;
-  for (int r = 0; r <= std::max(grid.columns, grid.rows) && least > r - 1.0; ++r)
+  double smallest = INFINITY;
+  for (int r = 0; r <= std::max(grid.columns, grid.rows) && smallest > r - 1.0; ++r)
     for (int row = std::max(0, j - r); row <= std::min(grid.rows - 1, j + r); ++row)
       for (int column = std::max(0, i - r); column <= std::min(grid.columns - 1, i + r); ++column) {
         const int n = row * grid.columns + column;
         const double d = std::hypot(column - at[0], row - at[1]);
-        if (particle[std::size_t(n)] && d < least) best = n, least = d;
+        if (particle[std::size_t(n)] && d < smallest) best = n, smallest = d;
       }
   return best;
 }

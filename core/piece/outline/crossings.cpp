@@ -116,7 +116,7 @@ std::vector<Segment> segments_of(const std::vector<OutlineLoop>& loops) {
 }  // namespace
 
 std::vector<OutlineCrossing> outline_crossings(const std::vector<OutlineLoop>& loops, double contact,
-                                               std::size_t most) {
+                                               std::size_t largest) {
   const std::vector<Segment> segments = segments_of(loops);
   std::map<std::array<int, 4>, OutlineCrossing> found;
   const auto compare = [&](const Segment& a, const Segment& b) {
@@ -129,8 +129,8 @@ std::vector<OutlineCrossing> outline_crossings(const std::vector<OutlineLoop>& l
     found.insert({{c.loop[0], c.edge[0], c.loop[1], c.edge[1]}, c});
   };
   for (const std::vector<int>& bucket : buckets_make(segments, contact).segments)
-    for (std::size_t u = 0; u < bucket.size() && found.size() < most; ++u)
-      for (std::size_t v = u + 1; v < bucket.size() && found.size() < most; ++v)
+    for (std::size_t u = 0; u < bucket.size() && found.size() < largest; ++u)
+      for (std::size_t v = u + 1; v < bucket.size() && found.size() < largest; ++v)
         compare(segments[std::size_t(bucket[u])], segments[std::size_t(bucket[v])]);
   std::vector<OutlineCrossing> list;
   for (const auto& pair : found) list.push_back(pair.second);

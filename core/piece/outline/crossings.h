@@ -12,6 +12,6 @@ struct OutlineCrossing {
 
 // The first `most` pairs of edges that come closer than `touch`, apart from the ends that neighbours share.
 std::vector<OutlineCrossing> outline_crossings(const std::vector<OutlineLoop>& loops, double contact,
-                                               std::size_t most);
+                                               std::size_t largest);
 
 }  // namespace drape::piece

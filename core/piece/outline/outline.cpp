@@ -88,11 +88,12 @@ bool contains(const Loops& loops, Vec2 point) {
 template <class Loops>
 double distance(const Loops& loops, Vec2 point) {
   if (contains(loops, point)) return 0;
-  double least = INFINITY;
+  double smallest = INFINITY;
   for (const auto& loop : loops)
     for (std::size_t k = 0, n = points_of(loop).size(); k < n; ++k)
-      least = std::min(least, segment_distance(points_of(loop)[k], points_of(loop)[(k + 1) % n], point));
-  return least;
+      smallest =
+          std::min(smallest, segment_distance(points_of(loop)[k], points_of(loop)[(k + 1) % n], point));
+  return smallest;
 }
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace {
 
 using Problems = std::vector<Problem>;
 
-constexpr double kMostNodes = 4e6;          // of a piece
-constexpr std::size_t kMostCrossings = 10;  // told of one piece
+constexpr double kMaxNodes = 4e6;          // of a piece
+constexpr std::size_t kMaxCrossings = 10;  // told of one piece
 
 std::string loop_name(std::size_t loop) { return loop == 0 ? "outline" : scene::entry("holes", loop - 1); }
 
@@ -141,9 +141,9 @@ void cell_check(const scene::PieceSpec& piece, const std::vector<OutlineLoop>& l
   if (piece.cell > shorter * (1 + 1e-9))
     problems.push_back({path + ".cell", value + "; allowed: at most the piece's shorter side, " +
                                             scene::rounded(shorter) + " m"});
-  if (nodes > kMostNodes)
+  if (nodes > kMaxNodes)
     problems.push_back({path + ".cell", value + " makes about " + scene::rounded(nodes) +
-                                            " nodes; allowed: at most " + scene::rounded(kMostNodes) +
+                                            " nodes; allowed: at most " + scene::rounded(kMaxNodes) +
                                             " a piece"});
 }
 
@@ -168,7 +168,7 @@ void polygon_problems(const std::vector<Vec2>& polygon, const std::string& path,
   const double contact = outline_touch(piece);
   if (!points_check(polygon, path, contact, problems) || !area_check(polygon, path, contact, problems))
     return;
-  crossings_tell(outline_crossings(outline_flatten(piece), contact, kMostCrossings), {""}, path, problems);
+  crossings_tell(outline_crossings(outline_flatten(piece), contact, kMaxCrossings), {""}, path, problems);
 }
 
 void outline_problems(const scene::PieceSpec& piece, const std::string& path, Problems& problems) {
@@ -192,7 +192,7 @@ void outline_problems(const scene::PieceSpec& piece, const std::string& path, Pr
   std::vector<std::string> name;
   for (std::size_t l = 0; l < loops.size(); ++l) name.push_back(loop_name(l));
   const std::vector<OutlineCrossing> found =
-      outline_crossings(loops, contact + 2e-9 * drawn.cell, kMostCrossings);
+      outline_crossings(loops, contact + 2e-9 * drawn.cell, kMaxCrossings);
   crossings_tell(found, name, path + ".", problems);
   if (!found.empty()) return;
   if (is_flat(loops[0].points, contact)) problems.push_back({path + ".outline", "encloses no area"});

@@ -16,7 +16,7 @@
 namespace drape::piece {
 namespace {
 
-constexpr double kLeast = 0.2;  // s
+constexpr double kMin = 0.2;  // s
 constexpr double kInside =
     1e-6;  // cells: how far beyond the edge the cell is looked up into which a thread leaves
 
@@ -41,7 +41,7 @@ void crossing_slope(const Grid& grid, const std::vector<OutlineLoop>& loops, con
   const int from = cell.node[up ? first : first + step], to = cell.node[up ? first + step : first];
   const bool known = std::any_of(slopes.begin(), slopes.end(),
                                  [&](const HeldSlope& h) { return h.from == from && h.to == to; });
-  const double free = std::max(s, kLeast);
+  const double free = std::max(s, kMin);
   if (!known) slopes.push_back({from, to, axis == 1, 1 / (free * free), free * free, true});
 }
 

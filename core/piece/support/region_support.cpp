@@ -13,7 +13,7 @@
 namespace drape::piece {
 namespace {
 
-constexpr double kLeast = 0.2;  // s
+constexpr double kMin = 0.2;  // s
 
 double cross(Vec2 a, Vec2 p, Vec2 q) { return (p[0] - a[0]) * (q[1] - a[1]) - (p[1] - a[1]) * (q[0] - a[0]); }
 
@@ -175,7 +175,7 @@ std::vector<Leaving> links_leaving(const Region& r) {
 // Holds the nodes that lie hardly outside; the next link of their thread is free for what lies before it too.
 std::vector<Leaving> links_lengthened(Region& r) {
   std::vector<Leaving> near = links_leaving(r);
-  std::erase_if(near, [](const Leaving& link) { return link.free >= kLeast; });
+  std::erase_if(near, [](const Leaving& link) { return link.free >= kMin; });
   for (const Leaving& link : near) r.held[std::size_t(link.to)] = 1;
   std::vector<Leaving> links = links_leaving(r);
   const auto step = [&](const Leaving& link) {
@@ -187,7 +187,7 @@ std::vector<Leaving> links_lengthened(Region& r) {
       return b.to == link.from && step(b) == step(link);
     });
     if (before != near.end()) link.free += before->free;
-    link.free = std::max(link.free, kLeast);
+    link.free = std::max(link.free, kMin);
   }
   return links;
 }

@@ -49,13 +49,13 @@ toml::array percent_of(const std::vector<double>& extension, double gauge) {
 // 1000 percent at most, as elongation_percent.
 bool extension_fits(const Settling& s, const std::string& key, const GivenAs& as,
                     const std::vector<double>& extension, double gauge) {
-  constexpr double kMost = 10;
+  constexpr double kMax = 10;
   bool fits = true;
   for (std::size_t i = 0; i < extension.size(); ++i) {
-    if (100 * extension[i] / gauge <= 100 * kMost) continue;
+    if (100 * extension[i] / gauge <= 100 * kMax) continue;
     fault_at(s, key, i,
              "= " + rounded(extension[i] / gauge * as.per_si) + " " + as.unit + "; allowed: from 0 to " +
-                 rounded(kMost * as.per_si) + " " + as.unit + ", ten times the gauge");
+                 rounded(kMax * as.per_si) + " " + as.unit + ", ten times the gauge");
     fits = false;
   }
   return fits;

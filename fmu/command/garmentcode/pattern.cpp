@@ -9,7 +9,7 @@
 namespace drape::command {
 namespace {
 
-constexpr double kMostPerMetre = 1e4;  // a tenth of a millimetre
+constexpr double kMaxPerMetre = 1e4;  // a tenth of a millimetre
 
 PatternUnits units_read(const JsonFaults& faults, const Json& root) {
   PatternUnits units;
@@ -18,7 +18,7 @@ PatternUnits units_read(const JsonFaults& faults, const Json& root) {
   const auto per_metre = properties->find("units_in_meter");
   if (per_metre == properties->end())
     json_fault(faults, "properties.units_in_meter", "is missing; wanted: 100 for centimetres, 1 for metres");
-  else if (const auto n = json_number(faults, *per_metre, "properties.units_in_meter", 1, kMostPerMetre))
+  else if (const auto n = json_number(faults, *per_metre, "properties.units_in_meter", 1, kMaxPerMetre))
     units.per_metre = *n;
   const Json* coords =
       json_member(faults, *properties, "properties", "curvature_coords", Json::value_t::string);

@@ -71,12 +71,12 @@ struct Sweep {
 // From the largest step that gives an answer down by halves.
 void sweep_own(const Sweep& s, const OwnMethod& m) {
   if (!own_fits(s.trial.scene, m.own)) return;
-  double most = own_least_steps(s.trial.scene, m.own, s.trial.end);
+  double largest = own_least_steps(s.trial.scene, m.own, s.trial.end);
   const bool euler = m.own == Own::kEuler;
   long spent = 0;
   bool found = false;
   for (int tries = 0; tries < 60; ++tries) {
-    const long steps = std::max(1L, long(std::ceil(most)));
+    const long steps = std::max(1L, long(std::ceil(largest)));
     const auto run = [&] { return own_run(s.trial.scene, m.own, s.trial.end, steps); };
     const Stepped got = run();
     spent += got.evaluations;
@@ -86,13 +86,13 @@ void sweep_own(const Sweep& s, const OwnMethod& m) {
       s.rows.push_back({s.trial.scene.name, m.name, "kernel", m.order, s.trial.end / double(steps), error,
                         seconds_of(got.seconds, s.budget, run), got.evaluations});
     if (error < kAsExact || spent > (euler ? kEulerShare : 1) * s.budget.own) return;
-    most *= found || euler ? 2 : 1.1;
+    largest *= found || euler ? 2 : 1.1;
   }
 }
 
 // Tolerances down by tens from 1e-2 until the error is there, or the evaluations are used up.
-void sweep_solver(const Sweep& s, const Equations& e, const Method& m, const char* forces, long most) {
-  long left = most;
+void sweep_solver(const Sweep& s, const Equations& e, const Method& m, const char* forces, long largest) {
+  long left = largest;
   for (double rtol = 1e-2; rtol > 0.9 * s.budget.tightest && left > 0; rtol /= 10) {
     const auto run = [&] { return solve(e, m, s.trial.end, rtol, left); };
     const Solved got = run();
@@ -102,7 +102,7 @@ void sweep_solver(const Sweep& s, const Equations& e, const Method& m, const cha
     if (error < kNoAnswer)
       s.rows.push_back(
           {s.trial.scene.name, m.name, forces, m.order, rtol, error,
-           seconds_of(got.seconds, s.budget, [&] { return solve(e, m, s.trial.end, rtol, most); }),
+           seconds_of(got.seconds, s.budget, [&] { return solve(e, m, s.trial.end, rtol, largest); }),
            got.evaluations});
     if (error < kAsExact) return;
   }

@@ -159,8 +159,8 @@ const std::vector<Method>& methods() {
   return kMethods;
 }
 
-Solved solve(const Equations& e, const Method& m, double end, double rtol, long most) {
-  Session s{.equations = e, .most = most};
+Solved solve(const Equations& e, const Method& m, double end, double rtol, long largest) {
+  Session s{.equations = e, .most = largest};
   if (SUNContext_Create(nullptr, &s.context) != 0) throw std::runtime_error("SUNDIALS gives no context");
   const auto size = sunindextype(e.start.size());
   s.y = N_VNew_Serial(size, s.context);

@@ -40,9 +40,9 @@ double triangle_distance(const BodySurface& s, std::size_t t, const Vec3& x) {
   return std::min({segment_distance(a, b, x), segment_distance(b, c, x), segment_distance(c, a, x)});
 }
 double mesh_distance(const BodySurface& s, const Vec3& x) {
-  double least = INFINITY;
-  for (std::size_t t = 0; t < s.corner.size(); ++t) least = std::min(least, triangle_distance(s, t, x));
-  return least;
+  double smallest = INFINITY;
+  for (std::size_t t = 0; t < s.corner.size(); ++t) smallest = std::min(smallest, triangle_distance(s, t, x));
+  return smallest;
 }
 
 TEST(Nearest, IsTheNearestOfAllTrianglesAndItsBudgetIsKept) {

@@ -58,11 +58,11 @@ TEST(Ridge, SearchFindsTheNearest) {
   std::uniform_real_distribution<double> at(-0.2, 0.2);
   for (int k = 0; k < 200; ++k) {
     const Vec3 x{at(random), at(random), at(random)};
-    double least = 0.05;
+    double smallest = 0.05;
     for (const Ridge& r : ridges.ridge)
       for (int p = 0; p <= 2000; ++p)
-        least = std::min(least, norm(x - r.from - (p / 2000.0) * (r.to - r.from)));
-    EXPECT_NEAR(ridges_distance(ridges, x, 0.05), least, 1e-5);
+        smallest = std::min(smallest, norm(x - r.from - (p / 2000.0) * (r.to - r.from)));
+    EXPECT_NEAR(ridges_distance(ridges, x, 0.05), smallest, 1e-5);
   }
 }
 

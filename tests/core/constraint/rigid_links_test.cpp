@@ -34,14 +34,14 @@ Scene two_pieces(Vec3 gap) {
 }
 
 double worst_link(const Assembled& a) {  // |r_b - r_a|/L - 1
-  double most = 0;
+  double largest = 0;
   const State& s = a.state;
   for (const RigidLink& l : a.system.links) {
     const auto [i, j] = l.node;
     const Vec3 d{s.x[j] - s.x[i], s.y[j] - s.y[i], s.z[j] - s.z[i]};
-    most = std::max(most, std::abs(math::vector3::norm(d) / l.length - 1));
+    largest = std::max(largest, std::abs(math::vector3::norm(d) / l.length - 1));
   }
-  return most;
+  return largest;
 }
 
 // Links reach 1.5 cells, but for particles that have fewer than three so near; what lies on a grid is of the

@@ -213,13 +213,13 @@ TEST_P(StepLimitOf, IsWhereALinearLatticeBeginsToGrow) {
     std::uniform_real_distribution<double> shift(-1e-9, 1e-9);
     for (std::size_t n : a.system.particle) a.state.y[n] += shift(random);
     const double h = factor * step_limit_of(a.system, a.state.omega2);
-    double most = 0;
+    double largest = 0;
     for (int step = 0; step < 3000; ++step) {
       leapfrog_step(a.system, a.motion, a.state, h);
-      for (std::size_t n : a.system.particle) most = std::max(most, std::abs(a.state.vy[n]));
+      for (std::size_t n : a.system.particle) largest = std::max(largest, std::abs(a.state.vy[n]));
     }
-    if (factor < 1) EXPECT_LT(most, 1e-9 / h * 200);
-    else EXPECT_GT(most, 1.0);
+    if (factor < 1) EXPECT_LT(largest, 1e-9 / h * 200);
+    else EXPECT_GT(largest, 1.0);
   }
 }
 
@@ -325,16 +325,16 @@ TEST(Leapfrog, FollowsTheStepLimitDownAndUp) {
   scene.damping = 20;
   Assembled a = assemble(scene);
   const std::int64_t start = a.state.steps_per_interval;
-  std::int64_t most = start;
+  std::int64_t largest = start;
   std::string event;
   for (int k = 0; k < 1000; ++k) {
     ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 0.001, event), Advance::kDone);
-    most = std::max(most, a.state.steps_per_interval);
+    largest = std::max(largest, a.state.steps_per_interval);
     EXPECT_LT(0.001 / double(a.state.steps_per_interval),
               step_limit_of(a.system, step_limit_omega2(a.system, *a.motion.kernel, a.state)));
   }
-  EXPECT_GT(most, start);
-  EXPECT_LT(a.state.steps_per_interval, most);
+  EXPECT_GT(largest, start);
+  EXPECT_LT(a.state.steps_per_interval, largest);
 }
 
 // An interval begun with steps far above the limit is finished with smaller ones, and is as long as it should

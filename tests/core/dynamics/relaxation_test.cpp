@@ -16,9 +16,9 @@ using namespace tests;
 namespace {
 
 // Runs a fit to its rest; false if it is not there in `most` seconds of cloth.
-bool fit_run(Assembled& a, double most) {
+bool fit_run(Assembled& a, double largest) {
   std::string event;
-  for (double t = 0; t < most && !a.state.relaxation.at_rest; t += 0.1)
+  for (double t = 0; t < largest && !a.state.relaxation.at_rest; t += 0.1)
     if (leapfrog_advance(a.system, a.motion, a.state, 0.1, event) != Advance::kDone) return false;
   return a.state.relaxation.at_rest;
 }
@@ -232,7 +232,7 @@ TEST(Fit, RestIsJudgedByThePresentLoad) {
       const double load = left.force / left.ratio, reported = a.state.relaxation.load;
       EXPECT_NEAR(left.force, a.state.relaxation.residual * reported, 1e-3 * left.force + 1e-12 * reported);
       if (weight > 0) EXPECT_NEAR(reported, load, 1e-5 * load);
-      else EXPECT_NEAR(reported, std::max(load, 1e-4 * a.state.relaxation.most), 1e-5 * reported);
+      else EXPECT_NEAR(reported, std::max(load, 1e-4 * a.state.relaxation.max_force), 1e-5 * reported);
     }
 }
 
@@ -268,13 +268,13 @@ TEST(Fit, EnlargesTheInertiaOfStiffCells) {
   for (std::size_t n : a.system.particle) a.state.y[n] *= a.state.y[n] > 0.025 ? 1.3 : 1.0;
   const double h = kSafetyDamped * step_limit_of(a.system, a.state.omega2);
   relaxation_scale_masses(a.system, a.motion.constraints, a.state, h);
-  double least = 1, most = 0;
+  double smallest = 1, largest = 0;
   for (std::size_t n : a.system.particle) {
-    least = std::min(least, a.state.inverse_mass_scale[n]);
-    most = std::max(most, a.state.inverse_mass_scale[n]);
+    smallest = std::min(smallest, a.state.inverse_mass_scale[n]);
+    largest = std::max(largest, a.state.inverse_mass_scale[n]);
   }
-  EXPECT_LT(least, 0.5);
-  EXPECT_EQ(most, 1);
+  EXPECT_LT(smallest, 0.5);
+  EXPECT_EQ(largest, 1);
   EXPECT_NEAR(h * std::sqrt(a.state.omega2) / 2, kSafetyDamped, 1e-12);
 }
 

@@ -45,10 +45,10 @@ Calibration calibrated(const scene::FabricSpec& f, double cell = 0.0125) {
 double off(const scene::FabricSpec& f, model::YarnDirection along, double cell) {
   std::vector<Problem> problems;
   const StripPull pull = strip_pull(f, along, cell, strip_elongations(f, along, 10), problems);
-  double most = pull.force.empty() ? 1 : 0;
+  double largest = pull.force.empty() ? 1 : 0;
   for (std::size_t k = 0; k < pull.force.size(); ++k)
-    most = std::max(most, std::abs(pull.force[k] / strip_diagram(f, along).force[k + 1] - 1));
-  return most;
+    largest = std::max(largest, std::abs(pull.force[k] / strip_diagram(f, along).force[k + 1] - 1));
+  return largest;
 }
 
 TEST(Calibration, LetsStripsGiveBackTheirDiagrams) {

@@ -100,13 +100,13 @@ TEST_P(CompositionOf, MovesAnOscillatorWithinItsLimit) {
     const Lattice& l = a.system.lattices[0];
     for (int i = 0; i < 2; ++i) a.state.y[l.node(i, 0)] -= 1e-9, a.state.y[l.node(i, 1)] += 1e-9;
     const double h = factor * dynamics::step_limit_of(a.system, a.state.omega2);
-    double most = 0;
-    for (int step = 0; step < 60000 && most < 1; ++step) {
+    double largest = 0;
+    for (int step = 0; step < 60000 && largest < 1; ++step) {
       dynamics::leapfrog_step(a.system, a.motion, a.state, h);
-      for (std::size_t n : a.system.particle) most = std::max(most, std::abs(a.state.vy[n]) * h);
+      for (std::size_t n : a.system.particle) largest = std::max(largest, std::abs(a.state.vy[n]) * h);
     }
-    if (factor < 1) EXPECT_LT(most, 1e-9 * 200);
-    else EXPECT_GT(most, 1e-3);
+    if (factor < 1) EXPECT_LT(largest, 1e-9 * 200);
+    else EXPECT_GT(largest, 1e-3);
   }
 }
 

@@ -31,12 +31,12 @@ TEST(Fields, PressureIsThatOfTheSummary) {
   fields_fill(fields, a.system, a.state, {});
   const model::ContactSummary sum = contact::contact_summary(a.system, a.state, {});
   std::size_t count = 0;
-  double most = 0, weight = 0;
-  for (const double p : fields.pressure) count += p > 0, most = std::max(most, p);
+  double largest = 0, weight = 0;
+  for (const double p : fields.pressure) count += p > 0, largest = std::max(largest, p);
   for (const double area : fields.area) weight += area;
   ASSERT_GE(sum.count, 4u);
   EXPECT_EQ(count, sum.count);
-  EXPECT_NEAR(most / sum.pressure, 1, 1e-12);
+  EXPECT_NEAR(largest / sum.pressure, 1, 1e-12);
   EXPECT_NEAR(weight, 0.04, 1e-12);
 }
 

@@ -153,13 +153,13 @@ TEST(ReferenceCurve, WithoutPointsIsOff) {
 }
 
 double odd_residual(const Curve& g, const std::vector<double>& P) {
-  double most = 0;
+  double largest = 0;
   for (std::size_t i = 1; i < g.e.size(); ++i) {
     const double l1 = 1 + g.e[i], l2 = std::sqrt(2 - l1 * l1);
     const double made = curve_value(g, g.e[i]) + curve_value(g, std::abs(l2 - 1)) * l1 / l2;
-    most = std::max(most, std::abs(made - P[i]));
+    largest = std::max(largest, std::abs(made - P[i]));
   }
-  return most / P[g.e.size() - 1];
+  return largest / P[g.e.size() - 1];
 }
 
 TEST(ReferenceOddLaw, SolvesItsEquation) {

@@ -153,7 +153,7 @@ TEST(Ridge, MomentumIsBalancedOverEveryAdvance) {
   scene.pieces[0].velocity = {0.1, 0, -1};
   scene.bodies[0].moves = true;
   Assembled a = assemble(scene);
-  double worst = 0, most = 0, mass = 0;
+  double worst = 0, largest = 0, mass = 0;
   for (std::size_t n : a.system.particle) mass += a.system.mass[n];
   Array v[3];
   for (Array& of : v) of.assign(a.system.nodes, 0.0);
@@ -181,13 +181,13 @@ TEST(Ridge, MomentumIsBalancedOverEveryAdvance) {
     const Vec3 after = now(), gained = after - before;
     const Vec3 reported = a.state.body[0].impulse.force + a.motion.contact.load[0].force;
     worst = std::max(worst, norm(gained - (Vec3{0, 0, -9.81e-3 * mass} - reported)));
-    most = std::max(most, norm(reported));
+    largest = std::max(largest, norm(reported));
     before = after;
   }
-  std::printf("momentum: off by %.3g of %.3g, touches on ridges %zu\n", worst, most, on_ridges);
+  std::printf("momentum: off by %.3g of %.3g, touches on ridges %zu\n", worst, largest, on_ridges);
   EXPECT_GT(on_ridges, 100u);
-  EXPECT_GT(most, 1e-4 * mass);
-  EXPECT_LT(worst, 1e-9 * most);
+  EXPECT_GT(largest, 1e-4 * mass);
+  EXPECT_LT(worst, 1e-9 * largest);
 }
 
 // Where a line through x = y = 0 along z meets the cloth, if it does: the height there of its bilinear cells.
@@ -238,12 +238,12 @@ TEST(Ridge, NoTipOrEdgeGetsThroughAtFiftyMetresPerSecond) {
       scene.pieces[0].place.origin[1] += shift(random);
       scene.pieces[0].velocity = {0, 0, -50};
       Assembled a = assemble(scene);
-      double least = INFINITY;
+      double smallest = INFINITY;
       for (int k = 0; k < 100; ++k) {
         advance(a, 1e-4);
         if (tip) {
           double height = 0;
-          if (height_over_tip(a, height)) least = std::min(least, height);
+          if (height_over_tip(a, height)) smallest = std::min(smallest, height);
           continue;
         }
         const model::Lattice& l = a.system.lattices[0];
@@ -253,12 +253,12 @@ TEST(Ridge, NoTipOrEdgeGetsThroughAtFiftyMetresPerSecond) {
             const double x = a.state.x[n], to = a.state.x[n + 1];
             if (!(x < 0 && to > 0)) continue;
             const double t = x / (x - to);
-            least = std::min(least, (1 - t) * a.state.z[n] + t * a.state.z[n + 1]);
+            smallest = std::min(smallest, (1 - t) * a.state.z[n] + t * a.state.z[n + 1]);
           }
       }
-      EXPECT_GT(least, 0) << (tip ? "tip" : "ridge") << ", mu " << mu << ", angle " << angle;
-      EXPECT_LT(least, 0.01);
-      nearest = std::min(nearest, least);
+      EXPECT_GT(smallest, 0) << (tip ? "tip" : "ridge") << ", mu " << mu << ", angle " << angle;
+      EXPECT_LT(smallest, 0.01);
+      nearest = std::min(nearest, smallest);
     }
   std::printf("nearest %.3g m\n", nearest);
 }
@@ -400,7 +400,7 @@ TEST(Ridge, PenaltyStaysWithinTheBoundOfTheStep) {
   Assembled a = assemble(scene);
   const model::Lattice& l = a.system.lattices[0];
   const double sum = l.contact_law.omega2 / 2;
-  double least = INFINITY, most = -INFINITY, largest = 0;
+  double smallest = INFINITY, largest = -INFINITY, largest = 0;
   std::vector<EdgeContactPair> touches;
   for (int at = 0; at < 450; ++at) {
     const double foot = -0.62 + 0.005 * at, tilt = foot < 0.5 ? -1.15 : 1.15;
@@ -419,7 +419,7 @@ TEST(Ridge, PenaltyStaysWithinTheBoundOfTheStep) {
       const double *w = t.gap.weight, spread = std::abs(w[0]) + std::abs(w[1]);
       const double m[2] = {a.system.mass[t.part->node[0]], a.system.mass[t.part->node[1]]};
       EXPECT_NEAR(w[0] + w[1], 1, 1e-12);
-      least = std::min(least, w[1]), most = std::max(most, w[1]);
+      smallest = std::min(smallest, w[1]), largest = std::max(largest, w[1]);
       for (int k = 0; k < 2; ++k) {
         double row = 0;
         for (int j = 0; j < 2; ++j) row += t.stiffness * std::abs(w[k] * w[j]) / std::sqrt(m[k] * m[j]);
@@ -428,9 +428,9 @@ TEST(Ridge, PenaltyStaysWithinTheBoundOfTheStep) {
       }
     }
   }
-  std::printf("feet from %.2f to %.2f, rows up to %.3f of W^2/2\n", least, most, largest);
-  EXPECT_LT(least, -0.4);
-  EXPECT_GT(most, 1.4);
+  std::printf("feet from %.2f to %.2f, rows up to %.3f of W^2/2\n", smallest, largest, largest);
+  EXPECT_LT(smallest, -0.4);
+  EXPECT_GT(largest, 1.4);
   EXPECT_GT(largest, 0.99);
 }
 

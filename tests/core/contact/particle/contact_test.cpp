@@ -169,7 +169,7 @@ TEST(Touch, MomentumIsBalancedOverEveryAdvance) {
   scene::BodySpec& spec = body_add(scene, folder, "ball", ball(0.05, 40));
   spec.moves = true;
   Assembled a = assemble(scene);
-  double worst = 0, most = 0, mass = 0;
+  double worst = 0, largest = 0, mass = 0;
   for (std::size_t n : a.system.particle) mass += a.system.mass[n];
   Synchronous at_start = synchronous(a);
   Vec3 before = momentum(a, at_start.v);
@@ -186,11 +186,11 @@ TEST(Touch, MomentumIsBalancedOverEveryAdvance) {
         a.state.body[0].impulse.force + (any_near(a.state) ? a.motion.contact.load[0].force : Vec3{});
     const Vec3 weight{0, 0, -9.81e-3 * mass};
     worst = std::max(worst, norm(gained - (weight - reported)));
-    most = std::max(most, norm(reported));
+    largest = std::max(largest, norm(reported));
     before = after;
   }
-  EXPECT_GT(most, 1e-4 * mass);
-  EXPECT_LT(worst, 1e-9 * most);
+  EXPECT_GT(largest, 1e-4 * mass);
+  EXPECT_LT(worst, 1e-9 * largest);
 }
 
 // At 50 m/s against a thin plate and against a sharp ridge, at the automatic step.

@@ -68,8 +68,8 @@ TEST(Tied, SewnHalvesStickBelowIt) {
 }
 
 // Runs a fit to its rest; false if it is not there in `most` seconds of cloth.
-bool rests(Assembled& a, double most) {
-  for (double t = 0; t < most && !a.state.relaxation.at_rest; t += 0.1) sewn_advance(a, 0.1);
+bool rests(Assembled& a, double largest) {
+  for (double t = 0; t < largest && !a.state.relaxation.at_rest; t += 0.1) sewn_advance(a, 0.1);
   return a.state.relaxation.at_rest;
 }
 

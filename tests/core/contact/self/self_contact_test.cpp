@@ -95,16 +95,16 @@ TEST(SelfContact, KeepsMomentumAndAngularMomentum) {
   upper.place.axis_x = {std::cos(0.1), 0, std::sin(0.1)};
   upper.velocity = {-0.3, 0.2, -1};
   Assembled a = assemble(scene);
-  std::size_t most = 0;
+  std::size_t largest = 0;
   for (int k = 0; k < 60; ++k) {
     const Momenta before = momenta(a);
     advance(a, 1e-3);
     const Momenta after = momenta(a);
     EXPECT_LT(norm(after.linear - before.linear), 1e-12 * after.scale);
     EXPECT_LT(norm(after.angular - before.angular), 1e-12 * after.scale_angular);
-    most = std::max(most, self_summary(a.system, a.state).count);
+    largest = std::max(largest, self_summary(a.system, a.state).count);
   }
-  EXPECT_GT(most, 20u);
+  EXPECT_GT(largest, 20u);
   EXPECT_EQ(crossings(a), 0);
 }
 
@@ -178,30 +178,30 @@ Scene loop() {
 }
 
 double least_distance(const Assembled& a) {
-  double least = INFINITY;
+  double smallest = INFINITY;
   const model::SelfPairs pairs = self_search(a.system, a.system.self, a.state, 1e-3);
   for (const model::SelfPoint& p : pairs.point) {
     const auto at = [&](int k) { return at_node(a.state, p.node[k]); };
     const Vec3 e = at(2) - at(1), f = at(3) - at(1), q = at(0) - at(1), n = cross(e, f);
     const double inside = dot(cross(q, f), n), beside = dot(cross(e, q), n), all = dot(n, n);
     if (inside >= 0 && beside >= 0 && inside + beside <= all)
-      least = std::min(least, std::abs(dot(q, n)) / std::sqrt(all));
+      smallest = std::min(smallest, std::abs(dot(q, n)) / std::sqrt(all));
   }
-  return least;
+  return smallest;
 }
 
 TEST(SelfContact, AFoldStaysApart) {
   Assembled a = assemble(loop());
-  double least = INFINITY;
-  std::size_t most = 0;
+  double smallest = INFINITY;
+  std::size_t largest = 0;
   for (int k = 0; k < 40; ++k) {
     advance(a, 0.01);
-    least = std::min(least, least_distance(a));
-    most = std::max(most, self_summary(a.system, a.state).count);
+    smallest = std::min(smallest, least_distance(a));
+    largest = std::max(largest, self_summary(a.system, a.state).count);
     ASSERT_EQ(crossings(a), 0) << k;
   }
-  EXPECT_GT(most, 10u);
-  EXPECT_GT(least, 0.1 * 0.5e-3);
+  EXPECT_GT(largest, 10u);
+  EXPECT_GT(smallest, 0.1 * 0.5e-3);
 }
 
 // One result for every kernel and grouping of advances.
@@ -317,14 +317,14 @@ TEST(SelfContact, ACrumpledDropDoesNotTunnel) {
   scene.imperfection_seed = 5;
   Assembled a = assemble(scene);
   int worst = 0;
-  std::size_t most = 0;
+  std::size_t largest = 0;
   for (int k = 0; k < 100; ++k) {
     advance(a, 5e-3);
     worst = std::max(worst, crossings(a));
-    most = std::max(most, self_summary(a.system, a.state).count);
+    largest = std::max(largest, self_summary(a.system, a.state).count);
   }
   EXPECT_EQ(worst, 0);
-  EXPECT_GT(most, 100u);
+  EXPECT_GT(largest, 100u);
 }
 
 }  // namespace

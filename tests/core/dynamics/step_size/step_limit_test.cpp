@@ -120,10 +120,10 @@ TEST(StepLimit, IsNotLoweredByTheOutline) {
   scene::FabricSpec fabric = reference::curved_fabric();
   fabric.bending_warp *= 100;
   const Assembled whole = assemble(reference::rectangle(fabric, 0.08, 0.06, 0.01));
-  const double bound = whole.state.omega2, most = omega2_true(whole);
+  const double bound = whole.state.omega2, largest = omega2_true(whole);
   for (Shape shape : kCutShapes) {
     const Assembled a = assemble(cut_piece(fabric, shape));
-    const double ratio = std::sqrt(omega2_true(a) / most);
+    const double ratio = std::sqrt(omega2_true(a) / largest);
     EXPECT_LE(std::abs(a.state.omega2 / bound - 1), 1e-12) << shape_name(shape);
     EXPECT_LE(ratio, 1.05) << shape_name(shape);
     std::printf("%s at rest: the true omega is %.4f of the whole sheet's\n", shape_name(shape), ratio);

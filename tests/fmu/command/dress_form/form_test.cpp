@@ -91,11 +91,11 @@ TEST(Form, HasTheGirths) {
 TEST(Form, IsNarrowestAtTheWaist) {
   const Measures m;
   const Mesh mesh = form_make(m);
-  double least = 10, at = 0;
+  double smallest = 10, at = 0;
   for (double y = kHipsHeight * m.height; y <= kBustHeight * m.height; y += 0.005)
-    if (const double girth = tape_length(slice(mesh, y)); girth < least) least = girth, at = y;
+    if (const double girth = tape_length(slice(mesh, y)); girth < smallest) smallest = girth, at = y;
   EXPECT_NEAR(at, kWaistHeight * m.height, 0.02);
-  EXPECT_GT(least, 0.99 * m.waist);
+  EXPECT_GT(smallest, 0.99 * m.waist);
   for (double y = kBustHeight * m.height - 0.05; y <= kBustHeight * m.height + 0.05; y += 0.005)
     EXPECT_LT(tape_length(slice(mesh, y)), m.bust + 0.01);
 }
