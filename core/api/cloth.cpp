@@ -14,7 +14,7 @@
 struct drape_snapshot {
   drape::State state;
   drape::api::Tuning tuning;
-  drape::api::ParameterValues shown;  // also what is set but not committed yet
+  drape::api::ParameterValues parameters;  // also what is set but not committed yet
   struct Inputs {
     double wind[3];
     std::vector<drape_pin_input> pin, body;
@@ -157,7 +157,7 @@ const char* drape_file_name(const drape_cloth* c, int k) { return c->files[std::
 double drape_duration(const drape_cloth* c) { return c->scene.duration; }
 double drape_communication(const drape_cloth* c) { return c->system.communication; }
 
-drape_parameters* drape_parameters_of(drape_cloth* c) { return &c->parameters.shown; }
+drape_parameters* drape_parameters_of(drape_cloth* c) { return &c->parameters.c_view; }
 
 drape_inputs* drape_inputs_of(drape_cloth* c) { return &c->inputs; }
 drape_inputs* drape_input_rates_of(drape_cloth* c) { return &c->input_rates; }
@@ -231,7 +231,7 @@ const drape_outputs* drape_outputs_at(drape_cloth* c, int want_nodes) {
 
 const drape_outputs* drape_outputs_of(drape_cloth* c, int what) {
   outputs::outputs_fill(c->outputs, c->system, c->motion, c->state, what);
-  return &c->outputs.shown;
+  return &c->outputs.c_view;
 }
 
 double drape_step_limit(drape_cloth* c, const char** set_by) {
@@ -247,7 +247,7 @@ drape_snapshot* drape_save(drape_cloth* c, drape_snapshot* into) {
   if (!into) into = new drape_snapshot;
   into->state = c->state;
   into->tuning = c->tuning;
-  into->shown = parameters_read(c->parameters);
+  into->parameters = parameters_read(c->parameters);
   inputs_save(c->inputs, into->inputs);
   inputs_save(c->input_rates, into->input_rates);
   return into;
@@ -259,7 +259,7 @@ void drape_restore(drape_cloth* c, const drape_snapshot* from) {
   dynamics::workspace_clear(c->motion.workspace);  // what the state before may have left there
   tuning_restore(*c, from->tuning);
   dynamics::seams_restore(c->system, c->motion, c->state);
-  parameters_write(c->parameters, from->shown);
+  parameters_write(c->parameters, from->parameters);
   inputs_restore(from->inputs, c->inputs);
   inputs_restore(from->input_rates, c->input_rates);
 }

@@ -47,7 +47,7 @@ struct drape_cloth {
   };
   std::vector<Piece> pieces;      // empty until one is asked for
   drape::outputs::Fields fields;  // of the last time they were asked for, as are these
-  drape_fields fields_shown{};
+  drape_fields fields_view{};
   std::vector<double> seam_line[2], surface_point;
   std::string limit_link;
   bool stuck = false;  // the last advance met a step limit below the given step

@@ -24,9 +24,9 @@ using namespace drape::api;
 const drape_fields* drape_fields_at(drape_cloth* c) {
   outputs::fields_fill(c->fields, c->system, c->state,
                        dynamics::leapfrog_stops(c->system, c->motion, c->state));
-  c->fields_shown = {int(c->fields.area.size()), c->fields.strain.data(), c->fields.tension.data(),
-                     c->fields.pressure.data(), c->fields.area.data()};
-  return &c->fields_shown;
+  c->fields_view = {int(c->fields.area.size()), c->fields.strain.data(), c->fields.tension.data(),
+                    c->fields.pressure.data(), c->fields.area.data()};
+  return &c->fields_view;
 }
 
 drape_elongation drape_elongation_of(drape_cloth* c, int piece, drape_thread along, double limit) {

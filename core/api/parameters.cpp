@@ -136,18 +136,18 @@ void parameters_make(Parameters& p, const Scene& scene, double step_max) {
     }
   }
   for (const scene::SeamSpec& s : scene.seams) p.seams.push_back({s.name.c_str(), 0});
-  p.shown = {scene.damping,
-             {scene.gravity[0], scene.gravity[1], scene.gravity[2]},
-             scene.has_air,
-             scene.air_normal,
-             scene.air_tangential,
-             0,
-             step_max,
-             1,
-             int(n),
-             p.fabrics.data(),
-             int(p.seams.size()),
-             p.seams.data()};
+  p.c_view = {scene.damping,
+              {scene.gravity[0], scene.gravity[1], scene.gravity[2]},
+              scene.has_air,
+              scene.air_normal,
+              scene.air_tangential,
+              0,
+              step_max,
+              1,
+              int(n),
+              p.fabrics.data(),
+              int(p.seams.size()),
+              p.seams.data()};
 }
 
 namespace {
@@ -170,7 +170,7 @@ void parameters_write(Parameters& p, const ParameterValues& v) {
 
 bool parameters_move_otherwise(const Parameters& p, const ParameterValues& a, const ParameterValues& b) {
   const auto idle = [&](const double* value) {
-    return value == &p.shown.ramp || value == &p.shown.threads || is_closing(p, value) ||
+    return value == &p.c_view.ramp || value == &p.c_view.threads || is_closing(p, value) ||
            (!p.touches && std::any_of(p.fabrics.begin(), p.fabrics.end(),
                                       [&](const drape_fabric& f) { return value == &f.friction; }));
   };
@@ -187,8 +187,8 @@ std::vector<int> parameters_groups(const Parameters& p) {
   std::vector<int> group;
   int next = 0;
   each_value(p, [&](const double& value) {
-    const bool at_once = &value == &p.shown.ramp || &value == &p.shown.step_max ||
-                         &value == &p.shown.threads || is_closing(p, &value);
+    const bool at_once = &value == &p.c_view.ramp || &value == &p.c_view.step_max ||
+                         &value == &p.c_view.threads || is_closing(p, &value);
     group.push_back(at_once ? -1 : next++);
   });
   std::size_t k = group.size();

@@ -17,7 +17,7 @@ std::string limits_text(const scene::Quantity& limits, double value);
 
 // The struct handed to users and what it points to.
 struct Parameters {
-  drape_parameters shown{};
+  drape_parameters c_view{};
   std::vector<drape_fabric> fabrics;
   std::vector<drape_seam_parameters> seams;
   bool touches = false;                                // there are bodies, so that friction matters

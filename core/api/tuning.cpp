@@ -91,7 +91,7 @@ void threads_take(drape_cloth& c, int threads) {
 void parameters_take(drape_cloth& c, std::vector<Problem>& problems) {
   assembly::system_retune(c.system, parameters_fabrics(c.parameters, c.scene), problems);
   if (!problems.empty()) return;
-  const drape_parameters& p = c.parameters.shown;
+  const drape_parameters& p = c.parameters.c_view;
   c.system.damping = p.damping;
   c.system.gravity = {p.gravity[0], p.gravity[1], p.gravity[2]};
   c.system.air.normal = p.air_normal;
@@ -152,7 +152,7 @@ void fixed_mend(const drape_cloth& c, const char* name, const char* unit, double
 // Takes what has been written; `before` are the values that were aimed at.
 void parameters_commit(drape_cloth& c, const ParameterValues& before, std::vector<Problem>& problems) {
   parameters_mend(c.parameters, c.scene, before, problems);
-  drape_parameters& p = c.parameters.shown;
+  drape_parameters& p = c.parameters.c_view;
   fixed_mend(c, "step.max", " s", p.step_max, c.system.step_max, problems);
   fixed_mend(c, "threads", "", p.threads, c.system.threads, problems);
   if (parameters_read(c.parameters) == before) return;
@@ -162,7 +162,7 @@ void parameters_commit(drape_cloth& c, const ParameterValues& before, std::vecto
   const double error_before = balance_error(c);
   while (parameters_try(c, before, problems)) continue;
   // Before the first step there is nothing to spare: the values are there at once.
-  const double ramp = c.state.steps > 0 ? c.parameters.shown.ramp : 0;
+  const double ramp = c.state.steps > 0 ? c.parameters.c_view.ramp : 0;
   ramp_aim(c.tuning.ramp, in_force, parameters_read(c.parameters), ramp / c.system.communication,
            parameters_groups(c.parameters));
   std::vector<Problem> none;
@@ -176,7 +176,7 @@ void parameters_commit(drape_cloth& c, const ParameterValues& before, std::vecto
 double balance_error(drape_cloth& c) {
   if (!c.system.energy || c.state.steps == 0) return 0;
   outputs::outputs_fill(c.outputs, c.system, c.motion, c.state, DRAPE_ENERGY);
-  return c.outputs.shown.energy.balance_error;
+  return c.outputs.c_view.energy.balance_error;
 }
 
 void tuning_begin(drape_cloth& c) {

@@ -90,27 +90,27 @@ double* nodes_fill(std::vector<double>& to, const System& system, const Array& x
 
 void summary_fill(Outputs& o, const System& system, const State& s, const contact::ContactStops& stops) {
   const StrainSummary strain = strain_summary(system, s);
-  o.shown.strain_warp = strain.warp;
-  o.shown.strain_weft = strain.weft;
-  o.shown.strain_bias = strain.bias;
-  o.shown.tension_max = strain.tension_max;
-  o.shown.strain_beyond_test_count = strain.beyond_test_count;
+  o.c_view.strain_warp = strain.warp;
+  o.c_view.strain_weft = strain.weft;
+  o.c_view.strain_bias = strain.bias;
+  o.c_view.tension_max = strain.tension_max;
+  o.c_view.strain_beyond_test_count = strain.beyond_test_count;
   const model::ContactSummary contact = contact::contact_summary(system, s, stops),
                               self = contact::self_summary(system, s);
-  o.shown.contact_count = double(contact.count + self.count);
-  o.shown.contact_penetration = std::max(contact.penetration, self.penetration);
-  o.shown.contact_pressure = std::max(contact.pressure, self.pressure);
-  o.shown.step_size = s.h_old > 0 ? s.h_old : system.communication / double(s.steps_per_interval);
-  o.shown.step_count = double(s.steps);
-  o.shown.step_stability = o.shown.step_size * std::sqrt(s.omega2) / dynamics::step_limit_angle(system);
-  o.shown.fit_residual = s.relaxation.residual;
+  o.c_view.contact_count = double(contact.count + self.count);
+  o.c_view.contact_penetration = std::max(contact.penetration, self.penetration);
+  o.c_view.contact_pressure = std::max(contact.pressure, self.pressure);
+  o.c_view.step_size = s.h_old > 0 ? s.h_old : system.communication / double(s.steps_per_interval);
+  o.c_view.step_count = double(s.steps);
+  o.c_view.step_stability = o.c_view.step_size * std::sqrt(s.omega2) / dynamics::step_limit_angle(system);
+  o.c_view.fit_residual = s.relaxation.residual;
 }
 
 void energy_fill(Outputs& o, const System& system, dynamics::Motion& motion, const State& s) {
-  drape_energy& e = o.shown.energy;
+  drape_energy& e = o.c_view.energy;
   e = energy_potential(system, s);
   e.kinetic = energy_kinetic(system, motion.now_x, motion.now_y, motion.now_z);
-  if (!o.shown.has_balance) return;
+  if (!o.c_view.has_balance) return;
   const dynamics::BalanceNow now =
       dynamics::balance_now(system, motion.balance, s, dynamics::velocity_extrapolation(system, s),
                             motion.now_x, motion.now_y, motion.now_z);
@@ -130,19 +130,19 @@ void outputs_make(Outputs& o, const Scene& scene, const System& system) {
         {scene.seams[k].name.c_str(), int(seam.count), {seam.length[0], seam.length[1]}, 0, 0, 0});
   }
   for (const scene::BodySpec& body : scene.bodies) o.bodies.push_back({body.name.c_str(), {}, {}});
-  o.shown.has_energy = scene.energy;
-  o.shown.has_balance = system.energy;
-  o.shown.has_self_contact = scene.self_contact;
-  o.shown.has_fit = scene.mode == scene::Mode::kFit;
-  o.shown.probe_count = int(o.probes.size());
-  o.shown.probe = o.probes.data();
-  o.shown.pin_count = int(o.pins.size());
-  o.shown.pin = o.pins.data();
-  o.shown.seam_count = int(o.seams.size());
-  o.shown.seam = o.seams.data();
-  o.shown.body_count = int(o.bodies.size());
-  o.shown.body = o.bodies.data();
-  o.shown.node_count = int(system.particle.size());
+  o.c_view.has_energy = scene.energy;
+  o.c_view.has_balance = system.energy;
+  o.c_view.has_self_contact = scene.self_contact;
+  o.c_view.has_fit = scene.mode == scene::Mode::kFit;
+  o.c_view.probe_count = int(o.probes.size());
+  o.c_view.probe = o.probes.data();
+  o.c_view.pin_count = int(o.pins.size());
+  o.c_view.pin = o.pins.data();
+  o.c_view.seam_count = int(o.seams.size());
+  o.c_view.seam = o.seams.data();
+  o.c_view.body_count = int(o.bodies.size());
+  o.c_view.body = o.bodies.data();
+  o.c_view.node_count = int(system.particle.size());
 }
 
 void outputs_fill(Outputs& o, const System& system, dynamics::Motion& motion, const State& s, int what) {
@@ -161,10 +161,10 @@ void outputs_fill(Outputs& o, const System& system, dynamics::Motion& motion, co
     bodies_fill(o, system, motion, s);
   }
   if (what & DRAPE_STRAIN) summary_fill(o, system, s, stops);
-  if ((what & DRAPE_ENERGY) && o.shown.has_energy) energy_fill(o, system, motion, s);
-  if (what & DRAPE_NODE_PLACES) o.shown.node_position = nodes_fill(o.node_position, system, s.x, s.y, s.z);
+  if ((what & DRAPE_ENERGY) && o.c_view.has_energy) energy_fill(o, system, motion, s);
+  if (what & DRAPE_NODE_PLACES) o.c_view.node_position = nodes_fill(o.node_position, system, s.x, s.y, s.z);
   if (what & DRAPE_NODE_MOTION)
-    o.shown.node_velocity = nodes_fill(o.node_velocity, system, motion.now_x, motion.now_y, motion.now_z);
+    o.c_view.node_velocity = nodes_fill(o.node_velocity, system, motion.now_x, motion.now_y, motion.now_z);
 }
 
 }  // namespace drape::outputs

@@ -8,7 +8,7 @@ namespace drape::outputs {
 
 // The struct handed to users and what it points to.
 struct Outputs {
-  drape_outputs shown{};
+  drape_outputs c_view{};
   std::vector<drape_probe> probes;
   std::vector<drape_pin> pins;
   std::vector<drape_seam> seams;

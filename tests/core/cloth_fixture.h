@@ -89,7 +89,7 @@ inline drape_energy energies_after(Assembled& a, double length) {
   outputs::Outputs outputs;
   outputs::outputs_make(outputs, a.scene, a.system);
   outputs::outputs_fill(outputs, a.system, a.motion, a.state, DRAPE_ENERGY);
-  return outputs.shown.energy;
+  return outputs.c_view.energy;
 }
 
 inline Eigen::VectorXd forces_by(const dynamics::Kernel& kernel, Assembled& a) {

@@ -33,7 +33,7 @@ drape_energy energy_after(const Scene& scene, double h, int steps) {
   outputs::Outputs o;
   outputs::outputs_make(o, a.scene, a.system);
   outputs::outputs_fill(o, a.system, a.motion, a.state, DRAPE_ENERGY);
-  return o.shown.energy;
+  return o.c_view.energy;
 }
 
 // Halving the step divides the error by 4; 3.4 leaves room for the next order.

@@ -64,8 +64,8 @@ TEST(SelfContact, RestsAtTheThickness) {
   outputs::outputs_fill(outputs, a.system, a.motion, a.state, DRAPE_MOTION | DRAPE_STRAIN);
   const double weight = 9.81 * (mass_of(a.system, 0) + mass_of(a.system, 1));
   EXPECT_NEAR(outputs.pins[0].force[2], -weight, 1e-6 * weight);
-  EXPECT_GE(outputs.shown.contact_count, 36);
-  EXPECT_LT(outputs.shown.contact_penetration, 2 * deepest);
+  EXPECT_GE(outputs.c_view.contact_count, 36);
+  EXPECT_LT(outputs.c_view.contact_penetration, 2 * deepest);
 }
 
 struct Momenta {
