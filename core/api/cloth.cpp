@@ -197,21 +197,21 @@ drape_status drape_advance(drape_cloth* c, double length) {
   c->stuck = false;
   const bool committed = drape_commit(c) == DRAPE_OK;
   std::vector<Problem> problems;
-  if (!inputs_take(*c, length, problems)) say_problems(*c, problems);
+  if (!inputs_apply(*c, length, problems)) say_problems(*c, problems);
   if (!committed || !problems.empty()) return DRAPE_DISCARD;
   c->good = c->state;
   c->tuning_good = c->tuning;
   std::string event;
   const dynamics::Advance how =
       dynamics::leapfrog_advance(c->system, c->motion, c->state, length, event, [c](double intervals) {
-        const bool tuned = tuning_go(*c, intervals);
-        return sewing_go(*c) || tuned;
+        const bool tuned = tuning_advance(*c, intervals);
+        return seam_events_advance(*c) || tuned;
       });
   if (!event.empty())
     say(*c, DRAPE_LOG_STABILITY,
         event + ", set by the " + dynamics::step_limit_link(c->system, c->scene, c->state));
   if (how == dynamics::Advance::kDone) {
-    inputs_taken(*c);
+    inputs_clear_rates(*c);
     return DRAPE_OK;
   }
   say_trouble(*c, how, length);

@@ -70,27 +70,27 @@ void pieces_describe(drape_cloth& cloth);
 void inputs_make(drape_cloth& cloth);
 
 // An orientation of length 0 goes back to what it is now, with a problem.
-void inputs_mend(drape_cloth& cloth, std::vector<Problem>& problems);
+void inputs_validate(drape_cloth& cloth, std::vector<Problem>& problems);
 
 // Checks the inputs and makes them the end of the next advance, of `length`. On a problem (true without) the
 // values at fault are again what they are now.
-bool inputs_take(drape_cloth& cloth, double length, std::vector<Problem>& problems);
+bool inputs_apply(drape_cloth& cloth, double length, std::vector<Problem>& problems);
 
 // After an advance the rates are 0 again.
-void inputs_taken(drape_cloth& cloth);
+void inputs_clear_rates(drape_cloth& cloth);
 
 // The values of the parameters are those of the system.
 void tuning_begin(drape_cloth& cloth);
 
 // Moves ramps on by a number of communication intervals; true where that moves the cloth otherwise.
-bool tuning_go(drape_cloth& cloth, double intervals);
+bool tuning_advance(drape_cloth& cloth, double intervals);
 
 // The error of the energy balance; 0 where none is kept. What a change of the system adds to it is the work
 // of the change.
 double balance_error(drape_cloth& cloth);
 
 // What seams do at the beginning of an interval; true where that moves the cloth otherwise.
-bool sewing_go(drape_cloth& cloth);
+bool seam_events_advance(drape_cloth& cloth);
 
 // Takes up an earlier state of the tuning.
 void tuning_restore(drape_cloth& cloth, const Tuning& tuning);

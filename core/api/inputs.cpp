@@ -20,7 +20,7 @@ struct VectorInput {
 };
 
 // Where the vector is to be after `length`. A number at fault is told, and again what it is now.
-void vector_take(const VectorInput& v, double length, double* reached, std::vector<Problem>& problems) {
+void vector_apply(const VectorInput& v, double length, double* reached, std::vector<Problem>& problems) {
   for (int k = 0; k < v.size; ++k) {
     const std::string name = v.name + "[" + std::to_string(k + 1) + "]";
     reached[k] = v.rate[k] == 0 ? v.value[k] : v.value[k] + length * v.rate[k];
@@ -33,21 +33,21 @@ void vector_take(const VectorInput& v, double length, double* reached, std::vect
   }
 }
 
-void orientation_take(const VectorInput& v, double* reached, std::vector<Problem>& problems) {
+void orientation_validate(const VectorInput& v, double* reached, std::vector<Problem>& problems) {
   if (!all_zero(reached)) return;
   problems.push_back({v.name, "has the length 0; allowed: any length above 0"});
   for (int k = 0; k < 4; ++k) v.value[k] = v.now[k], v.rate[k] = 0;
 }
 
 // Of a pin or a body: `name`.
-void pin_take(const std::string& name, const math::RigidMotion& now, drape_pin_input& in,
-              drape_pin_input& rate, double length, math::RigidMotion& to, std::vector<Problem>& problems) {
+void pin_apply(const std::string& name, const math::RigidMotion& now, drape_pin_input& in,
+               drape_pin_input& rate, double length, math::RigidMotion& to, std::vector<Problem>& problems) {
   const auto take = [&](const char* what, const scene::Quantity& limits, int size, double* value, double* by,
                         const double* present, double* reached) {
     const VectorInput v{name + "." + what, &limits, size, value, by, present};
     const std::size_t before = problems.size();
-    vector_take(v, length, reached, problems);
-    if (size == 4 && problems.size() == before) orientation_take(v, reached, problems);
+    vector_apply(v, length, reached, problems);
+    if (size == 4 && problems.size() == before) orientation_validate(v, reached, problems);
   };
   if (in.drive & DRAPE_DRIVE_POSITION) {
     take("position", scene::kPinPosition, 3, in.position, rate.position, now.position.data(),
@@ -108,14 +108,14 @@ void inputs_make(drape_cloth& c) {
   c.input_rates.body = c.body_rates.data();
 }
 
-void inputs_mend(drape_cloth& c, std::vector<Problem>& problems) {
+void inputs_validate(drape_cloth& c, std::vector<Problem>& problems) {
   const auto mend = [&](const char* kind, drape_pin_input& in, drape_pin_input& rate,
                         const math::RigidMotion& now) {
     if (!in.clamp || !(in.drive & DRAPE_DRIVE_POSITION) || !all_zero(rate.orientation)) return;
     double reached[4] = {in.orientation[0], in.orientation[1], in.orientation[2], in.orientation[3]};
-    orientation_take({std::string(kind) + in.name + ".orientation", &scene::kPinOrientation, 4,
-                      in.orientation, rate.orientation, now.orientation.data()},
-                     reached, problems);
+    orientation_validate({std::string(kind) + in.name + ".orientation", &scene::kPinOrientation, 4,
+                          in.orientation, rate.orientation, now.orientation.data()},
+                         reached, problems);
   };
   for (std::size_t k = 0; k < c.driven.size(); ++k)
     mend("pin.", c.pin_inputs[k], c.pin_rates[k], c.state.pin_motion[c.driven[k]]);
@@ -123,24 +123,24 @@ void inputs_mend(drape_cloth& c, std::vector<Problem>& problems) {
     mend("body.", c.body_inputs[k], c.body_rates[k], c.state.body[c.moving[k]].motion);
 }
 
-bool inputs_take(drape_cloth& c, double length, std::vector<Problem>& problems) {
+bool inputs_apply(drape_cloth& c, double length, std::vector<Problem>& problems) {
   dynamics::Inputs to = dynamics::inputs_at(c.state);
   const std::size_t before = problems.size();
   if (c.inputs.has_wind)
-    vector_take({"wind", &scene::kWind, 3, c.inputs.wind, c.input_rates.wind, c.state.wind.data()}, length,
-                to.wind.data(), problems);
+    vector_apply({"wind", &scene::kWind, 3, c.inputs.wind, c.input_rates.wind, c.state.wind.data()}, length,
+                 to.wind.data(), problems);
   for (std::size_t k = 0; k < c.driven.size(); ++k)
-    pin_take(std::string("pin.") + c.pin_inputs[k].name, c.state.pin_motion[c.driven[k]], c.pin_inputs[k],
-             c.pin_rates[k], length, to.pin[c.driven[k]], problems);
+    pin_apply(std::string("pin.") + c.pin_inputs[k].name, c.state.pin_motion[c.driven[k]], c.pin_inputs[k],
+              c.pin_rates[k], length, to.pin[c.driven[k]], problems);
   for (std::size_t k = 0; k < c.moving.size(); ++k)
-    pin_take(std::string("body.") + c.body_inputs[k].name, c.state.body[c.moving[k]].motion, c.body_inputs[k],
-             c.body_rates[k], length, to.body[c.moving[k]], problems);
+    pin_apply(std::string("body.") + c.body_inputs[k].name, c.state.body[c.moving[k]].motion,
+              c.body_inputs[k], c.body_rates[k], length, to.body[c.moving[k]], problems);
   if (problems.size() > before) return false;
   c.motion.inputs = to;
   return true;
 }
 
-void inputs_taken(drape_cloth& c) {
+void inputs_clear_rates(drape_cloth& c) {
   for (double& rate : c.input_rates.wind) rate = 0;
   for (std::vector<drape_pin_input>* rates : {&c.pin_rates, &c.body_rates})
     for (drape_pin_input& rate : *rates) {

@@ -220,8 +220,8 @@ std::vector<scene::FabricSpec> parameters_fabrics(const Parameters& p, const Sce
   return fabrics;
 }
 
-void parameters_mend(Parameters& p, const Scene& scene, const ParameterValues& in_force,
-                     std::vector<Problem>& problems) {
+void parameters_validate(Parameters& p, const Scene& scene, const ParameterValues& in_force,
+                         std::vector<Problem>& problems) {
   const std::vector<ValueRow> rows = value_rows(p, scene);
   ParameterValues now = parameters_read(p);
   for (std::size_t k = 0; k < rows.size(); ++k) {

@@ -44,8 +44,8 @@ std::vector<scene::FabricSpec> parameters_fabrics(const Parameters& parameters, 
 
 // Puts back what may not be: single values out of their range, and diagrams that fall as a whole. One problem
 // each.
-void parameters_mend(Parameters& parameters, const Scene& scene, const ParameterValues& in_force,
-                     std::vector<Problem>& problems);
+void parameters_validate(Parameters& parameters, const Scene& scene, const ParameterValues& in_force,
+                         std::vector<Problem>& problems);
 
 // Puts back all values whose names begin so; false if they were there already.
 bool parameters_restore(Parameters& parameters, const Scene& scene, const ParameterValues& in_force,

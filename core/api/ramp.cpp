@@ -13,25 +13,25 @@ bool ramp_under_way(const Ramp& ramp) {
   return std::any_of(ramp.span.begin(), ramp.span.end(), [](double span) { return span > 0; });
 }
 
-void ramp_aim(Ramp& ramp, const ParameterValues& now, const ParameterValues& target, double span,
-              const std::vector<int>& group) {
+void ramp_set_target(Ramp& ramp, const ParameterValues& now, const ParameterValues& target, double span,
+                     const std::vector<int>& group) {
   std::vector<bool> changed(std::size_t(1 + *std::max_element(group.begin(), group.end())), false);
   for (std::size_t k = 0; k < group.size(); ++k)
     if (group[k] >= 0 && target.value[k] != ramp.to.value[k]) changed[std::size_t(group[k])] = true;
   for (std::size_t k = 0; k < group.size(); ++k) {
     if (group[k] >= 0 && !changed[std::size_t(group[k])]) continue;
     ramp.from.value[k] = now.value[k];
-    ramp.gone[k] = 0;
+    ramp.elapsed[k] = 0;
     ramp.span[k] = group[k] >= 0 && now.value[k] != target.value[k] ? span : 0;
   }
   ramp.to = target;
 }
 
-void ramp_go(Ramp& ramp, double intervals) {
+void ramp_advance(Ramp& ramp, double intervals) {
   for (std::size_t k = 0; k < ramp.span.size(); ++k) {
     if (ramp.span[k] == 0) continue;
-    ramp.gone[k] += intervals;
-    if (ramp.gone[k] >= ramp.span[k] * (1 - 1e-12)) ramp.span[k] = 0;  // the quotient T/q is rounded
+    ramp.elapsed[k] += intervals;
+    if (ramp.elapsed[k] >= ramp.span[k] * (1 - 1e-12)) ramp.span[k] = 0;  // the quotient T/q is rounded
   }
 }
 
@@ -40,7 +40,7 @@ ParameterValues ramp_values(const Ramp& ramp) {
   for (std::size_t k = 0; k < ramp.span.size(); ++k)
     if (ramp.span[k] > 0)
       values.value[k] =
-          ramp.from.value[k] + (ramp.to.value[k] - ramp.from.value[k]) * (ramp.gone[k] / ramp.span[k]);
+          ramp.from.value[k] + (ramp.to.value[k] - ramp.from.value[k]) * (ramp.elapsed[k] / ramp.span[k]);
   return values;
 }
 

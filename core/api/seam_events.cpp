@@ -35,7 +35,7 @@ void closed_tell(const drape_cloth& c, const std::vector<std::size_t>& due) {
 
 }  // namespace
 
-bool sewing_go(drape_cloth& c) {
+bool seam_events_advance(drape_cloth& c) {
   if (c.system.seams.seam.empty()) return false;
   bool changed = dynamics::seams_pull_begin(c.system, c.state);
   const std::vector<std::size_t> due = dynamics::seams_within_tolerance(c.system, c.state);

@@ -151,7 +151,7 @@ void fixed_mend(const drape_cloth& c, const char* name, const char* unit, double
 
 // Takes what has been written; `before` are the values that were aimed at.
 void parameters_commit(drape_cloth& c, const ParameterValues& before, std::vector<Problem>& problems) {
-  parameters_mend(c.parameters, c.scene, before, problems);
+  parameters_validate(c.parameters, c.scene, before, problems);
   drape_parameters& p = c.parameters.c_view;
   fixed_mend(c, "step.max", " s", p.step_max, c.system.step_max, problems);
   fixed_mend(c, "threads", "", p.threads, c.system.threads, problems);
@@ -163,8 +163,8 @@ void parameters_commit(drape_cloth& c, const ParameterValues& before, std::vecto
   while (parameters_try(c, before, problems)) continue;
   // Before the first step there is nothing to spare: the values are there at once.
   const double ramp = c.state.steps > 0 ? c.parameters.c_view.ramp : 0;
-  ramp_aim(c.tuning.ramp, in_force, parameters_read(c.parameters), ramp / c.system.communication,
-           parameters_groups(c.parameters));
+  ramp_set_target(c.tuning.ramp, in_force, parameters_read(c.parameters), ramp / c.system.communication,
+                  parameters_groups(c.parameters));
   std::vector<Problem> none;
   values_take(c, ramp_values(c.tuning.ramp), none);
   if (parameters_move_otherwise(c.parameters, in_force, c.tuning.in_force)) tuning_changed(c, error_before);
@@ -184,10 +184,10 @@ void tuning_begin(drape_cloth& c) {
   c.tuning.ramp = ramp_at(c.tuning.in_force);
 }
 
-bool tuning_go(drape_cloth& c, double intervals) {
+bool tuning_advance(drape_cloth& c, double intervals) {
   Ramp& ramp = c.tuning.ramp;
   if (!ramp_under_way(ramp)) return false;
-  ramp_go(ramp, intervals);
+  ramp_advance(ramp, intervals);
   const ParameterValues values = ramp_values(ramp);
   const bool moves = parameters_move_otherwise(c.parameters, c.tuning.in_force, values);
   if (moves) dynamics::leapfrog_complete(c.system, c.motion, c.state);
@@ -219,7 +219,7 @@ drape_status drape_commit(drape_cloth* c) {
   std::vector<Problem> problems;
   const ParameterValues before = c->tuning.ramp.to;
   if (!(parameters_read(c->parameters) == before)) parameters_commit(*c, before, problems);
-  inputs_mend(*c, problems);
+  inputs_validate(*c, problems);
   say_problems(*c, problems);
   return problems.empty() ? DRAPE_OK : DRAPE_DISCARD;
 }

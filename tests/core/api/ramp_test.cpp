@@ -13,15 +13,15 @@ TEST(Ramp, goes_along_a_line_and_arrives_exactly) {
   Ramp ramp = ramp_at(kStart);
   EXPECT_FALSE(ramp_under_way(ramp));
   const ParameterValues target{{3, 10, 2, 4, 5}};
-  ramp_aim(ramp, kStart, target, 10, kGroup);
+  ramp_set_target(ramp, kStart, target, 10, kGroup);
   EXPECT_EQ(ramp_values(ramp), kStart);
   for (int k = 1; k < 10; ++k) {
-    ramp_go(ramp, 1);
+    ramp_advance(ramp, 1);
     EXPECT_TRUE(ramp_under_way(ramp));
     EXPECT_DOUBLE_EQ(ramp_values(ramp).value[0], 1 + 2 * 0.1 * k);
     EXPECT_EQ(ramp_values(ramp).value[1], 10);
   }
-  ramp_go(ramp, 1);
+  ramp_advance(ramp, 1);
   EXPECT_FALSE(ramp_under_way(ramp));
   EXPECT_EQ(ramp_values(ramp), target);
 }
@@ -30,9 +30,9 @@ TEST(Ramp, goes_along_a_line_and_arrives_exactly) {
 TEST(Ramp, a_rounded_quotient_costs_no_interval) {
   for (const auto& [length, intervals] : {std::pair{0.3, 300}, {0.7, 700}, {0.0105, 11}}) {
     Ramp ramp = ramp_at(kStart);
-    ramp_aim(ramp, kStart, {{3, 10, 2, 4, 5}}, length / 0.001, kGroup);
+    ramp_set_target(ramp, kStart, {{3, 10, 2, 4, 5}}, length / 0.001, kGroup);
     int count = 0;
-    for (; ramp_under_way(ramp); ++count) ramp_go(ramp, 1);
+    for (; ramp_under_way(ramp); ++count) ramp_advance(ramp, 1);
     EXPECT_EQ(count, intervals);
   }
 }
@@ -40,25 +40,25 @@ TEST(Ramp, a_rounded_quotient_costs_no_interval) {
 // Without a span, and for what never moves gradually.
 TEST(Ramp, jumps) {
   Ramp ramp = ramp_at(kStart);
-  ramp_aim(ramp, kStart, {{1, 10, 2, 4, 6}}, 10, kGroup);
+  ramp_set_target(ramp, kStart, {{1, 10, 2, 4, 6}}, 10, kGroup);
   EXPECT_EQ(ramp_values(ramp).value[4], 6);
   EXPECT_FALSE(ramp_under_way(ramp));
-  ramp_aim(ramp, kStart, {{2, 10, 2, 4, 6}}, 0, kGroup);
+  ramp_set_target(ramp, kStart, {{2, 10, 2, 4, 6}}, 0, kGroup);
   EXPECT_EQ(ramp_values(ramp).value[0], 2);
   EXPECT_FALSE(ramp_under_way(ramp));
 }
 
 TEST(Ramp, a_new_target_sets_out_from_the_present_value_and_leaves_the_others_alone) {
   Ramp ramp = ramp_at(kStart);
-  ramp_aim(ramp, kStart, {{3, 20, 2, 4, 5}}, 10, kGroup);
-  ramp_go(ramp, 5);
+  ramp_set_target(ramp, kStart, {{3, 20, 2, 4, 5}}, 10, kGroup);
+  ramp_advance(ramp, 5);
   ParameterValues now = ramp_values(ramp);
   EXPECT_EQ(now, (ParameterValues{{2, 15, 2, 4, 5}}));
-  ramp_aim(ramp, now, {{0, 20, 2, 4, 5}}, 4, kGroup);
+  ramp_set_target(ramp, now, {{0, 20, 2, 4, 5}}, 4, kGroup);
   EXPECT_EQ(ramp_values(ramp), now);
-  ramp_go(ramp, 2);
+  ramp_advance(ramp, 2);
   EXPECT_EQ(ramp_values(ramp), (ParameterValues{{1, 17, 2, 4, 5}}));
-  ramp_go(ramp, 3);
+  ramp_advance(ramp, 3);
   EXPECT_EQ(ramp_values(ramp), (ParameterValues{{0, 20, 2, 4, 5}}));
   EXPECT_FALSE(ramp_under_way(ramp));
 }
@@ -66,12 +66,12 @@ TEST(Ramp, a_new_target_sets_out_from_the_present_value_and_leaves_the_others_al
 // One point of a diagram set anew takes the others with it: between two diagrams that do not fall, none does.
 TEST(Ramp, the_points_of_a_diagram_move_together) {
   Ramp ramp = ramp_at(kStart);
-  ramp_aim(ramp, kStart, {{1, 10, 6, 8, 5}}, 10, kGroup);
-  ramp_go(ramp, 5);
+  ramp_set_target(ramp, kStart, {{1, 10, 6, 8, 5}}, 10, kGroup);
+  ramp_advance(ramp, 5);
   const ParameterValues now = ramp_values(ramp);
   EXPECT_EQ(now, (ParameterValues{{1, 10, 4, 6, 5}}));
-  ramp_aim(ramp, now, {{1, 10, 6, 20, 5}}, 10, kGroup);
-  ramp_go(ramp, 5);
+  ramp_set_target(ramp, now, {{1, 10, 6, 20, 5}}, 10, kGroup);
+  ramp_advance(ramp, 5);
   EXPECT_EQ(ramp_values(ramp), (ParameterValues{{1, 10, 5, 13, 5}}));
 }
 
