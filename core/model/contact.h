@@ -37,7 +37,7 @@ struct Body {
 
 // How the particles of a lattice touch.
 struct ContactLaw {
-  double layer = 0;         // m, half the thickness: nearer to a surface, a particle touches it
+  double distance = 0;      // m, half the thickness: nearer to a surface, a particle touches it
   double omega2 = 0;        // 1/s^2, stiffness over mass
   Vec2 friction{0.3, 0.3};  // static, kinetic
 };

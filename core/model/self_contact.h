@@ -51,19 +51,19 @@ struct SelfMesh {
   std::vector<int> apart;          // [lattices] cells as near as this along the cloth do not touch
   std::vector<double> stands_out;  // [lattices] sine from which edges do: look.cpp
   double seam_apart = 0;           // m, likewise along the cloth across a seam
-  double layer = 0;                // m, the thickest
+  double contact_distance = 0;     // m, the thickest
   double min_cell = 0;             // m
 };
 
 // A particle and a triangle; two edges.
 struct SelfPoint {
   NodeIndex node[4];
-  double layer;  // m, at which the pair touches: the mean thickness, or how near it started
+  double contact_distance;  // m, at which the pair touches: the mean thickness, or how near it started
 };
 struct SelfCross {
   NodeIndex node[4];
-  NodeIndex edge[2];  // of SelfMesh
-  double layer;       // m
+  NodeIndex edge[2];        // of SelfMesh
+  double contact_distance;  // m
 };
 struct SelfPairs {
   std::vector<SelfPoint> point;  // sorted by their nodes

@@ -69,9 +69,9 @@ EdgeContactPair touch_of(const System& system, const State& s, std::size_t b, st
 
 // J that a pair stores.
 double energy_of(const System& system, const EdgeContactPair& t) {
-  const double layer = system.lattices[std::size_t(t.part->lattice)].contact_law.layer;
-  const double depth = std::min(layer - t.gap.distance, layer);
-  return depth > 0 ? t.stiffness * math::smooth_ramp_integral(kContactBlend * layer, depth) : 0;
+  const double contact_distance = system.lattices[std::size_t(t.part->lattice)].contact_law.distance;
+  const double depth = std::min(contact_distance - t.gap.distance, contact_distance);
+  return depth > 0 ? t.stiffness * math::smooth_ramp_integral(kContactBlend * contact_distance, depth) : 0;
 }
 
 // Finds what touches or may within the reach of the step. With `moves`, notes what that tells of each pair.
@@ -89,7 +89,7 @@ double find(const System& system, const State& s, State* moves, std::vector<Edge
       Vec3 x[6];
       ridge_places(system, s, b, part, x);
       const RidgeGap gap = ridge_gap(part, system.bodies[b].ridges.ridge[pair.ridge], x, ridge_sine(l));
-      const double left = gap.clearance - l.contact_law.layer;
+      const double left = gap.clearance - l.contact_law.distance;
       const bool asleep = left > c.reach;
       const bool out = !asleep && belongs_out(system.bodies[b], pair, gap);
       if (moves) {

@@ -88,12 +88,13 @@ void ridge_each(const System& system, const State& s, Visit visit) {
   std::vector<EdgeContactPair> touches;
   edge_narrow_phase(system, s, touches);
   for (const EdgeContactPair& t : touches) {
-    const double layer = system.lattices[std::size_t(t.part->lattice)].contact_law.layer;
-    const double depth = layer - t.gap.distance;
-    const double pressed = std::min(depth, layer);  // past the ridge it is pushed as from the ridge itself
+    const double contact_distance = system.lattices[std::size_t(t.part->lattice)].contact_law.distance;
+    const double depth = contact_distance - t.gap.distance;
+    const double pressed =
+        std::min(depth, contact_distance);  // past the ridge it is pushed as from the ridge itself
     if (depth > 0)
       visit(t, std::size_t(&t - touches.data()), depth,
-            t.stiffness* math::smooth_ramp(kContactBlend * layer, pressed));
+            t.stiffness* math::smooth_ramp(kContactBlend * contact_distance, pressed));
   }
 }
 

@@ -55,10 +55,10 @@ void nodes_number(std::size_t nodes, model::RidgeCloth& cloth) {
 
 }  // namespace
 
-double ridge_sine(const model::Lattice& l) { return kSink * l.contact_law.layer / l.cell; }
+double ridge_sine(const model::Lattice& l) { return kSink * l.contact_law.distance / l.cell; }
 double ridge_margin(const model::Lattice& l) { return kMargin * l.cell; }
 double ridge_near(const model::Lattice& l) {
-  return kStretched * l.cell + l.contact_law.layer + ridge_margin(l);
+  return kStretched * l.cell + l.contact_law.distance + ridge_margin(l);
 }
 
 void ridges_find(System& system) {

@@ -61,7 +61,7 @@ void pairs_find(const System& system, const State& s, std::size_t b, const std::
       middle += (1.0 / part.weights()) * x[k];
     }
     for (int k = 0; k < part.weights(); ++k) around = std::max(around, norm(x[k] - middle));
-    const double reach = l.contact_law.layer + ridge_margin(l) + kListSteps * fastest * ahead;
+    const double reach = l.contact_law.distance + ridge_margin(l) + kListSteps * fastest * ahead;
     const Vec3 box = (around + reach) * Vec3{1, 1, 1};
     body::ridges_in(of, middle - box, middle + box, ridges);
     for (std::uint32_t r : ridges) {
@@ -144,9 +144,10 @@ void list(const System& system, State& s, std::size_t b, const std::vector<std::
 bool travel_add(const System& system, State& s, std::size_t b, double ahead, double margin) {
   model::BodyContact& body = s.body[b];
   model::RidgeContact& c = body.ridge;
-  double way2 = 0, speed2 = 0, layer = 0;
+  double way2 = 0, speed2 = 0, contact_distance = 0;
   bool due = false;
-  for (const model::Lattice& l : system.lattices) layer = std::max(layer, l.contact_law.layer);
+  for (const model::Lattice& l : system.lattices)
+    contact_distance = std::max(contact_distance, l.contact_law.distance);
   for (std::size_t k = 0; k < c.node.size(); ++k) {
     const std::size_t n = c.node[k];
     const Vec3 at = place(s, n), x = model::pose_inward(system.bodies[b], body, at), moved = x - c.last[k];
@@ -159,7 +160,7 @@ bool travel_add(const System& system, State& s, std::size_t b, double ahead, dou
     c.last[k] = x;
   }
   c.travel += std::sqrt(way2);
-  c.reach = kReachSteps * std::sqrt(speed2) * ahead + kReachLayer * layer;
+  c.reach = kReachSteps * std::sqrt(speed2) * ahead + kReachLayer * contact_distance;
   return due;
 }
 
@@ -226,8 +227,8 @@ double edge_max_step(const System& system, const State& s) {
   double longest = INFINITY;
   for (std::size_t b = 0; b < s.body.size(); ++b)
     for (std::uint32_t n : s.body[b].ridge.node)
-      longest = std::min(
-          longest, kWay * model::system_lattice_of(system, n).contact_law.layer / speed_of(system, s, b, n));
+      longest = std::min(longest, kWay * model::system_lattice_of(system, n).contact_law.distance /
+                                      speed_of(system, s, b, n));
   return longest;
 }
 

@@ -43,7 +43,7 @@ RidgeDeep ridge_deepest(const System& system, const State& s, std::size_t b, con
     Vec3 x[6], foot{0, 0, 0}, at{0, 0, 0};
     ridge_places(system, s, b, part, x);
     const RidgeGap gap = ridge_gap(part, ridge, x, ridge_sine(l));
-    if (!gap.over || !(gap.distance < (1 - kContactDeepest) * l.contact_law.layer)) continue;
+    if (!gap.over || !(gap.distance < (1 - kContactDeepest) * l.contact_law.distance)) continue;
     for (int k = 0; k < part.weights(); ++k) {
       const std::size_t n = part.node[k];
       foot += gap.weight[k] * x[k];
@@ -52,7 +52,7 @@ RidgeDeep ridge_deepest(const System& system, const State& s, std::size_t b, con
     if (gap.distance < 0 && !is_cut(body.mesh.surface, ridge, part, x) &&
         !(body::voxels_depth(voxels, foot) > 0))
       continue;  // beyond the body
-    const double depth = l.contact_law.layer - gap.distance;
+    const double depth = l.contact_law.distance - gap.distance;
     deep.count += pair.part != last;
     last = pair.part;
     if (depth > deep.depth) deep.depth = depth, deep.at = at;

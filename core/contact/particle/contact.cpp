@@ -21,7 +21,7 @@ using math::vector3::operator+=;
 
 double max_contact_distance(const System& system) {
   double largest = 0;
-  for (const model::Lattice& l : system.lattices) largest = std::max(largest, l.contact_law.layer);
+  for (const model::Lattice& l : system.lattices) largest = std::max(largest, l.contact_law.distance);
   return largest;
 }
 
@@ -39,7 +39,7 @@ void block_update(const System& system, ContactWorkspace& workspace, State& s, s
     x[i] = model::pose_inward(body, s.body[b], at);
     step[i] = model::pose_inward(body, s.body[b], at + ahead * v) - x[i];
   }
-  update_neighbours(body.mesh.surface, workspace.voxels[b], s.body[b], node, l.piece, l.contact_law.layer,
+  update_neighbours(body.mesh.surface, workspace.voxels[b], s.body[b], node, l.piece, l.contact_law.distance,
                     {body.ridges, ridge_near(l), ridge_margin(l)}, x, step);
 }
 
@@ -111,10 +111,10 @@ ContactCoefficients force_coefficients(const System& system, const State& s) {
 
 ContactWorkspace workspace_make(const System& system) {
   ContactWorkspace workspace;
-  const double layer = max_contact_distance(system);
+  const double contact_distance = max_contact_distance(system);
   for (const model::Body& body : system.bodies)
     workspace.voxels.push_back(body::voxels_make(*body.mesh.library, *body.mesh.query, body.mesh.surface,
-                                                 search_reach(body.mesh.surface, layer)));
+                                                 search_reach(body.mesh.surface, contact_distance)));
   workspace.old.resize(system.bodies.size());
   workspace.load.resize(system.bodies.size());
   if (!system.bodies.empty()) workspace.stale.resize(system.nodes / math::kRowUnit);
@@ -268,9 +268,9 @@ struct StepBound {
 };
 StepBound step_bound(const System& system, const State& s, std::size_t b) {
   const body::BodySurface& surface = system.bodies[b].mesh.surface;
-  const double layer = max_contact_distance(system);
+  const double contact_distance = max_contact_distance(system);
   const math::RigidMotion& frame = s.body[b].motion;
-  return {kWay * (search_reach(surface, layer) - layer),
+  return {kWay * (search_reach(surface, contact_distance) - contact_distance),
           math::vector3::norm(frame.velocity) + math::vector3::norm(frame.angular_velocity) * surface.size};
 }
 

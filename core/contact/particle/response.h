@@ -38,10 +38,10 @@ struct ContactLanes {
         push_rate(c.push_rate),
         omega2(law.omega2),
         nu(2 * zeta * __builtin_sqrt(law.omega2)),
-        layer(law.layer),
-        inverse_blend(1 / (kContactBlend * law.layer)),
-        blend(kContactBlend * law.layer),
-        least((1 - kContactDeepest) * law.layer),
+        layer(law.distance),
+        inverse_blend(1 / (kContactBlend * law.distance)),
+        blend(kContactBlend * law.distance),
+        least((1 - kContactDeepest) * law.distance),
         stick(law.friction[0]),
         slide(law.friction[1]) {}
 

@@ -14,12 +14,12 @@ double depth_at(const System& system, ContactWorkspace& workspace, const State& 
   body::Voxels& voxels = workspace.voxels[b];
   if (const body::Neighbourhood near = body::voxels_at(voxels, x); near.triangle) {
     body::ClosestFeatures found;
-    body::closest_features_find(body.mesh.surface, *near.triangle, x, l.contact_law.layer, voxels.reach,
+    body::closest_features_find(body.mesh.surface, *near.triangle, x, l.contact_law.distance, voxels.reach,
                                 voxels.reach, near.listed, nullptr, found);
-    if (!found.touch.empty()) return l.contact_law.layer - found.touch[0].distance;
+    if (!found.touch.empty()) return l.contact_law.distance - found.touch[0].distance;
   }
   const double inside = body::voxels_depth(voxels, x);
-  return inside > 0 ? l.contact_law.layer + inside : 0;
+  return inside > 0 ? l.contact_law.distance + inside : 0;
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ void check_start(const System& system, const Scene& scene, ContactWorkspace& wor
       for (std::size_t n : system.particle) {
         if (!l.owns(n)) continue;
         const double depth = depth_at(system, workspace, s, b, l, n);
-        if (!(depth > kContactDeepest * l.contact_law.layer)) continue;
+        if (!(depth > kContactDeepest * l.contact_law.distance)) continue;
         ++count;
         if (depth > deepest) deepest = depth, worst = {s.x[n], s.y[n], s.z[n]};
       }
@@ -48,7 +48,7 @@ void check_start(const System& system, const Scene& scene, ContactWorkspace& wor
       problems.push_back({"piece." + scene.pieces[std::size_t(l.piece)].name + ".place",
                           "puts " + std::to_string(count) + what + scene::in_quotes(system.bodies[b].name) +
                               " or nearer to it than half the thickness, " +
-                              scene::number_text(l.contact_law.layer) + " m; the deepest by " +
+                              scene::number_text(l.contact_law.distance) + " m; the deepest by " +
                               scene::number_text(deepest) + " m at (" + scene::number_text(worst[0]) + ", " +
                               scene::number_text(worst[1]) + ", " + scene::number_text(worst[2]) +
                               "); wanted: all outside"});

@@ -21,7 +21,7 @@ struct Touching {
   int lane;
   const model::ContactLaw* law;
   Gap<forces::Lane> gap;
-  double depth() const { return law->layer - gap.distance.v; }
+  double depth() const { return law->distance - gap.distance.v; }
 };
 
 // Visits each particle within its layer, by each surface.
@@ -46,24 +46,26 @@ void each_touching(const System& system, const State& s, Visit visit) {
 // Of a particle, by one surface: (m/a) W^2 phi(e) and what the stop holds, Pa.
 double pressure_of(const System& system, const State& s, const Touching& t, double stop) {
   return (model::inertia_of(system, s, t.node) * t.law->omega2 *
-              math::smooth_ramp(kContactBlend * t.law->layer, t.depth()) +
+              math::smooth_ramp(kContactBlend * t.law->distance, t.depth()) +
           stop) /
          system.area[t.node];
 }
 
-bool is_deep(double layer, double depth) { return depth >= kNearStop * kContactDeepest * layer; }
+bool is_deep(double contact_distance, double depth) {
+  return depth >= kNearStop * kContactDeepest * contact_distance;
+}
 
 double stop_of(const std::vector<double>& stops, std::size_t k) { return stops.empty() ? 0 : stops[k]; }
 
 double layer_of(const System& system, const EdgeContactPair& t) {
-  return system.lattices[std::size_t(t.part->lattice)].contact_law.layer;
+  return system.lattices[std::size_t(t.part->lattice)].contact_law.distance;
 }
 
 }  // namespace
 
 bool any_stopped(const System& system, const State& s) {
   bool deep = false;
-  each_touching(system, s, [&](const Touching& t) { deep = deep || is_deep(t.law->layer, t.depth()); });
+  each_touching(system, s, [&](const Touching& t) { deep = deep || is_deep(t.law->distance, t.depth()); });
   ridge_each(system, s, [&](const EdgeContactPair& t, std::size_t, double depth, double) {
     deep = deep || is_deep(layer_of(system, t), depth);
   });
@@ -140,11 +142,12 @@ double contact_energy(const System& system, const State& s) {
   double sum = 0;
   each_touching(system, s, [&](const Touching& t) {
     sum += model::inertia_of(system, s, t.node) * t.law->omega2 *
-           math::smooth_ramp_integral(kContactBlend * t.law->layer, t.depth());
+           math::smooth_ramp_integral(kContactBlend * t.law->distance, t.depth());
   });
   ridge_each(system, s, [&](const EdgeContactPair& t, std::size_t, double depth, double) {
-    const double layer = layer_of(system, t);
-    sum += t.stiffness * math::smooth_ramp_integral(kContactBlend * layer, std::min(depth, layer));
+    const double contact_distance = layer_of(system, t);
+    sum += t.stiffness *
+           math::smooth_ramp_integral(kContactBlend * contact_distance, std::min(depth, contact_distance));
   });
   return sum;
 }

@@ -119,8 +119,8 @@ bool side_known(const model::ContactBlocks& blocks, std::uint32_t node, std::siz
 
 }  // namespace
 
-double search_reach(const body::BodySurface& surface, double layer) {
-  return std::max(kListedDistances * layer, layer + kSeenEdges * surface.edge_mean);
+double search_reach(const body::BodySurface& surface, double contact_distance) {
+  return std::max(kListedDistances * contact_distance, contact_distance + kSeenEdges * surface.edge_mean);
 }
 
 namespace {
@@ -141,8 +141,8 @@ double ridge_way(const RidgeNear& of, model::RidgeContact& c, std::size_t n, con
 }  // namespace
 
 void update_neighbours(const body::BodySurface& surface, body::Voxels& voxels, model::BodyContact& c,
-                       std::size_t node, int lattice, double layer, const RidgeNear& ridges, const Vec3* x,
-                       const Vec3* step) {
+                       std::size_t node, int lattice, double contact_distance, const RidgeNear& ridges,
+                       const Vec3* x, const Vec3* step) {
   static thread_local body::ClosestFeatures found;
   const auto name = std::uint32_t(node / math::kRowUnit);
   for (std::size_t i = 0; i < std::size_t(math::kRowUnit); ++i) {
@@ -151,15 +151,16 @@ void update_neighbours(const body::BodySurface& surface, body::Voxels& voxels, m
     if (!(dot(moved, moved) >= kUsed * kUsed * c.free_distance2[n])) continue;
     const body::Neighbourhood near = body::voxels_at(voxels, x[i]);
     found.touch.clear();
-    found.budget = near.clearance - layer;
+    found.budget = near.clearance - contact_distance;
     Vec3 side{};
     if (near.triangle)
       body::closest_features_find(
-          surface, *near.triangle, x[i], layer,
-          std::min(std::max(kKeptDistances * layer, layer + kAhead * norm(step[i])), voxels.reach),
+          surface, *near.triangle, x[i], contact_distance,
+          std::min(std::max(kKeptDistances * contact_distance, contact_distance + kAhead * norm(step[i])),
+                   voxels.reach),
           voxels.reach, near.listed, side_known(c.blocks, name, i, side) ? &side : nullptr, found);
     const double way = ridge_way(ridges, c.ridge, n, x[i], near.clearance, norm(step[i]));
-    const double budget = std::max(std::min(found.budget, way), kMin * layer);
+    const double budget = std::max(std::min(found.budget, way), kMin * contact_distance);
     c.x[n] = x[i][0], c.y[n] = x[i][1], c.z[n] = x[i][2];
     c.free_distance2[n] = budget * budget;
     lane_write(c.blocks, name, lattice, i, found.touch, !c.ridge.near.empty() && c.ridge.near[n]);

@@ -117,22 +117,24 @@ void layers_ease(const System& system, const State& start, model::SelfMesh& mesh
   mesh.max_contact_distance.assign(system.nodes, INFINITY);
   const model::SelfPairs pairs = self_search(system, mesh, start, 0);
   Array largest = mesh.max_contact_distance;
-  const auto ease = [&](model::NodeIndex n, double distance, double layer) {
-    largest[n] = std::min(largest[n], distance > kTooNear * layer ? distance : 0);
+  const auto ease = [&](model::NodeIndex n, double distance, double contact_distance) {
+    largest[n] = std::min(largest[n], distance > kTooNear * contact_distance ? distance : 0);
   };
   const auto at = [&](model::NodeIndex n) { return Vec3{start.x[n], start.y[n], start.z[n]}; };
   for (const model::SelfPoint& p : pairs.point) {
     const double d = std::sqrt(
         math::triangle_closest(at(p.node[0]), at(p.node[1]), at(p.node[2]), at(p.node[3])).distance2);
-    const double layer = self_layer(system, mesh.lattice_of[p.node[0]], mesh.lattice_of[p.node[1]]);
-    if (d < layer) ease(p.node[0], d, layer);
+    const double contact_distance =
+        self_contact_distance(system, mesh.lattice_of[p.node[0]], mesh.lattice_of[p.node[1]]);
+    if (d < contact_distance) ease(p.node[0], d, contact_distance);
   }
   for (const model::SelfCross& c : pairs.cross) {
     const math::EdgesClosest foot =
         math::edges_closest(at(c.node[0]), at(c.node[1]), at(c.node[2]), at(c.node[3]));
-    const double layer = self_layer(system, mesh.lattice_of[c.node[0]], mesh.lattice_of[c.node[2]]);
-    if (foot.distance2 < layer * layer)
-      for (model::NodeIndex n : c.node) ease(n, std::sqrt(foot.distance2), layer);
+    const double contact_distance =
+        self_contact_distance(system, mesh.lattice_of[c.node[0]], mesh.lattice_of[c.node[2]]);
+    if (foot.distance2 < contact_distance * contact_distance)
+      for (model::NodeIndex n : c.node) ease(n, std::sqrt(foot.distance2), contact_distance);
   }
   mesh.max_contact_distance = largest;
 }
@@ -150,10 +152,10 @@ model::SelfMesh self_mesh_make(const System& system, const State& start) {
   for (const constraint::FixedNode& f : system.constraints.fixed) mesh.fixed[f.node] = 1;
   mesh.min_cell = INFINITY;
   for (const model::Lattice& l : system.lattices) {
-    mesh.layer = std::max(mesh.layer, 2 * l.contact_law.layer);
+    mesh.contact_distance = std::max(mesh.contact_distance, 2 * l.contact_law.distance);
     mesh.min_cell = std::min(mesh.min_cell, l.cell);
-    mesh.stands_out.push_back(l.contact_law.layer / (4 * l.cell));
-    mesh.apart.push_back(std::max(kApart, int(std::ceil(kApartThick * 2 * l.contact_law.layer / l.cell))));
+    mesh.stands_out.push_back(l.contact_law.distance / (4 * l.cell));
+    mesh.apart.push_back(std::max(kApart, int(std::ceil(kApartThick * 2 * l.contact_law.distance / l.cell))));
   }
   seams_near(system, mesh);
   layers_ease(system, start, mesh);

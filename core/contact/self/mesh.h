@@ -12,9 +12,9 @@ model::SelfMesh self_mesh_make(const System& system, const State& start);
 bool self_cells_adjoin(const model::SelfMesh& mesh, const model::SelfCell& a, const model::SelfCell& b);
 
 // m, at which the middles of two layers touch.
-inline double self_layer(const System& system, int lattice_a, int lattice_b) {
-  return system.lattices[std::size_t(lattice_a)].contact_law.layer +
-         system.lattices[std::size_t(lattice_b)].contact_law.layer;
+inline double self_contact_distance(const System& system, int lattice_a, int lattice_b) {
+  return system.lattices[std::size_t(lattice_a)].contact_law.distance +
+         system.lattices[std::size_t(lattice_b)].contact_law.distance;
 }
 
 }  // namespace drape::contact

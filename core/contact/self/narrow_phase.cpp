@@ -20,14 +20,14 @@ namespace {
 using namespace math::vector3;
 
 SelfContactPair touch_of(const model::NodeIndex* node, bool cross, const Vec3& arm, double distance,
-                         double layer) {
+                         double contact_distance) {
   SelfContactPair t{};
   std::copy(node, node + 4, t.node.begin());
   t.cross = cross;
   t.arm = arm;
   t.distance = distance;
   t.n = (1 / distance) * arm;
-  t.layer = layer;
+  t.contact_distance = contact_distance;
   t.share = 1;
   return t;
 }
@@ -109,9 +109,9 @@ double point_narrow_phase(const NarrowPhase& l, const model::SelfPoint& p) {
   const math::TriangleClosest foot =
       math::triangle_closest(l.place[p.node[0]], l.place[p.node[1]], l.place[p.node[2]], l.place[p.node[3]]);
   const double distance = std::sqrt(foot.distance2);
-  if (distance - p.layer > l.reach) return distance - p.layer;
-  if (!(p.layer > 0) || !(distance > 0)) return 0;
-  SelfContactPair t = touch_of(p.node, false, foot.arm, distance, p.layer);
+  if (distance - p.contact_distance > l.reach) return distance - p.contact_distance;
+  if (!(p.contact_distance > 0) || !(distance > 0)) return 0;
+  SelfContactPair t = touch_of(p.node, false, foot.arm, distance, p.contact_distance);
   t.weight[0] = 1;
   for (int k = 0; k < 3; ++k) t.weight[k + 1] = -foot.weight[k], t.turn[k + 1] = 1;
   l.all.pair.push_back(t);
@@ -123,9 +123,9 @@ double cross_narrow_phase(const NarrowPhase& l, const model::SelfCross& p) {
   const math::EdgesClosest foot =
       math::edges_closest(l.place[p.node[0]], l.place[p.node[1]], l.place[p.node[2]], l.place[p.node[3]]);
   const double distance = std::sqrt(foot.distance2);
-  if (distance - p.layer > l.reach) return distance - p.layer;
-  if (!foot.crosses || !(p.layer > 0) || !(distance > 0)) return 0;
-  SelfContactPair t = touch_of(p.node, true, foot.arm, distance, p.layer);
+  if (distance - p.contact_distance > l.reach) return distance - p.contact_distance;
+  if (!foot.crosses || !(p.contact_distance > 0) || !(distance > 0)) return 0;
+  SelfContactPair t = touch_of(p.node, true, foot.arm, distance, p.contact_distance);
   const double out = std::min(stands_out(l, p.edge[0], t.n), stands_out(l, p.edge[1], -1.0 * t.n));
   if (!(out > 1)) return 0;
   const double rise = std::min(out - 1, 1.0);

@@ -28,8 +28,8 @@ struct SelfNode {
 struct SelfContactPair {
   std::array<model::NodeIndex, 4> node;
   bool cross, drop = false;
-  double weight[4], turn[4];  // W, u
-  double distance, layer;     // m
+  double weight[4], turn[4];          // W, u
+  double distance, contact_distance;  // m
   Vec3 arm, n;
   double share;                        // of the penalty, 1 but for edges that hardly stand out of the cloth
   double stiffness, drag;              // N/m, N s/m: k and 2 zeta sqrt(k mu)

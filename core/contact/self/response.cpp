@@ -118,7 +118,7 @@ void tangential_push(SelfContactPairs& all, SelfContactPair& t, const Vec3& j) {
 
 // The penalty; the change of w_n.
 double normal_begin(const ContactCoefficients& c, SelfContactPairs& all, SelfContactPair& t) {
-  const double blend = kSelfBlend * t.layer, depth = t.layer - t.distance;
+  const double blend = kSelfBlend * t.contact_distance, depth = t.contact_distance - t.distance;
   if (!(depth > 0)) return 0;
   const double u = std::min(depth / blend, 1.0);
   t.resist = t.inverse_effective_mass * t.drag * u * u * (3 - 2 * u);
@@ -141,7 +141,8 @@ double normal_sweep(const ContactCoefficients& c, SelfContactPairs& all, SelfCon
 }
 
 double stop_sweep(const ContactCoefficients& c, SelfContactPairs& all, SelfContactPair& t) {
-  const double w = dot(t.n, gap_rate(all, t, &SelfNode::v)), workspace = t.distance - kMin * t.layer;
+  const double w = dot(t.n, gap_rate(all, t, &SelfNode::v)),
+               workspace = t.distance - kMin * t.contact_distance;
   const double wanted = -workspace * (workspace >= 0 ? c.stop_rate : c.push_rate);
   const double stop = std::max(t.stop + (wanted - w) / t.inverse_effective_mass, 0.0), more = stop - t.stop;
   if (more == 0) return 0;

@@ -98,7 +98,7 @@ struct Search {
 };
 
 double layer_of(const Search& s, model::NodeIndex a, model::NodeIndex b) {
-  return self_layer(s.system, s.mesh.lattice_of[a], s.mesh.lattice_of[b]);
+  return self_contact_distance(s.system, s.mesh.lattice_of[a], s.mesh.lattice_of[b]);
 }
 
 // Particles of one cell and triangles of another.
@@ -111,7 +111,7 @@ void points_find(const Search& s, const model::SelfCell& of, const model::SelfCe
          {std::array{on.node[0], on.node[1], on.node[3]}, std::array{on.node[0], on.node[3], on.node[2]}}) {
       const model::SelfPoint pair{{n, t[0], t[1], t[2]},
                                   std::min(layer_of(s, n, t[0]), s.mesh.max_contact_distance[n])};
-      const double reach = pair.layer + s.margin;
+      const double reach = pair.contact_distance + s.margin;
       const math::TriangleClosest foot =
           math::triangle_closest(at, place(s.state, t[0]), place(s.state, t[1]), place(s.state, t[2]));
       if (foot.distance2 <= reach * reach) found.point.push_back(pair);
@@ -127,8 +127,9 @@ void crosses_find(const Search& s, const model::SelfCell& a, const model::SelfCe
       if (s.mesh.edge[f].node[0] < s.mesh.edge[e].node[0]) std::swap(e, f);
       const model::NodeIndex *from = s.mesh.edge[e].node, *to = s.mesh.edge[f].node;
       model::SelfCross pair{{from[0], from[1], to[0], to[1]}, {e, f}, layer_of(s, from[0], to[0])};
-      for (model::NodeIndex n : pair.node) pair.layer = std::min(pair.layer, s.mesh.max_contact_distance[n]);
-      const double reach = pair.layer + s.margin;
+      for (model::NodeIndex n : pair.node)
+        pair.contact_distance = std::min(pair.contact_distance, s.mesh.max_contact_distance[n]);
+      const double reach = pair.contact_distance + s.margin;
       const Vec3 a0 = place(s.state, pair.node[0]), a1 = place(s.state, pair.node[1]),
                  b0 = place(s.state, pair.node[2]), b1 = place(s.state, pair.node[3]);
       const double far = reach + 0.5 * (norm(a1 - a0) + norm(b1 - b0));
@@ -175,11 +176,12 @@ model::SelfPairs self_search(const System& system, const model::SelfMesh& mesh, 
                              double margin) {
   const Search search{system, mesh, state, margin};
   model::SelfPairs found;
-  each_pair(mesh, state, mesh.layer + margin, [&](const model::SelfCell& a, const model::SelfCell& b) {
-    points_find(search, a, b, found);
-    points_find(search, b, a, found);
-    crosses_find(search, a, b, found);
-  });
+  each_pair(mesh, state, mesh.contact_distance + margin,
+            [&](const model::SelfCell& a, const model::SelfCell& b) {
+              points_find(search, a, b, found);
+              points_find(search, b, a, found);
+              crosses_find(search, a, b, found);
+            });
   const auto by_nodes = [](const auto& p, const auto& q) {
     return std::lexicographical_compare(p.node, p.node + 4, q.node, q.node + 4);
   };

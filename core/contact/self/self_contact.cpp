@@ -48,7 +48,7 @@ double speed_of(const System& system, const State& s) {
 }
 
 double reach_of(const System& system, const State& s, double h) {
-  return kReachSteps * s.self.speed * h + kReachLayer * system.self.layer;
+  return kReachSteps * s.self.speed * h + kReachLayer * system.self.contact_distance;
 }
 
 void search(const System& system, State& s, double h) {
@@ -168,13 +168,13 @@ std::vector<SelfContactPair> touching(const System& system, const State& s) {
 model::ContactSummary self_summary(const System& system, const State& s) {
   model::ContactSummary sum;
   for (const SelfContactPair& t : touching(system, s)) {
-    const double depth = t.layer - t.distance;
+    const double depth = t.contact_distance - t.distance;
     double area = INFINITY;
     for (model::NodeIndex n : t.node) area = std::min(area, system.area[n]);
     ++sum.count;
     sum.penetration = std::max(sum.penetration, depth);
-    sum.pressure =
-        std::max(sum.pressure, t.stiffness * math::smooth_ramp(kSelfBlend * t.layer, depth) / area);
+    sum.pressure = std::max(sum.pressure,
+                            t.stiffness * math::smooth_ramp(kSelfBlend * t.contact_distance, depth) / area);
   }
   return sum;
 }
@@ -182,7 +182,8 @@ model::ContactSummary self_summary(const System& system, const State& s) {
 double self_energy(const System& system, const State& s) {
   double sum = 0;
   for (const SelfContactPair& t : touching(system, s))
-    sum += t.stiffness * math::smooth_ramp_integral(kSelfBlend * t.layer, t.layer - t.distance);
+    sum += t.stiffness *
+           math::smooth_ramp_integral(kSelfBlend * t.contact_distance, t.contact_distance - t.distance);
   return sum;
 }
 

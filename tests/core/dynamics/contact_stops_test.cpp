@@ -20,7 +20,7 @@ Assembled held_up(const SceneFolder& folder, bool over_ridge, double height) {
   body.moves = true;
   if (!over_ridge) body.position = {0, 0, -0.05};
   Assembled a = assemble(scene);
-  for (std::size_t n : a.system.particle) a.state.z[n] = height * a.system.lattices[0].contact_law.layer;
+  for (std::size_t n : a.system.particle) a.state.z[n] = height * a.system.lattices[0].contact_law.distance;
   contact::begin(a.system, a.motion.kernel->contact, a.motion.contact, a.state);
   return a;
 }

@@ -60,8 +60,8 @@ TEST(Elastica, Limits) {
   const Cantilever stiff = cantilever_with(0.001);
   EXPECT_NEAR(stiff.drop / (stiff.beta / 8), 1, stiff.beta * stiff.beta);
   const Cantilever soft = cantilever_with(0.98);
-  const double layer = (2 - std::sqrt(2.0)) / std::sqrt(soft.beta);
-  EXPECT_NEAR((1 - soft.drop) / layer, 1, 1 / std::sqrt(soft.beta));
+  const double contact_distance = (2 - std::sqrt(2.0)) / std::sqrt(soft.beta);
+  EXPECT_NEAR((1 - soft.drop) / contact_distance, 1, 1 / std::sqrt(soft.beta));
 }
 
 // Peirce's angle: the line to the end falls by 41.5 degrees at beta = 8.004, so that c = O/2 has B = W c^3 g.

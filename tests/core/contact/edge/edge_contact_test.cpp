@@ -88,7 +88,7 @@ TEST(Ridge, ATautStripRestsOnItByALink) {
     for (double t = 0; t < 20 && !s.a.state.relaxation.at_rest; t += 0.1) advance(s.a, 0.1);
     ASSERT_TRUE(s.a.state.relaxation.at_rest) << "residual " << s.a.state.relaxation.residual;
     const int i = s.over();
-    const double layer = s.a.system.lattices[0].contact_law.layer, width = 0.01;
+    const double contact_distance = s.a.system.lattices[0].contact_law.distance, width = 0.01;
     const Vec3 force = body_force(s.a), e = s.along(i);
     const double left = kSlope * width * s.strain(i - 1), right = kSlope * width * s.strain(i + 1);
     const Vec3 pulled = right * s.along(i + 1) - left * s.along(i - 1);
@@ -96,10 +96,11 @@ TEST(Ridge, ATautStripRestsOnItByALink) {
     EXPECT_GT(left, 0.05);
     for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(force[k], pulled[k], left_over) << k;
     EXPECT_LT(std::abs(dot(force, e)), left_over);
-    EXPECT_GE(s.distance(), (1 - kContactDeepest) * layer * (1 - 1e-6)) << "shift " << shift;
-    EXPECT_LE(s.distance(), layer);
+    EXPECT_GE(s.distance(), (1 - kContactDeepest) * contact_distance * (1 - 1e-6)) << "shift " << shift;
+    EXPECT_LE(s.distance(), contact_distance);
     if (shift == 0)
-      std::printf("rests at %.4f layers, T = %.3f and %.3f N\n", s.distance() / layer, left, right);
+      std::printf("rests at %.4f layers, T = %.3f and %.3f N\n", s.distance() / contact_distance, left,
+                  right);
   }
 }
 
@@ -361,15 +362,15 @@ double over_fold_height(const Assembled& a) {
 // sheet, only such links do.
 TEST(Ridge, AJumpTakesNoLinkThroughUnseen) {
   const SceneFolder folder;
-  const double layer = 0.0005;
+  const double contact_distance = 0.0005;
   for (const bool weld : {false, true}) {
-    Scene scene = over_fold(folder, weld ? 1 : 2, weld ? -0.003 : -0.007, 1.3 * layer);
+    Scene scene = over_fold(folder, weld ? 1 : 2, weld ? -0.003 : -0.007, 1.3 * contact_distance);
     if (weld) {
       scene.pieces.push_back(scene.pieces[0]);
       scene.pieces[1].name = "right";
-      scene.pieces[1].place.origin = {0.007, -0.0043, -3.7 * layer};
+      scene.pieces[1].place.origin = {0.007, -0.0043, -3.7 * contact_distance};
       scene.seams = {seam_join()};
-      scene.seams[0].gap_tolerance = 6 * layer;
+      scene.seams[0].gap_tolerance = 6 * contact_distance;
       scene.pins = {{"held", 1, {}, {3}}};
     } else {
       scene.pins = {reference::pin_edges("left", {3}), reference::pin_edges("right", {1})};
@@ -378,14 +379,14 @@ TEST(Ridge, AJumpTakesNoLinkThroughUnseen) {
     Assembled a = assemble(scene);
     if (!weld) {
       sewn_advance(a, 1e-3);
-      a.motion.inputs.pin[0].position[2] -= 5 * layer;
+      a.motion.inputs.pin[0].position[2] -= 5 * contact_distance;
     }
     const std::int64_t steps = a.state.steps;
     sewn_advance(a, 1e-5);
     EXPECT_EQ(a.state.steps, steps + 1);
-    EXPECT_LT(over_fold_height(a), weld ? 0 : 0.1 * layer);
+    EXPECT_LT(over_fold_height(a), weld ? 0 : 0.1 * contact_distance);
     sewn_advance(a, 0.05);
-    EXPECT_GT(over_fold_height(a), 0.1 * layer) << (weld ? "weld" : "pin");
+    EXPECT_GT(over_fold_height(a), 0.1 * contact_distance) << (weld ? "weld" : "pin");
   }
 }
 
@@ -406,7 +407,7 @@ TEST(Ridge, PenaltyStaysWithinTheBoundOfTheStep) {
     const double foot = -0.62 + 0.005 * at, tilt = foot < 0.5 ? -1.15 : 1.15;
     for (int j = 0; j < 2; ++j)
       for (int i = 0; i < 2; ++i) {  // a plane tilted about y, 0.6 layers over the ridge
-        const double along = (i - foot) * 0.01, up = 0.6 * l.contact_law.layer;
+        const double along = (i - foot) * 0.01, up = 0.6 * l.contact_law.distance;
         const std::size_t n = l.node(i, j);
         a.state.x[n] = along * std::cos(tilt) + up * std::sin(tilt);
         a.state.z[n] = -along * std::sin(tilt) + up * std::cos(tilt);

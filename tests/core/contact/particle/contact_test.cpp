@@ -21,8 +21,8 @@ using namespace math::vector3;
 
 // The depth at which the penalty holds the acceleration g: omega^2 phi(e) = g.
 double depth_under(const model::ContactLaw& law, double g) {
-  const double blend = kContactBlend * law.layer;
-  double low = 0, high = law.layer;
+  const double blend = kContactBlend * law.distance;
+  double low = 0, high = law.distance;
   for (int k = 0; k < 200; ++k) {
     const double e = (low + high) / 2, t = std::min(e / blend, 1.0);
     const double phi = blend * t * t * t * (1 - t / 2) + std::max(e - blend, 0.0);
@@ -109,7 +109,7 @@ TEST(Touch, TensionGrowsRoundACapstan) {
   scene.gravity = {0, 0, 0};
   scene.damping = 200;
   scene.bias_model = scene::BiasModel::kOdd;
-  const double layer = fabric.thickness / 2, r = radius + layer;
+  const double contact_distance = fabric.thickness / 2, r = radius + contact_distance;
   scene::PlaceSpec& place = scene.pieces[0].place;
   place.origin = {-8 * cell, 0, r};
   place.radius = {r, r};

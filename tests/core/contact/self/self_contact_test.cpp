@@ -51,13 +51,13 @@ TEST(SelfContact, RestsAtTheThickness) {
   Assembled a = assemble(scene);
   advance(a, 1);
   const model::ContactLaw& law = a.system.lattices[1].contact_law;
-  const double layer = scene.fabrics[0].thickness;
+  const double contact_distance = scene.fabrics[0].thickness;
   double deepest = 0;
-  while (law.omega2 * math::smooth_ramp(kSelfBlend * layer, deepest) < 8 * 9.81) deepest += 1e-8;
+  while (law.omega2 * math::smooth_ramp(kSelfBlend * contact_distance, deepest) < 8 * 9.81) deepest += 1e-8;
   double mean = 0;
   for (std::size_t n : nodes_of(a.system, 1)) mean += a.state.z[n] / double(nodes_of(a.system, 1).size());
-  EXPECT_LT(mean, layer);
-  EXPECT_GT(mean, layer - deepest);
+  EXPECT_LT(mean, contact_distance);
+  EXPECT_GT(mean, contact_distance - deepest);
   advance(a, 0.05);
   outputs::Outputs outputs;
   outputs::outputs_make(outputs, a.scene, a.system);
@@ -262,10 +262,10 @@ TEST(SelfContact, AFitRestsOnTheSheetBelow) {
   Assembled a = assemble(scene);
   for (int k = 0; k < 2000 && !a.state.relaxation.at_rest; ++k) advance(a, 1e-3);
   EXPECT_TRUE(a.state.relaxation.at_rest) << a.state.relaxation.residual;
-  const double layer = scene.fabrics[0].thickness;
+  const double contact_distance = scene.fabrics[0].thickness;
   for (std::size_t n : nodes_of(a.system, 1)) {
-    EXPECT_LT(a.state.z[n], layer);
-    EXPECT_GT(a.state.z[n], 0.9 * layer);
+    EXPECT_LT(a.state.z[n], contact_distance);
+    EXPECT_GT(a.state.z[n], 0.9 * contact_distance);
   }
 }
 
