@@ -44,15 +44,15 @@ struct SelfMesh {
   std::vector<NodeIndex> own_node;
   std::vector<SelfEdge> edge;
   std::vector<NearSeam> near_seam;
-  std::vector<NodeSpan> span;      // runs of particles in the arrays of nodes
-  std::vector<int> lattice_of;     // [nodes]
-  std::vector<char> fixed;         // [nodes] 1 where a pin holds it
-  Array max_contact_distance;      // [nodes] m: nearer than the thickness at the start, else infinite
-  std::vector<int> apart;          // [lattices] cells as near as this along the cloth do not touch
-  std::vector<double> stands_out;  // [lattices] sine from which edges do: look.cpp
-  double seam_apart = 0;           // m, likewise along the cloth across a seam
-  double contact_distance = 0;     // m, the thickest
-  double min_cell = 0;             // m
+  std::vector<NodeSpan> span;        // runs of particles in the arrays of nodes
+  std::vector<int> lattice_of;       // [nodes]
+  std::vector<char> fixed;           // [nodes] 1 where a pin holds it
+  Array max_contact_distance;        // [nodes] m: nearer than the thickness at the start, else infinite
+  std::vector<int> exclusion_cells;  // [lattices] cells as near as this along the cloth do not touch
+  std::vector<double> min_protrusion_sine;  // [lattices] sine from which edges do: look.cpp
+  double seam_exclusion_distance = 0;       // m, likewise along the cloth across a seam
+  double contact_distance = 0;              // m, the thickest
+  double min_cell = 0;                      // m
 };
 
 // A particle and a triangle; two edges.

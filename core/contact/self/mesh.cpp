@@ -99,14 +99,15 @@ std::vector<SewnPoint> sewn_points(const System& system) {
 void seams_near(const System& system, model::SelfMesh& mesh) {
   const std::vector<SewnPoint> points = sewn_points(system);
   for (const model::Lattice& l : system.lattices)
-    mesh.seam_apart = std::max(mesh.seam_apart, (mesh.apart[std::size_t(l.piece)] + 2) * l.cell);
+    mesh.seam_exclusion_distance =
+        std::max(mesh.seam_exclusion_distance, (mesh.exclusion_cells[std::size_t(l.piece)] + 2) * l.cell);
   for (model::SelfCell& cell : mesh.cell) {
     cell.seam_first = int(mesh.near_seam.size());
     const double b = system.lattices[std::size_t(cell.lattice)].cell;
     for (const SewnPoint& p : points) {
       if (p.lattice != cell.lattice) continue;
       const double distance = std::hypot(p.x - (cell.i + 0.5) * b, p.y - (cell.j + 0.5) * b);
-      if (distance <= mesh.seam_apart) mesh.near_seam.push_back({p.place, distance});
+      if (distance <= mesh.seam_exclusion_distance) mesh.near_seam.push_back({p.place, distance});
     }
     cell.seam_end = int(mesh.near_seam.size());
   }
@@ -154,8 +155,9 @@ model::SelfMesh self_mesh_make(const System& system, const State& start) {
   for (const model::Lattice& l : system.lattices) {
     mesh.contact_distance = std::max(mesh.contact_distance, 2 * l.contact_law.distance);
     mesh.min_cell = std::min(mesh.min_cell, l.cell);
-    mesh.stands_out.push_back(l.contact_law.distance / (4 * l.cell));
-    mesh.apart.push_back(std::max(kApart, int(std::ceil(kApartThick * 2 * l.contact_law.distance / l.cell))));
+    mesh.min_protrusion_sine.push_back(l.contact_law.distance / (4 * l.cell));
+    mesh.exclusion_cells.push_back(
+        std::max(kApart, int(std::ceil(kApartThick * 2 * l.contact_law.distance / l.cell))));
   }
   seams_near(system, mesh);
   layers_ease(system, start, mesh);
@@ -163,12 +165,12 @@ model::SelfMesh self_mesh_make(const System& system, const State& start) {
 }
 
 bool self_cells_adjoin(const model::SelfMesh& mesh, const model::SelfCell& a, const model::SelfCell& b) {
-  const int apart = mesh.apart[std::size_t(a.lattice)];
+  const int apart = mesh.exclusion_cells[std::size_t(a.lattice)];
   if (a.lattice == b.lattice && std::abs(a.i - b.i) <= apart && std::abs(a.j - b.j) <= apart) return true;
   for (int s = a.seam_first; s < a.seam_end; ++s)
     for (int t = b.seam_first; t < b.seam_end; ++t) {
       const model::NearSeam &from = mesh.near_seam[std::size_t(s)], &to = mesh.near_seam[std::size_t(t)];
-      if (from.place == to.place && from.distance + to.distance <= mesh.seam_apart) return true;
+      if (from.place == to.place && from.distance + to.distance <= mesh.seam_exclusion_distance) return true;
     }
   return false;
 }

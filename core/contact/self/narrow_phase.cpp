@@ -76,14 +76,14 @@ int into_set(const NarrowPhase& l, const model::SelfEdge& e, Vec3* into) {
 
 double sine_of(const NarrowPhase& l, model::NodeIndex edge) {
   const model::SelfMesh& mesh = l.system.self;
-  return mesh.stands_out[std::size_t(mesh.lattice_of[mesh.edge[edge].node[0]])];
+  return mesh.min_protrusion_sine[std::size_t(mesh.lattice_of[mesh.edge[edge].node[0]])];
 }
 
 // Whether an edge may stand out at all: along the middle of both directions their sine is the largest, and
 // sine^2 = (1 + m_1.m_2)/2.
-bool may_stand(const NarrowPhase& l, model::NodeIndex edge) {
+bool may_protrude(const NarrowPhase& l, model::NodeIndex edge) {
   enum : char { kUnknown, kYes, kNo };
-  char& known = l.all.stands[edge];
+  char& known = l.all.protrudes[edge];
   if (known == kUnknown) {
     Vec3 into[2];
     const double sine = sine_of(l, edge);
@@ -95,7 +95,7 @@ bool may_stand(const NarrowPhase& l, model::NodeIndex edge) {
 
 // How far an edge stands out of its cloth along `out`, of length 1: the least sine, over that from which it
 // does.
-double stands_out(const NarrowPhase& l, model::NodeIndex edge, const Vec3& out) {
+double protrusion(const NarrowPhase& l, model::NodeIndex edge, const Vec3& out) {
   Vec3 into[2];
   const int count = into_set(l, l.system.self.edge[edge], into);
   double smallest = 1;
@@ -119,14 +119,14 @@ double point_narrow_phase(const NarrowPhase& l, const model::SelfPoint& p) {
 }
 
 double cross_narrow_phase(const NarrowPhase& l, const model::SelfCross& p) {
-  if (!may_stand(l, p.edge[0]) || !may_stand(l, p.edge[1])) return 0;
+  if (!may_protrude(l, p.edge[0]) || !may_protrude(l, p.edge[1])) return 0;
   const math::EdgesClosest foot =
       math::edges_closest(l.place[p.node[0]], l.place[p.node[1]], l.place[p.node[2]], l.place[p.node[3]]);
   const double distance = std::sqrt(foot.distance2);
   if (distance - p.contact_distance > l.reach) return distance - p.contact_distance;
   if (!foot.crosses || !(p.contact_distance > 0) || !(distance > 0)) return 0;
   SelfContactPair t = touch_of(p.node, true, foot.arm, distance, p.contact_distance);
-  const double out = std::min(stands_out(l, p.edge[0], t.n), stands_out(l, p.edge[1], -1.0 * t.n));
+  const double out = std::min(protrusion(l, p.edge[0], t.n), protrusion(l, p.edge[1], -1.0 * t.n));
   if (!(out > 1)) return 0;
   const double rise = std::min(out - 1, 1.0);
   t.share = rise * rise * (3 - 2 * rise);
@@ -153,7 +153,7 @@ void self_narrow_phase(const System& system, const State& s, double reach, SelfC
   const model::SelfPairs& pairs = *s.self.pairs;
   const std::size_t points = pairs.point.size(), size = pairs.size();
   places_take(system.self, s, all.place);
-  all.stands.assign(system.self.edge.size(), 0);
+  all.protrudes.assign(system.self.edge.size(), 0);
   const NarrowPhase narrow_phase{system, all.place.data(), reach, all};
   std::size_t first = 0;  // of the touches of the present particle
   model::NodeIndex particle = model::kNoNode;

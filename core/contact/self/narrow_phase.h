@@ -46,8 +46,8 @@ struct SelfContactPair {
 };
 
 struct SelfContactPairs {
-  std::vector<Vec3> place;   // [nodes] m, of particles
-  std::vector<char> stands;  // [edges] whether they may stand out, once somebody has asked
+  std::vector<Vec3> place;      // [nodes] m, of particles
+  std::vector<char> protrudes;  // [edges] whether they may stand out, once somebody has asked
   std::vector<SelfContactPair> pair;
   std::vector<SelfNode> node;
   std::vector<int> index;  // [nodes] in `node`, or -1
