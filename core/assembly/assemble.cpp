@@ -195,12 +195,12 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
     contact.rotation = math::rotation_matrix(body.start.orientation);
   }
   if (!problems.empty()) return system;
-  seams_tie(scene, grids, system);
+  seams_lay(scene, grids, system);
   slots_number(system);
   start.sewn.assign(system.seams.pair.size(), model::Sewn::kOpen);
   start.gap_rate.assign(3 * system.seams.pair.size(), 0.0);
-  start.gap_hold.assign(system.seams.pair.size(), 0.0);
-  start.pulled_for.assign(system.seams.pair.size(), 0.0);
+  start.closing_integral.assign(system.seams.pair.size(), 0.0);
+  start.closing_time.assign(system.seams.pair.size(), 0.0);
 
   system_retune(system, scene.fabrics, problems);
   if (!problems.empty()) return system;

@@ -162,7 +162,7 @@ void welded_bound(System& system) {
 
 }  // namespace
 
-void seams_tie(const Scene& scene, const std::vector<piece::Grid>& grids, System& system) {
+void seams_lay(const Scene& scene, const std::vector<piece::Grid>& grids, System& system) {
   for (const scene::SeamSpec& spec : scene.seams) {
     const seam::SeamLayout layout = seam::seam_layout(scene, spec);
     model::Seam seam;

@@ -75,7 +75,7 @@ namespace {
 void pull_set(const System& system, Balance& b, const State& s, double extrapolation) {
   for (const model::Seam& seam : system.seams.seam)
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
-      b.pull[p] = forces::seam_pull(system, seam, p, s, extrapolation);
+      b.pull[p] = forces::seam_closing_force(system, seam, p, s, extrapolation);
       b.rate[p] = model::row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz);
     }
 }

@@ -60,7 +60,7 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
   if (system.energy) balance_begin(system, motion.balance, s, c.extrapolation);
   if (begins || system.energy) held_store_velocities(motion.constraints, s, motion.held);
   clamp_torques_add(system, motion, s, begins ? stage.begun : stage.span);
-  if (!s.sewn.empty()) forces::seams_rates(system, s, motion.gap_rate);
+  if (!s.sewn.empty()) forces::seams_gap_rates(system, s, motion.gap_rate);
   const bool touches = contact::any_near(s);
   if (touches) contact::store_velocities(system, motion.contact, s);
   const bool rubs = contact::self_enabled(system);
@@ -99,7 +99,7 @@ void stage_run(const System& system, Motion& motion, State& s, const Stage& stag
   if (!s.body.empty())
     contact::update_proximity(system, motion.kernel->contact, motion.contact, s, stage.drift, h);
   if (rubs) contact::self_update_proximity(system, s, stage.drift);
-  if (!s.sewn.empty()) forces::seams_hold(system, s, h);
+  if (!s.sewn.empty()) forces::seams_update_integral(system, s, h);
   if (system.energy && system.composition) balance_drifted(system, motion.balance, s, stage.decay);
   else if (system.energy) balance_end(system, motion.balance, s, s.h_old, h);
   s.advance_begins = false;

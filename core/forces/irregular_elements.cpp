@@ -91,8 +91,8 @@ void irregular_forces(const System& system, const State& s, bool rates, double e
   hinges_add(system, s, f);
   clamps_add(system, s, f);
   if (rates && model::system_has_air(system)) air_add(system, s, extrapolation, f);
-  seams_pull(system, s, extrapolation, out);
-  seams_bond(system, s, hinges, out);
+  seams_closing_forces(system, s, extrapolation, out);
+  seams_bending_forces(system, s, hinges, out);
 }
 
 void clamp_torques(const System& system, const State& s, std::vector<Vec3>& torque) {

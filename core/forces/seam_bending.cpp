@@ -72,7 +72,7 @@ double seam_link_slope(const System& system, const model::Seam& seam) {
   return seam.link_width * math::curve_slope(link_curve(system, seam), 0) + seam.tape;
 }
 
-void seams_bond(const System& system, const State& s, HingeKernel hinges, model::SlotForces to) {
+void seams_bending_forces(const System& system, const State& s, HingeKernel hinges, model::SlotForces to) {
   HingeBatch batch;
   const model::SeamHinge* of[math::kRowUnit];
   std::size_t count = 0;

@@ -25,7 +25,7 @@ double seam_link_tension(const System& system, const model::Seam& seam, double s
 double seam_link_slope(const System& system, const model::Seam& seam);
 
 // Adds the forces of all welded pairs to the slots.
-void seams_bond(const System& system, const State& state, HingeKernel hinges, model::SlotForces to);
+void seams_bending_forces(const System& system, const State& state, HingeKernel hinges, model::SlotForces to);
 
 struct SeamEnergy {
   double bending = 0, stretch = 0;  // J

@@ -16,8 +16,8 @@ double seam_mass(const System& system, const model::SeamPair& pair) {
   return sum > 0 ? 1 / sum : 0;
 }
 
-Vec3 seam_pull(const System& system, const model::Seam& seam, std::size_t p, const State& s,
-               double extrapolation) {
+Vec3 seam_closing_force(const System& system, const model::Seam& seam, std::size_t p, const State& s,
+                        double extrapolation) {
   if (s.sewn[p] != model::Sewn::kPulled) return {0, 0, 0};
   const model::SeamPair& pair = system.seams.pair[p];
   const Vec3 gap = model::row_value(pair.gap, s), now = model::row_value(pair.gap, s.vx, s.vy, s.vz);
@@ -25,46 +25,48 @@ Vec3 seam_pull(const System& system, const model::Seam& seam, std::size_t p, con
   const double w = seam.pull, length = norm(gap);
   if (length == 0 || w == 0) return {0, 0, 0};
   const Vec3 rate = now + extrapolation * (now - Vec3{before[0], before[1], before[2]});
-  const double held = s.gap_hold[p] * length / std::hypot(length, seam.gap_tolerance);
+  const double held = s.closing_integral[p] * length / std::hypot(length, seam.gap_tolerance);
   const double spring = w * w * (std::min(length, 2 * seam.speed / w) + held),
                damping = 2 * w * dot(rate, gap) / length;
   return (-seam_mass(system, pair) * (spring + damping) / length) * gap;
 }
 
-void seams_pull(const System& system, const State& s, double extrapolation, model::SlotForces to) {
+void seams_closing_forces(const System& system, const State& s, double extrapolation, model::SlotForces to) {
   for (const model::Seam& seam : system.seams.seam)
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p)
       if (s.sewn[p] == model::Sewn::kPulled)
-        model::row_force(system.seams.pair[p].gap, seam_pull(system, seam, p, s, extrapolation), to);
+        model::row_force(system.seams.pair[p].gap, seam_closing_force(system, seam, p, s, extrapolation), to);
 }
 
-double seams_held(const System& system, const State& s) {
+double seams_integral_bound(const System& system, const State& s) {
   double largest = 0;
   for (const model::Seam& seam : system.seams.seam)
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p)
-      if (s.sewn[p] == model::Sewn::kPulled) largest = std::max(largest, s.gap_hold[p] / seam.gap_tolerance);
+      if (s.sewn[p] == model::Sewn::kPulled)
+        largest = std::max(largest, s.closing_integral[p] / seam.gap_tolerance);
   return largest;
 }
 
-void seams_hold(const System& system, State& s, double h) {
+void seams_update_integral(const System& system, State& s, double h) {
   constexpr double kWait = 20, kStalled = 0.1, kMax = 2000;
   for (const model::Seam& seam : system.seams.seam) {
     const double w = seam.pull, reach = 2 * seam.speed / w;
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
       if (s.sewn[p] != model::Sewn::kPulled) continue;
-      s.pulled_for[p] += h;
-      if (s.pulled_for[p] * w < kWait) continue;
+      s.closing_time[p] += h;
+      if (s.closing_time[p] * w < kWait) continue;
       const model::SeamRow& row = system.seams.pair[p].gap;
       const Vec3 rate = model::row_value(row, s.vx, s.vy, s.vz),
                  gap = model::row_value(row, s) - (h / 2) * rate;
       const double length = norm(gap), closing = -dot(rate, gap);
       if (closing < kStalled * length * std::min(w * length, 2 * seam.speed))
-        s.gap_hold[p] = std::min(s.gap_hold[p] + h * w * std::min(length, reach), kMax * reach);
+        s.closing_integral[p] =
+            std::min(s.closing_integral[p] + h * w * std::min(length, reach), kMax * reach);
     }
   }
 }
 
-void seams_rates(const System& system, const State& s, Array& rates) {
+void seams_gap_rates(const System& system, const State& s, Array& rates) {
   rates.resize(3 * system.seams.pair.size());
   for (std::size_t p = 0; p < system.seams.pair.size(); ++p) {
     if (s.sewn[p] != model::Sewn::kPulled) continue;

@@ -22,19 +22,20 @@ namespace drape::forces {
 double seam_mass(const System& system, const model::SeamPair& pair);  // mu, kg
 
 // The pull on side b of a pair, N, at the velocity led on by `lead`; 0 where it is not pulled.
-Vec3 seam_pull(const System& system, const model::Seam& seam, std::size_t pair, const State& state,
-               double extrapolation);
+Vec3 seam_closing_force(const System& system, const model::Seam& seam, std::size_t pair, const State& state,
+                        double extrapolation);
 
 // Adds it for all pairs to the slots.
-void seams_pull(const System& system, const State& state, double extrapolation, model::SlotForces to);
+void seams_closing_forces(const System& system, const State& state, double extrapolation,
+                          model::SlotForces to);
 
 // s/g, at most.
-double seams_held(const System& system, const State& state);
+double seams_integral_bound(const System& system, const State& state);
 
 // After a step of h: s, by the middle of the step.
-void seams_hold(const System& system, State& state, double h);
+void seams_update_integral(const System& system, State& state, double h);
 
 // The rates of the gaps (m/s, [pairs x 3]) of pulled pairs at v_{n-1/2}.
-void seams_rates(const System& system, const State& state, Array& rates);
+void seams_gap_rates(const System& system, const State& state, Array& rates);
 
 }  // namespace drape::forces

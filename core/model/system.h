@@ -149,8 +149,8 @@ struct State {
 
   std::vector<Sewn> sewn;  // [pairs of seams]
   Array gap_rate;          // [pairs x 3] m/s, of the gaps at t_{n-3/2}; empty without seams
-  Array gap_hold;          // [pairs] m, s of the pull
-  Array pulled_for;        // [pairs] s
+  Array closing_integral;  // [pairs] m, s of the pull
+  Array closing_time;      // [pairs] s
 
   std::vector<BodyContact> body;  // [bodies]
   SelfState self;

@@ -141,14 +141,14 @@ void seams_offer(WorstPart& worst, const System& system, const Scene& scene, con
   const SeamsBound bound = step_limit_seams(system, s);
   const bool pulls = bound.d > 0;
   const double welded =
-      bound.omega2 - (pulls ? system.seams.omega2_pull * (1 + forces::seams_held(system, s)) : 0);
+      bound.omega2 - (pulls ? system.seams.omega2_pull * (1 + forces::seams_integral_bound(system, s)) : 0);
   const double pulled = omega2_with(system, bound.omega2 - welded, bound.d);
   if (pulls && pulled > worst.bound) {
     worst.bound = pulled;
     worst.words =
         "pull of " +
         seam_words(system, scene, s, model::Sewn::kPulled, [&](const model::Seam& seam, std::size_t p) {
-          return seam.pull * seam.pull * (1 + s.gap_hold[p] / seam.gap_tolerance);
+          return seam.pull * seam.pull * (1 + s.closing_integral[p] / seam.gap_tolerance);
         });
   }
   if (welded > worst.bound) {
@@ -191,7 +191,7 @@ SeamsBound step_limit_seams(const System& system, const State& s) {
   SeamsBound bound;
   if (any(model::Sewn::kWelded)) bound.omega2 = system.seams.omega2_welded;
   if (!any(model::Sewn::kPulled)) return bound;
-  bound.omega2 += system.seams.omega2_pull * (1 + forces::seams_held(system, s));
+  bound.omega2 += system.seams.omega2_pull * (1 + forces::seams_integral_bound(system, s));
   bound.d = system.seams.damping;
   return bound;
 }
