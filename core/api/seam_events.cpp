@@ -24,7 +24,7 @@ void closed_tell(const drape_cloth& c, const std::vector<std::size_t>& due) {
                               " s the seam '" + c.scene.seams[k].name + "' is ";
     double gap = 0;  // m
     for (std::size_t p = first; p < end; ++p)
-      gap = std::max(gap, math::vector3::norm(model::row_value(c.system.seams.pair[p].gap, c.state)));
+      gap = std::max(gap, math::vector3::norm(model::sum_value(c.system.seams.pair[p].gap, c.state)));
     if (gap <= seams[k].gap_tolerance / 100) say(c, DRAPE_LOG_EVENT, place + "closed");
     else
       say(c, DRAPE_LOG_WARNING,

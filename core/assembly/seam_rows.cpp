@@ -63,7 +63,7 @@ void pairs_tie(const std::vector<piece::Grid>& grids, const seam::SeamLayout& la
                          ? particle_tie(grid, system.lattices[piece], p)
                          : point_tie(grid, system.lattices[piece], p, inside(p, in, kInside * grid.cell));
       inner[k] = point_tie(grid, system.lattices[piece], deep, deep);
-      model::row_add(pair.gap, pair.side[k], k == 0 ? -1 : 1);
+      model::sum_add(pair.gap, pair.side[k], k == 0 ? -1 : 1);
       const double warp = in[1] * grid.cosine - in[0] * grid.sine,
                    weft = in[0] * grid.cosine + in[1] * grid.sine;
       hinge.reach[k] = grid.cell;
@@ -72,10 +72,10 @@ void pairs_tie(const std::vector<piece::Grid>& grids, const seam::SeamLayout& la
     }
     for (std::size_t k = 0; k < 2; ++k) {
       const double sign = k == 0 ? 1 : -1;
-      for (const model::SeamPoint& x : pair.side) model::row_add(hinge.arm[k], x, sign / 2);
-      model::row_add(hinge.arm[k], inner[k], -sign);
+      for (const model::SeamPoint& x : pair.side) model::sum_add(hinge.arm[k], x, sign / 2);
+      model::sum_add(hinge.arm[k], inner[k], -sign);
     }
-    if (std::all_of(pair.gap.begin(), pair.gap.end(), [](const model::SeamTerm& t) { return t.weight == 0; }))
+    if (std::all_of(pair.gap.begin(), pair.gap.end(), [](const model::NodeTerm& t) { return t.weight == 0; }))
       hinge.width = 0;  // a corner sewn to itself
     system.seams.pair.push_back(pair);
     system.seams.hinge.push_back(hinge);
@@ -90,8 +90,8 @@ void links_tie(bool paper, model::Seam& seam, System& system) {
   for (std::size_t n = 0; n < steps; ++n) {
     model::SeamLink link{{seam.first + n, seam.first + (n + 1) % seam.count}, {}};
     for (std::size_t side : {0u, 1u}) {
-      model::row_add(link.edge, system.seams.pair[link.pair[1]].side[side], 0.5);
-      model::row_add(link.edge, system.seams.pair[link.pair[0]].side[side], -0.5);
+      model::sum_add(link.edge, system.seams.pair[link.pair[1]].side[side], 0.5);
+      model::sum_add(link.edge, system.seams.pair[link.pair[0]].side[side], -0.5);
     }
     system.seams.link.push_back(link);
   }
@@ -107,7 +107,7 @@ double omega2_at_rest(const model::Lattice& l) {
 }
 
 struct Bond {
-  const model::SeamRow* row;
+  const model::NodeSum* row;
   double strength;  // k, N/m for rows of lengths
 };
 
@@ -115,13 +115,13 @@ struct Bond {
 double gram_bound(const System& system, const std::vector<Bond>& bonds) {
   std::unordered_map<std::size_t, std::vector<std::pair<std::size_t, double>>> by_node;
   for (std::size_t p = 0; p < bonds.size(); ++p)
-    for (const model::SeamTerm& t : *bonds[p].row) by_node[t.node].push_back({p, t.weight});
+    for (const model::NodeTerm& t : *bonds[p].row) by_node[t.node].push_back({p, t.weight});
   double largest = 0;
   std::map<std::size_t, double> gram;
   for (std::size_t p = 0; p < bonds.size(); ++p) {
-    const model::SeamRow& row = *bonds[p].row;
+    const model::NodeSum& row = *bonds[p].row;
     gram.clear();
-    for (const model::SeamTerm& t : row)
+    for (const model::NodeTerm& t : row)
       for (const auto& [q, weight] : by_node[t.node])
         gram[q] += t.weight * weight * system.inverse_mass[t.node];
     double sum = 0;
@@ -133,17 +133,17 @@ double gram_bound(const System& system, const std::vector<Bond>& bonds) {
 }
 
 // c/|c| - a/|a| of a hinge, in flat cloth the rate of its angle.
-model::SeamRow angle_row(const model::SeamHinge& hinge) {
-  model::SeamRow row;
+model::NodeSum angle_row(const model::SeamHinge& hinge) {
+  model::NodeSum row;
   for (std::size_t k = 0; k < 2; ++k)
-    for (const model::SeamTerm& t : hinge.arm[k])
-      model::row_add(row, {{t.node, 0, 0, 0}, {t.weight, 0, 0, 0}}, (k == 0 ? -1 : 1) / hinge.reach[k]);
+    for (const model::NodeTerm& t : hinge.arm[k])
+      model::sum_add(row, {{t.node, 0, 0, 0}, {t.weight, 0, 0, 0}}, (k == 0 ? -1 : 1) / hinge.reach[k]);
   return row;
 }
 
 void welded_bound(System& system) {
   model::Seams& seams = system.seams;
-  std::vector<model::SeamRow> angles;
+  std::vector<model::NodeSum> angles;
   std::vector<Bond> bonds;
   angles.reserve(seams.hinge.size());
   for (const model::Seam& seam : seams.seam) {

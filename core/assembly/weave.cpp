@@ -221,12 +221,12 @@ void slots_number(System& system) {
       for (int k = 0; k < 4; ++k) visit(s.node[k], s.slot[k]);
     for (model::ClampHinge& s : side.clamps)
       for (int k = 0; k < 2; ++k) visit(s.node[k], s.slot[k]);
-    const auto row = [&](model::SeamRow& r) {
-      for (model::SeamTerm& t : r) visit(t.node, t.slot);
+    const auto row = [&](model::NodeSum& r) {
+      for (model::NodeTerm& t : r) visit(t.node, t.slot);
     };
     for (model::SeamPair& s : system.seams.pair) row(s.gap);
     for (model::SeamHinge& s : system.seams.hinge)
-      for (model::SeamRow& arm : s.arm) row(arm);
+      for (model::NodeSum& arm : s.arm) row(arm);
     for (model::SeamLink& s : system.seams.link) row(s.edge);
   };
   each_node([&](std::size_t node, int&) { touched.push_back(node); });

@@ -76,7 +76,7 @@ void pull_set(const System& system, Balance& b, const State& s, double extrapola
   for (const model::Seam& seam : system.seams.seam)
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
       b.pull[p] = forces::seam_closing_force(system, seam, p, s, extrapolation);
-      b.rate[p] = model::row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz);
+      b.rate[p] = model::sum_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz);
     }
 }
 
@@ -84,7 +84,7 @@ void pull_set(const System& system, Balance& b, const State& s, double extrapola
 double pull_power(const System& system, const Balance& b, const Array& vx, const Array& vy, const Array& vz) {
   double sum = 0;
   for (std::size_t p = 0; p < b.pull.size(); ++p)
-    sum += dot(b.pull[p], model::row_value(system.seams.pair[p].gap, vx, vy, vz));
+    sum += dot(b.pull[p], model::sum_value(system.seams.pair[p].gap, vx, vy, vz));
   return sum;
 }
 
@@ -121,7 +121,7 @@ void balance_end(const System& system, const Balance& b, State& s, double h_old,
   s.dissipated += system.damping * damped - (rates - wind);
   double pulled = 0;
   for (std::size_t p = 0; p < b.pull.size(); ++p)
-    pulled += dot(b.pull[p], b.rate[p] + model::row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz));
+    pulled += dot(b.pull[p], b.rate[p] + model::sum_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz));
   s.input += wind + clamps_work(system, b, s) + span / 2 * pulled;
 }
 

@@ -8,9 +8,9 @@
 namespace drape::dynamics {
 namespace {
 
-constraint::ConstraintRow weld_row(const model::SeamRow& gap) {
+constraint::ConstraintRow weld_row(const model::NodeSum& gap) {
   constraint::ConstraintRow row{-1, {}, {}, {0, 0, 0}};
-  for (const model::SeamTerm& t : gap) {
+  for (const model::NodeTerm& t : gap) {
     if (t.weight == 0) continue;
     row.node.push_back(t.node);
     row.weight.push_back(t.weight);
@@ -30,7 +30,7 @@ bool seams_pull_begin(const System& system, State& s) {
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
       if (s.sewn[p] != model::Sewn::kOpen) continue;
       s.sewn[p] = model::Sewn::kPulled;
-      const Vec3 rate = model::row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz);
+      const Vec3 rate = model::sum_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz);
       std::copy(rate.begin(), rate.end(), &s.gap_rate[3 * p]);
       begins = true;
     }
@@ -52,7 +52,7 @@ std::vector<std::size_t> seams_within_tolerance(const System& system, const Stat
   for (const model::Seam& seam : system.seams.seam)
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p)
       if (s.sewn[p] == model::Sewn::kPulled &&
-          math::vector3::norm(model::row_value(system.seams.pair[p].gap, s)) <= seam.gap_tolerance)
+          math::vector3::norm(model::sum_value(system.seams.pair[p].gap, s)) <= seam.gap_tolerance)
         due.push_back(p);
   return due;
 }

@@ -30,7 +30,7 @@ void each_link_sewn(const System& system, const State& s, Visit visit) {
     for (std::size_t k = seam.link_first; k < seam.link_first + seam.link_count; ++k) {
       const model::SeamLink& link = system.seams.link[k];
       if (is_welded(s, link.pair[0]) && is_welded(s, link.pair[1]))
-        visit(seam, link, model::row_value(link.edge, s));
+        visit(seam, link, model::sum_value(link.edge, s));
     }
 }
 
@@ -45,8 +45,8 @@ void batch_bend(HingeBatch& b, const model::SeamHinge* const* of, std::size_t co
   for (std::size_t i = count; i < std::size_t(math::kRowUnit); ++i) batch_set(b, i, {1, 0, 0}, {1, 0, 0}, 0);
   hinges(b);
   for (std::size_t i = 0; i < count; ++i) {
-    model::row_force(of[i]->arm[0], {-b.a[0][i], -b.a[1][i], -b.a[2][i]}, to);
-    model::row_force(of[i]->arm[1], {b.c[0][i], b.c[1][i], b.c[2][i]}, to);
+    model::sum_force(of[i]->arm[0], {-b.a[0][i], -b.a[1][i], -b.a[2][i]}, to);
+    model::sum_force(of[i]->arm[1], {b.c[0][i], b.c[1][i], b.c[2][i]}, to);
   }
 }
 
@@ -77,7 +77,7 @@ void seams_bending_forces(const System& system, const State& s, HingeKernel hing
   const model::SeamHinge* of[math::kRowUnit];
   std::size_t count = 0;
   each_hinge_sewn(system, s, [&](const model::SeamHinge& hinge) {
-    batch_set(batch, count, model::row_value(hinge.arm[0], s), model::row_value(hinge.arm[1], s),
+    batch_set(batch, count, model::sum_value(hinge.arm[0], s), model::sum_value(hinge.arm[1], s),
               hinge.stiffness);
     of[count++] = &hinge;
     if (count < std::size_t(math::kRowUnit)) return;
@@ -89,7 +89,7 @@ void seams_bending_forces(const System& system, const State& s, HingeKernel hing
     const double length = norm(edge);
     if (length == 0) return;
     const double tension = seam_link_tension(system, seam, length / seam.rest - 1);
-    model::row_force(link.edge, (-tension / length) * edge, to);
+    model::sum_force(link.edge, (-tension / length) * edge, to);
   });
 }
 
@@ -97,7 +97,7 @@ SeamEnergy seams_energy(const System& system, const State& s) {
   SeamEnergy e;
   each_hinge_sewn(system, s, [&](const model::SeamHinge& h) {
     e.bending +=
-        h.stiffness * hinge_energy_between(model::row_value(h.arm[0], s), model::row_value(h.arm[1], s));
+        h.stiffness * hinge_energy_between(model::sum_value(h.arm[0], s), model::sum_value(h.arm[1], s));
   });
   each_link_sewn(system, s, [&](const model::Seam& seam, const model::SeamLink&, const Vec3& edge) {
     const double strain = norm(edge) / seam.rest - 1;

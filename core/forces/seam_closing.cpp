@@ -10,9 +10,9 @@ namespace drape::forces {
 using namespace math::vector3;
 
 double seam_mass(const System& system, const model::SeamPair& pair) {
-  const model::SeamRow& row = pair.gap;
+  const model::NodeSum& row = pair.gap;
   double sum = 0;
-  for (const model::SeamTerm& t : row) sum += t.weight * t.weight * system.inverse_mass[t.node];
+  for (const model::NodeTerm& t : row) sum += t.weight * t.weight * system.inverse_mass[t.node];
   return sum > 0 ? 1 / sum : 0;
 }
 
@@ -20,7 +20,7 @@ Vec3 seam_closing_force(const System& system, const model::Seam& seam, std::size
                         double extrapolation) {
   if (s.sewn[p] != model::Sewn::kPulled) return {0, 0, 0};
   const model::SeamPair& pair = system.seams.pair[p];
-  const Vec3 gap = model::row_value(pair.gap, s), now = model::row_value(pair.gap, s.vx, s.vy, s.vz);
+  const Vec3 gap = model::sum_value(pair.gap, s), now = model::sum_value(pair.gap, s.vx, s.vy, s.vz);
   const double* before = &s.gap_rate[3 * p];
   const double w = seam.pull, length = norm(gap);
   if (length == 0 || w == 0) return {0, 0, 0};
@@ -35,7 +35,7 @@ void seams_closing_forces(const System& system, const State& s, double extrapola
   for (const model::Seam& seam : system.seams.seam)
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p)
       if (s.sewn[p] == model::Sewn::kPulled)
-        model::row_force(system.seams.pair[p].gap, seam_closing_force(system, seam, p, s, extrapolation), to);
+        model::sum_force(system.seams.pair[p].gap, seam_closing_force(system, seam, p, s, extrapolation), to);
 }
 
 double seams_integral_bound(const System& system, const State& s) {
@@ -55,9 +55,9 @@ void seams_update_integral(const System& system, State& s, double h) {
       if (s.sewn[p] != model::Sewn::kPulled) continue;
       s.closing_time[p] += h;
       if (s.closing_time[p] * w < kWait) continue;
-      const model::SeamRow& row = system.seams.pair[p].gap;
-      const Vec3 rate = model::row_value(row, s.vx, s.vy, s.vz),
-                 gap = model::row_value(row, s) - (h / 2) * rate;
+      const model::NodeSum& row = system.seams.pair[p].gap;
+      const Vec3 rate = model::sum_value(row, s.vx, s.vy, s.vz),
+                 gap = model::sum_value(row, s) - (h / 2) * rate;
       const double length = norm(gap), closing = -dot(rate, gap);
       if (closing < kStalled * length * std::min(w * length, 2 * seam.speed))
         s.closing_integral[p] =
@@ -70,7 +70,7 @@ void seams_gap_rates(const System& system, const State& s, Array& rates) {
   rates.resize(3 * system.seams.pair.size());
   for (std::size_t p = 0; p < system.seams.pair.size(); ++p) {
     if (s.sewn[p] != model::Sewn::kPulled) continue;
-    const Vec3 rate = model::row_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz);
+    const Vec3 rate = model::sum_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz);
     std::copy(rate.begin(), rate.end(), &rates[3 * p]);
   }
 }

@@ -6,7 +6,7 @@
 namespace drape::model {
 
 // sum_k weight[k] f(node[k])
-inline Vec3 row_value(const SeamRow& row, const Array& x, const Array& y, const Array& z) {
+inline Vec3 sum_value(const NodeSum& row, const Array& x, const Array& y, const Array& z) {
   Vec3 sum{0, 0, 0};
   for (const auto& [node, slot, weight] : row) {
     sum[0] += weight * x[node];
@@ -15,7 +15,7 @@ inline Vec3 row_value(const SeamRow& row, const Array& x, const Array& y, const 
   }
   return sum;
 }
-inline Vec3 row_value(const SeamRow& row, const State& s) { return row_value(row, s.x, s.y, s.z); }
+inline Vec3 sum_value(const NodeSum& row, const State& s) { return sum_value(row, s.x, s.y, s.z); }
 
 inline Vec3 point_now(const SeamPoint& point, const State& s) {
   using namespace math::vector3;
@@ -26,7 +26,7 @@ inline Vec3 point_now(const SeamPoint& point, const State& s) {
 }
 
 // A force on the sum is its nodes' by their weights.
-inline void row_force(const SeamRow& row, const Vec3& force, SlotForces to) {
+inline void sum_force(const NodeSum& row, const Vec3& force, SlotForces to) {
   for (const auto& [node, slot, weight] : row) {
     to.x[slot] += weight * force[0];
     to.y[slot] += weight * force[1];
@@ -35,10 +35,10 @@ inline void row_force(const SeamRow& row, const Vec3& force, SlotForces to) {
 }
 
 // A point more.
-inline void row_add(SeamRow& row, const SeamPoint& point, double factor) {
+inline void sum_add(NodeSum& row, const SeamPoint& point, double factor) {
   for (int k = 0; k < 4; ++k) {
     if (point.weight[k] == 0) continue;
-    SeamTerm* at = row.begin();
+    NodeTerm* at = row.begin();
     while (at != row.end() && at->node != point.node[k]) ++at;
     if (at == row.end()) {
       *at = {std::uint32_t(point.node[k]), 0, 0};

@@ -14,28 +14,28 @@ struct SeamPoint {
 };
 
 // A sum over nodes, each once: of the points of a pair.
-struct SeamTerm {
+struct NodeTerm {
   std::uint32_t node;
   int slot;  // in Side
   double weight;
 };
-struct SeamRow {
+struct NodeSum {
   int count = 0;
-  SeamTerm term[16];
-  SeamTerm* begin() { return term; }
-  SeamTerm* end() { return term + count; }
-  const SeamTerm* begin() const { return term; }
-  const SeamTerm* end() const { return term + count; }
+  NodeTerm term[16];
+  NodeTerm* begin() { return term; }
+  NodeTerm* end() { return term + count; }
+  const NodeTerm* begin() const { return term; }
+  const NodeTerm* end() const { return term + count; }
 };
 
 struct SeamPair {
   SeamPoint side[2];
-  SeamRow gap;  // r_b - r_a
+  NodeSum gap;  // r_b - r_a
 };
 
 // Across a welded pair: p_a - x - p_b, each p a cell's edge inside its piece, x the middle of the pair.
 struct SeamHinge {
-  SeamRow arm[2];            // x - p_a, p_b - x
+  NodeSum arm[2];            // x - p_a, p_b - x
   double reach[2];           // m: their lengths at rest
   double yarn_shares[2][2];  // of side k: cos^4 between arm and warp, sin^4
   double width;              // m
@@ -45,7 +45,7 @@ struct SeamHinge {
 // Along the seam, between the middles of two welded pairs that follow each other.
 struct SeamLink {
   std::size_t pair[2];
-  SeamRow edge;
+  NodeSum edge;
 };
 
 struct Seam {

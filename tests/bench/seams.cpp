@@ -129,7 +129,7 @@ Held held_of(const Scene& scene, const Rest& rest) {
   }
   for (const model::SeamPair& pair : rest.system.seams.pair)
     for (int axis : {0, 1}) {
-      for (const model::SeamTerm& t : pair.gap) entry(t.node, t.weight, axis);
+      for (const model::NodeTerm& t : pair.gap) entry(t.node, t.weight, axis);
       target.push_back(0);
     }
   for (const constraint::RigidLink& link : rest.system.links) {
@@ -153,12 +153,12 @@ Held held_of(const Scene& scene, const Rest& rest) {
 void links_add(const Rest& rest, Entries& to) {
   for (const model::Seam& seam : rest.system.seams.seam)
     for (std::size_t k = seam.link_first; k < seam.link_first + seam.link_count; ++k) {
-      const model::SeamRow& row = rest.system.seams.link[k].edge;
-      const Vec3 edge = model::row_value(row, rest.state);
+      const model::NodeSum& row = rest.system.seams.link[k].edge;
+      const Vec3 edge = model::sum_value(row, rest.state);
       const double length = math::vector3::norm(edge),
                    stiff = forces::seam_link_slope(rest.system, seam) / seam.rest;
-      for (const model::SeamTerm& i : row)
-        for (const model::SeamTerm& j : row)
+      for (const model::NodeTerm& i : row)
+        for (const model::NodeTerm& j : row)
           for (std::size_t p : {0u, 1u})
             for (std::size_t q : {0u, 1u})
               to.emplace_back(rest.unknowns.first[i.node] + Eigen::Index(p),

@@ -108,7 +108,7 @@ TEST(Rigid, KeepsLengthsAndMomentum) {
   EXPECT_EQ(std::count(a.state.sewn.begin(), a.state.sewn.end(), model::Sewn::kWelded),
             std::ptrdiff_t(a.state.sewn.size()));
   for (const model::SeamPair& pair : a.system.seams.pair)
-    EXPECT_LE(math::vector3::norm(model::row_value(pair.gap, a.state)), 1e-14);
+    EXPECT_LE(math::vector3::norm(model::sum_value(pair.gap, a.state)), 1e-14);
 }
 
 // Before the weld the motion is of order 2 in the step: (x_h - x_{h/2})/(x_{h/2} - x_{h/4}) = 4.

@@ -39,7 +39,7 @@ scene::FabricSpec loose() {  // nodes without forces between them
 }
 
 double gap_norm(const Assembled& a, std::size_t pair) {
-  return math::vector3::norm(model::row_value(a.system.seams.pair[pair].gap, a.state));
+  return math::vector3::norm(model::sum_value(a.system.seams.pair[pair].gap, a.state));
 }
 
 // Single cells without laws: the nodes of the sewn edges are free particles, and close as
@@ -134,8 +134,8 @@ TEST(Sewing, JumpsAtAWeldByWhatTheGapCarries) {
     a.state.vx[n] = 0.1 * double(n % 7), a.state.vy[n] = 0.05 * double(n % 5);
   Vec3 expected{0, 0, 0};
   for (const model::SeamPair& pair : a.system.seams.pair) {
-    const Vec3 d = model::row_value(pair.gap, a.state),
-               v = model::row_value(pair.gap, a.state.vx, a.state.vy, a.state.vz);
+    const Vec3 d = model::sum_value(pair.gap, a.state),
+               v = model::sum_value(pair.gap, a.state.vx, a.state.vy, a.state.vz);
     using namespace math::vector3;
     expected -= forces::seam_mass(a.system, pair) * cross(d, v);
   }
