@@ -219,7 +219,7 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
     system.probes.push_back(probe_make(system.lattices[p], piece::grid_locate(grids[p], probe.at)));
   }
   if (scene.self_contact) system.self = contact::self_mesh_make(system, start);
-  contact::ridges_find(system);
+  contact::edge_elements_make(system);
   return system;
 }
 

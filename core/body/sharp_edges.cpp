@@ -15,7 +15,7 @@ constexpr double kBucketsMost = 2e5;    // along all ridges
 constexpr double kBucketFar = 1 << 20;  // buckets from the origin, beyond which places share names
 
 // Sets `out` and `sharp`; where a solid's `normal` points the other way, the ridge is a groove.
-bool is_sharp(Ridge& r, double sine, const Vec3* normal) {
+bool is_sharp(SharpFeature& r, double sine, const Vec3* normal) {
   if (r.fall.empty()) return false;
   r.out = {0, 0, 0};
   for (const Vec3& f : r.fall) r.out -= f;
@@ -33,34 +33,34 @@ double height_over(const BodySurface& s, const Vec3& from, int triangle, const V
   return largest;
 }
 
-void edges_add(const BodySurface& s, double sine, Ridges& to) {
+void edges_add(const BodySurface& s, double sine, SharpFeatures& to) {
   for (std::size_t k = 0; k < s.edges.size(); ++k) {
     const SurfaceEdge& e = s.edges[k];
     if (s.solid && e.triangle.size() != 2) continue;  // a bad edge
-    Ridge r{s.point[std::size_t(e.corner[0])],
-            s.point[std::size_t(e.corner[1])],
-            false,
-            int(k),
-            e.into,
-            {},
-            {},
-            0};
+    SharpFeature r{s.point[std::size_t(e.corner[0])],
+                   s.point[std::size_t(e.corner[1])],
+                   false,
+                   int(k),
+                   e.into,
+                   {},
+                   {},
+                   0};
     for (std::size_t f = 0; f < e.triangle.size(); ++f)
       r.length.push_back(height_over(s, r.from, e.triangle[f], e.into[f]));
-    if (is_sharp(r, sine, s.solid ? &e.normal : nullptr)) to.ridge.push_back(r);
+    if (is_sharp(r, sine, s.solid ? &e.normal : nullptr)) to.feature.push_back(r);
   }
 }
 
-void tips_add(const BodySurface& s, double sine, Ridges& to) {
+void tips_add(const BodySurface& s, double sine, SharpFeatures& to) {
   for (std::size_t p = 0; p < s.point.size(); ++p) {
-    Ridge r{s.point[p], s.point[p], true, int(p), {}, {}, {}, 0};
+    SharpFeature r{s.point[p], s.point[p], true, int(p), {}, {}, {}, 0};
     for (int k : s.edges_at[p]) {
       const SurfaceEdge& e = s.edges[std::size_t(k)];
       const int other = e.corner[0] == int(p) ? e.corner[1] : e.corner[0];
       r.fall.push_back(unit(s.point[std::size_t(other)] - s.point[p]));
       r.length.push_back(norm(s.point[std::size_t(other)] - s.point[p]));
     }
-    if (is_sharp(r, sine, s.solid ? &s.normal_at[p] : nullptr)) to.ridge.push_back(r);
+    if (is_sharp(r, sine, s.solid ? &s.normal_at[p] : nullptr)) to.feature.push_back(r);
   }
 }
 
@@ -87,17 +87,17 @@ void each_bucket(const Vec3& low, const Vec3& high, double size, Visit visit) {
 constexpr std::uint64_t kNoBucket = ~std::uint64_t(0);
 
 // Where a bucket is in the table, or would be.
-std::size_t table_place(const Ridges& ridges, std::uint64_t name) {
-  const std::size_t mask = ridges.table.size() - 1;
+std::size_t table_place(const SharpFeatures& features, std::uint64_t name) {
+  const std::size_t mask = features.table.size() - 1;
   std::size_t at = std::size_t((name * 0x9e3779b97f4a7c15u) >> 32) & mask;
-  while (ridges.table[at].first != name && ridges.table[at].first != kNoBucket) at = (at + 1) & mask;
+  while (features.table[at].first != name && features.table[at].first != kNoBucket) at = (at + 1) & mask;
   return at;
 }
 
 // A ridge piece by piece, none longer than a bucket.
-void buckets_fill(Ridges& to) {
-  for (std::size_t r = 0; r < to.ridge.size(); ++r) {
-    const Vec3 &a = to.ridge[r].from, way = to.ridge[r].to - a;
+void buckets_fill(SharpFeatures& to) {
+  for (std::size_t r = 0; r < to.feature.size(); ++r) {
+    const Vec3 &a = to.feature[r].from, way = to.feature[r].to - a;
     const int pieces = std::max(1, int(std::ceil(norm(way) / to.bucket)));
     for (int p = 0; p < pieces; ++p) {
       const Vec3 from = a + (double(p) / pieces) * way, on = a + (double(p + 1) / pieces) * way;
@@ -122,12 +122,12 @@ void buckets_fill(Ridges& to) {
 
 }  // namespace
 
-Ridges ridges_make(const BodySurface& surface, double sine, double bucket) {
-  Ridges to;
+SharpFeatures sharp_features_make(const BodySurface& surface, double sine, double bucket) {
+  SharpFeatures to;
   edges_add(surface, sine, to);
   tips_add(surface, sine, to);
   double length = 0;
-  for (const Ridge& r : to.ridge) {
+  for (const SharpFeature& r : to.feature) {
     length += norm(r.to - r.from);
     for (const Vec3& p : {r.from, r.to})
       for (std::size_t k = 0; k < 3; ++k)
@@ -138,27 +138,28 @@ Ridges ridges_make(const BodySurface& surface, double sine, double bucket) {
   return to;
 }
 
-void ridges_in(const Ridges& ridges, const Vec3& low, const Vec3& high, std::vector<std::uint32_t>& found) {
+void sharp_features_in(const SharpFeatures& features, const Vec3& low, const Vec3& high,
+                       std::vector<std::uint32_t>& found) {
   found.clear();
-  each_bucket(low, high, ridges.bucket, [&](std::uint64_t name) {
-    const auto [known, first] = ridges.table[table_place(ridges, name)];
+  each_bucket(low, high, features.bucket, [&](std::uint64_t name) {
+    const auto [known, first] = features.table[table_place(features, name)];
     if (known != name) return;
-    for (std::size_t k = first; k < ridges.entry.size() && ridges.entry[k].first == name; ++k)
-      found.push_back(ridges.entry[k].second);
+    for (std::size_t k = first; k < features.entry.size() && features.entry[k].first == name; ++k)
+      found.push_back(features.entry[k].second);
   });
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
-double ridges_distance(const Ridges& ridges, const Vec3& x, double largest) {
+double sharp_features_distance(const SharpFeatures& features, const Vec3& x, double largest) {
   static thread_local std::vector<std::uint32_t> found;
   const Vec3 way{largest, largest, largest};
   for (std::size_t k = 0; k < 3; ++k)
-    if (x[k] + largest < ridges.low[k] || x[k] - largest > ridges.high[k]) return largest;
-  ridges_in(ridges, x - way, x + way, found);
+    if (x[k] + largest < features.low[k] || x[k] - largest > features.high[k]) return largest;
+  sharp_features_in(features, x - way, x + way, found);
   double least2 = largest * largest;
   for (std::uint32_t r : found)
-    least2 = std::min(least2, math::segment_distance2(x, ridges.ridge[r].from, ridges.ridge[r].to));
+    least2 = std::min(least2, math::segment_distance2(x, features.feature[r].from, features.feature[r].to));
   return std::sqrt(least2);
 }
 

@@ -12,7 +12,7 @@ namespace drape::body {
 
 // A ridge runs between two points; those of a tip are one. The surface falls away along `fall`, of length 1:
 // into the triangles of an edge, along the edges of a tip, for `length`.
-struct Ridge {
+struct SharpFeature {
   Vec3 from, to;  // m
   bool tip;
   int edge;                    // of the surface, or vertex
@@ -23,11 +23,11 @@ struct Ridge {
 };
 
 // No surface whose triangles turn by less than 2 asin of this is sharp: it stands for a smooth one.
-inline constexpr double kRidgeSine = 0.0872;  // 10 degrees
-inline constexpr double kRidgeSineFit = 0.5;  // 60 degrees: fewer, for a fit to come to rest
+inline constexpr double kSharpSine = 0.0872;  // 10 degrees
+inline constexpr double kSharpSineFit = 0.5;  // 60 degrees: fewer, for a fit to come to rest
 
-struct Ridges {
-  std::vector<Ridge> ridge;                                                       // edges, then vertices
+struct SharpFeatures {
+  std::vector<SharpFeature> feature;                                              // edges, then vertices
   Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};  // their box
   double bucket = 0;                                                              // m
   std::vector<std::pair<std::uint64_t, std::uint32_t>> entry;                     // bucket and ridge, sorted
@@ -35,12 +35,13 @@ struct Ridges {
 };
 
 // Those at least as sharp as `sine`; buckets of `bucket` m or more.
-Ridges ridges_make(const BodySurface& surface, double sine, double bucket);
+SharpFeatures sharp_features_make(const BodySurface& surface, double sine, double bucket);
 
 // Those that may be in a box, in their order, each once.
-void ridges_in(const Ridges& ridges, const Vec3& low, const Vec3& high, std::vector<std::uint32_t>& found);
+void sharp_features_in(const SharpFeatures& features, const Vec3& low, const Vec3& high,
+                       std::vector<std::uint32_t>& found);
 
 // How far from x the nearest is (m), at most `most`.
-double ridges_distance(const Ridges& ridges, const Vec3& x, double largest);
+double sharp_features_distance(const SharpFeatures& features, const Vec3& x, double largest);
 
 }  // namespace drape::body

@@ -146,7 +146,7 @@ double kinetic_energy(const System& system, const State& s) {
 // Links on ridges share nodes with each other and with particles that touch, so that what bodies have been
 // told of the half step before this advance is found as it was then, and taken out of the first step of it.
 void ridges_told(const System& system, Motion& motion, State& s) {
-  motion.contact.half_kick_reported = contact::ridge_any(s) && last_half(system, s) > 0 && !system.fit;
+  motion.contact.half_kick_reported = contact::edge_any(s) && last_half(system, s) > 0 && !system.fit;
   if (!motion.contact.half_kick_reported) return;
   std::vector<math::Wrench> pins;
   leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(), motion.now_z.data(),

@@ -19,7 +19,7 @@ contact::ContactStops leapfrog_stops(const System& system, Motion& motion, const
   constraints_project(system, motion.constraints, motion.held, {field[0], field[1], field[2]}, nullptr);
   if (contact::self_enabled(system))
     contact::self_synchronous(system, motion.self, s, 0, 1, field[0], field[1], field[2]);
-  const contact::ContactStops stops = contact::stop_forces(system, s, motion.contact.ridge, field);
+  const contact::ContactStops stops = contact::stop_forces(system, s, motion.contact.edge_pairs, field);
   held_rates(motion.constraints, s, Rate::kVelocity, motion.held);
   return stops;
 }

@@ -170,8 +170,9 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
     s.vy[n] = motion.now_y[n];
     s.vz[n] = motion.now_z[n];
   }
-  if (contact::ridge_any(s))
-    contact::edge_store_velocities(system, s, motion.contact.ridge);  // what penalties lost is counted above
+  if (contact::edge_any(s))
+    contact::edge_store_velocities(system, s,
+                                   motion.contact.edge_pairs);  // what penalties lost is counted above
   s.h_old = s.h_older = 0;
 }
 

@@ -31,7 +31,7 @@ struct Body {
   Vec2 friction{0, 0};        // static, kinetic
   double damping = 1;         // of the normal motion while it touches, over the critical one
   math::RigidMotion start;
-  body::Ridges ridges;
+  body::SharpFeatures sharp;
   std::vector<std::string> remarks;  // what is odd about the mesh, but no fault
 };
 
@@ -76,8 +76,8 @@ struct ContactBlocks {
 };
 
 // A link or cell of the cloth (a number of RidgeCloth) near a ridge of the body.
-struct RidgePair {
-  std::uint32_t part, ridge;
+struct EdgePair {
+  std::uint32_t element, feature;
   bool outside = false;      // known to belong out of the body
   double sticking = 0;       // 1 where it sticks, else 0
   double share = 0;          // of its penalty
@@ -86,13 +86,13 @@ struct RidgePair {
 };
 
 // Which pairs are near. `way` grows by the most that any of the nodes moves against the body.
-struct RidgeContact {
+struct EdgeContact {
   std::vector<char> near;            // [nodes] 1: a ridge may be near its links; empty where a body has none
   std::vector<std::uint32_t> fresh;  // nodes near since the pairs were listed
   std::vector<std::uint32_t> node;   // those of all links and cells of near nodes, sorted
   std::vector<Vec3> last,
-      from;  // [of node] m, in the body's frame: where they are; as their parts were listed
-  std::vector<RidgePair> pair;              // sorted
+      from;                    // [of node] m, in the body's frame: where they are; as their parts were listed
+  std::vector<EdgePair> pair;  // sorted
   std::vector<double> active_after_travel;  // [pairs] m, way until which they do not touch
   double travel = 0;                        // m
   double reach = 0;                         // m, of the next step
@@ -109,7 +109,7 @@ struct BodyContact {
   Array group_clearance;  // [nodes / kRowUnit] m, that all nodes of a group may still move before one must be
                           // compared with its budget: at the group's first block, where the body stays
   ContactBlocks blocks;
-  RidgeContact ridge;
+  EdgeContact edges;
 };
 
 struct ContactSummary {

@@ -7,7 +7,7 @@ namespace drape::model {
 
 // A link has the nodes 0 and 1, and of the cells on its sides those across from these: 2 and 3, 4 and 5. A
 // cell has its corners a, b, c, d.
-struct RidgePart {
+struct EdgeElement {
   std::uint32_t node[6];
   int nodes;  // 4 or 6 of a link, 4 of a cell
   bool cell;
@@ -15,8 +15,8 @@ struct RidgePart {
   int weights() const { return cell ? 4 : 2; }
 };
 
-struct RidgeCloth {
-  std::vector<RidgePart> part;
+struct EdgeElements {
+  std::vector<EdgeElement> element;
   std::vector<std::uint32_t> first, of_node;  // those of node n: of_node[first[n]] .. of_node[first[n + 1]]
 };
 

@@ -102,7 +102,7 @@ struct System {
   constraint::Constraints constraints;       // of the pins, at the masses of the assembly
   std::vector<Probe> probes;                 // as Scene::probes
   std::vector<Body> bodies;                  // as Scene::bodies
-  RidgeCloth ridge_cloth;                    // empty where no body has a ridge
+  EdgeElements edge_elements;                // empty where no body has a ridge
   SelfMesh self;                             // of cloth that touches itself
 };
 

@@ -40,14 +40,14 @@ Vec3 vector(const simd::Vec<forces::Lane>& v) { return {v.x.v, v.y.v, v.z.v}; }
 
 // What is past a ridge is cut by it where it is in the solid; else it is beyond, as below a plate. Of a sheet
 // only what was out of it before: the rest is in the groove behind a fold.
-bool belongs_out(const model::Body& body, const model::RidgePair& pair, const RidgeGap& gap) {
+bool belongs_out(const model::Body& body, const model::EdgePair& pair, const EdgeGap& gap) {
   if (!gap.over) return false;
   if (gap.distance > 0) return true;
   return body.mesh.surface.solid ? -gap.distance < gap.inside : pair.outside;
 }
 
 EdgeContactPair touch_of(const System& system, const State& s, std::size_t b, std::size_t pair,
-                         const model::RidgePart& part, const RidgeGap& gap) {
+                         const model::EdgeElement& part, const EdgeGap& gap) {
   const model::Body& body = system.bodies[b];
   EdgeContactPair t{b, pair, &part, gap, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0};
   double smallest = INFINITY, inverse_mass_scale = 0;  // kg, 1/kg, of inertia
@@ -69,7 +69,7 @@ EdgeContactPair touch_of(const System& system, const State& s, std::size_t b, st
 
 // J that a pair stores.
 double energy_of(const System& system, const EdgeContactPair& t) {
-  const double contact_distance = system.lattices[std::size_t(t.part->lattice)].contact_law.distance;
+  const double contact_distance = system.lattices[std::size_t(t.element->lattice)].contact_law.distance;
   const double depth = std::min(contact_distance - t.gap.distance, contact_distance);
   return depth > 0 ? t.stiffness * math::smooth_ramp_integral(kContactBlend * contact_distance, depth) : 0;
 }
@@ -80,20 +80,20 @@ double find(const System& system, const State& s, State* moves, std::vector<Edge
   double lost = 0;
   touches.clear();
   for (std::size_t b = 0; b < s.body.size(); ++b) {
-    const model::RidgeContact& c = s.body[b].ridge;
+    const model::EdgeContact& c = s.body[b].edges;
     for (std::size_t p = 0; p < c.pair.size(); ++p) {
       if (c.active_after_travel[p] > c.travel + c.reach + kAsleep) continue;
-      const model::RidgePair& pair = c.pair[p];
-      const model::RidgePart& part = system.ridge_cloth.part[pair.part];
+      const model::EdgePair& pair = c.pair[p];
+      const model::EdgeElement& part = system.edge_elements.element[pair.element];
       const model::Lattice& l = system.lattices[std::size_t(part.lattice)];
       Vec3 x[6];
-      ridge_places(system, s, b, part, x);
-      const RidgeGap gap = ridge_gap(part, system.bodies[b].ridges.ridge[pair.ridge], x, ridge_sine(l));
+      edge_element_places(system, s, b, part, x);
+      const EdgeGap gap = edge_gap(part, system.bodies[b].sharp.feature[pair.feature], x, edge_sine(l));
       const double left = gap.clearance - l.contact_law.distance;
       const bool asleep = left > c.reach;
       const bool out = !asleep && belongs_out(system.bodies[b], pair, gap);
       if (moves) {
-        model::RidgeContact& to = moves->body[b].ridge;
+        model::EdgeContact& to = moves->body[b].edges;
         to.active_after_travel[p] = asleep ? to.travel + left : to.travel;
         to.pair[p].outside = out;
         if (!out) to.pair[p].sticking = 0, to.pair[p].warm_start = {0, 0, 0};
@@ -106,8 +106,8 @@ double find(const System& system, const State& s, State* moves, std::vector<Edge
       }
       lost += kept - stored;
       if (moves) {
-        moves->body[b].ridge.pair[p].share = out ? gap.share : 0;
-        moves->body[b].ridge.pair[p].stored = stored;
+        moves->body[b].edges.pair[p].share = out ? gap.share : 0;
+        moves->body[b].edges.pair[p].stored = stored;
       }
     }
   }
@@ -121,10 +121,10 @@ struct PairLaw {
   ContactLanes<forces::Lane> lanes;
 };
 
-std::array<double, 4> pair_over(const System& system, const EdgeContactPair& t, const RidgeField& f) {
+std::array<double, 4> pair_over(const System& system, const EdgeContactPair& t, const EdgeField& f) {
   std::array<double, 4> over{};
-  for (int k = 0; k < t.part->weights(); ++k) {
-    const std::size_t n = t.part->node[k];
+  for (int k = 0; k < t.element->weights(); ++k) {
+    const std::size_t n = t.element->node[k];
     over[std::size_t(k)] =
         t.gap.weight[k] * system.inverse_mass[n] * (f.inverse_mass_scale ? f.inverse_mass_scale[n] : 1);
   }
@@ -132,21 +132,21 @@ std::array<double, 4> pair_over(const System& system, const EdgeContactPair& t, 
 }
 
 PairLaw pair_law(const System& system, const State& s, const EdgeContactPair& t, const ContactCoefficients& c,
-                 const RidgeField& f) {
+                 const EdgeField& f) {
   const std::array<double, 4> over = pair_over(system, t, f);
   double inverse_mass_scale = 0;
   for (std::size_t k = 0; k < 4; ++k) inverse_mass_scale += t.gap.weight[k] * over[k];
   const model::Body& body = system.bodies[t.body];
-  model::ContactLaw law = current_law(system, s, body, system.lattices[std::size_t(t.part->lattice)]);
+  model::ContactLaw law = current_law(system, s, body, system.lattices[std::size_t(t.element->lattice)]);
   law.omega2 = t.stiffness * inverse_mass_scale;
   return {over, inverse_mass_scale, ContactLanes<forces::Lane>(law, c, body.damping)};
 }
 
 // Adds what an impulse J on the gap does.
 void push(const EdgeContactPair& t, const std::array<double, 4>& over, const ContactCoefficients& c,
-          const RidgeField& f, const Vec3& j) {
-  for (int k = 0; k < t.part->weights(); ++k) {
-    const std::size_t n = t.part->node[k];
+          const EdgeField& f, const Vec3& j) {
+  for (int k = 0; k < t.element->weights(); ++k) {
+    const std::size_t n = t.element->node[k];
     for (std::size_t i = 0; i < 3; ++i) {
       const double dv = over[std::size_t(k)] * j[i];
       f.v[i][n] += dv;
@@ -155,10 +155,10 @@ void push(const EdgeContactPair& t, const std::array<double, 4>& over, const Con
   }
 }
 
-Vec3 gap_velocity(const EdgeContactPair& t, const RidgeField& f) {
+Vec3 gap_velocity(const EdgeContactPair& t, const EdgeField& f) {
   Vec3 v{0, 0, 0};
-  for (int k = 0; k < t.part->weights(); ++k)
-    for (std::size_t i = 0; i < 3; ++i) v[i] += t.gap.weight[k] * f.v[i][t.part->node[k]];
+  for (int k = 0; k < t.element->weights(); ++k)
+    for (std::size_t i = 0; i < 3; ++i) v[i] += t.gap.weight[k] * f.v[i][t.element->node[k]];
   return v;
 }
 
@@ -170,7 +170,7 @@ double edge_store_velocities(const System& system, State& s, std::vector<EdgeCon
 
 double edge_record_sides(const System& system, State& s, double moved) {
   static thread_local std::vector<EdgeContactPair> touches;
-  for (model::BodyContact& body : s.body) body.ridge.reach = std::max(body.ridge.reach, moved);
+  for (model::BodyContact& body : s.body) body.edges.reach = std::max(body.edges.reach, moved);
   return find(system, s, &s, touches);
 }
 
@@ -179,9 +179,9 @@ double edge_narrow_phase(const System& system, const State& s, std::vector<EdgeC
 }
 
 void edge_warm_start(const System& system, const State& s, const std::vector<EdgeContactPair>& touches,
-                     const ContactCoefficients& c, const RidgeField& f) {
+                     const ContactCoefficients& c, const EdgeField& f) {
   for (const EdgeContactPair& t : touches)
-    push(t, pair_over(system, t, f), c, f, c.kick * s.body[t.body].ridge.pair[t.pair].warm_start);
+    push(t, pair_over(system, t, f), c, f, c.kick * s.body[t.body].edges.pair[t.pair].warm_start);
 }
 
 namespace {
@@ -197,14 +197,14 @@ struct Given {
 // J of a pair, given what all others do; how much it changes the gap's velocity. What is past the ridge is
 // pushed as from the ridge itself, by 1/50 of the layer a step: faster, it would be thrown.
 double pair_respond(const State& s, const EdgeContactPair& t, const PairLaw& law,
-                    const ContactCoefficients& c, const RidgeField& f, Given& given) {
+                    const ContactCoefficients& c, const EdgeField& f, Given& given) {
   const double k = law.inverse_effective_mass;
   push(t, law.over, c, f, -1.0 * given.impulse);
   const Vec3 free = gap_velocity(t, f), old = c.old_time > 0 || c.new_time > 0 ? t.old : free;
   const ContactHit<forces::Lane> hit =
       contact_hit(law.lanes, lanes(t.gap.n), forces::Lane(std::max(t.gap.distance, 0.0)),
                   lanes(free - t.body_velocity), lanes(old - t.body_velocity),
-                  forces::Lane(s.body[t.body].ridge.pair[t.pair].sticking), forces::Lane(1.0));
+                  forces::Lane(s.body[t.body].edges.pair[t.pair].sticking), forces::Lane(1.0));
   const Vec3 impulse = (1 / k) * vector(hit.dv);
   const double change = k * norm(impulse - given.impulse);
   given = {impulse, hit.stored.v / k, hit.stop.v / k, hit.sticking.v};
@@ -212,8 +212,8 @@ double pair_respond(const State& s, const EdgeContactPair& t, const PairLaw& law
   return change;
 }
 
-void sums_add(const State& s, const EdgeContactPair& t, const ContactCoefficients& c, const RidgeField& f,
-              const Given& given, RidgeSums& sums) {
+void sums_add(const State& s, const EdgeContactPair& t, const ContactCoefficients& c, const EdgeField& f,
+              const Given& given, EdgeSums& sums) {
   const Vec3 now = gap_velocity(t, f), impulse = -c.impulse * given.impulse;
   const Vec3 old = c.old_time > 0 || c.new_time > 0 ? t.old : now,
              middle = 0.5 * (old + now) - t.body_velocity;
@@ -225,8 +225,8 @@ void sums_add(const State& s, const EdgeContactPair& t, const ContactCoefficient
 
 }  // namespace
 
-void ridge_respond(const System& system, const State& s, const std::vector<EdgeContactPair>& touches,
-                   const ContactCoefficients& c, const RidgeField& f, State* moves, RidgeSums& sums) {
+void edge_respond(const System& system, const State& s, const std::vector<EdgeContactPair>& touches,
+                  const ContactCoefficients& c, const EdgeField& f, State* moves, EdgeSums& sums) {
   static thread_local std::vector<Given> given;
   static thread_local std::vector<PairLaw> laws;
   sums.load.assign(s.body.size(), math::Wrench{});
@@ -235,7 +235,7 @@ void ridge_respond(const System& system, const State& s, const std::vector<EdgeC
   laws.clear();
   for (const EdgeContactPair& t : touches) laws.push_back(pair_law(system, s, t, c, f));
   for (std::size_t k = 0; k < touches.size(); ++k)
-    given[k].impulse = c.kick * s.body[touches[k].body].ridge.pair[touches[k].pair].warm_start;
+    given[k].impulse = c.kick * s.body[touches[k].body].edges.pair[touches[k].pair].warm_start;
   double first = 0;
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     double largest = 0;
@@ -251,7 +251,7 @@ void ridge_respond(const System& system, const State& s, const std::vector<EdgeC
     sums.stop[k] = given[k].stop;
     sums_add(s, t, c, f, given[k], sums);
     if (!moves) continue;
-    model::RidgePair& to = moves->body[t.body].ridge.pair[t.pair];
+    model::EdgePair& to = moves->body[t.body].edges.pair[t.pair];
     to.sticking = given[k].sticking;
     to.warm_start = 1 / c.kick * (given[k].impulse - given[k].stop * t.gap.n);  // stops would swing
   }

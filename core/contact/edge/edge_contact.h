@@ -13,23 +13,23 @@ namespace drape::contact {
 // What a pair does at t_n.
 struct EdgeContactPair {
   std::size_t body, pair;
-  const model::RidgePart* part;
-  RidgeGap gap;        // n in space
+  const model::EdgeElement* element;
+  EdgeGap gap;         // n in space
   Vec3 at;             // m, of the cloth: sum W_k r_k
   Vec3 body_velocity;  // m/s, of the body there
   Vec3 old{0, 0, 0};   // m/s, of the cloth there at t_{n-1/2}
   double stiffness;    // N/m
 };
 
-inline bool ridge_any(const State& s) {  // a pair is near
+inline bool edge_any(const State& s) {  // a pair is near
   for (const model::BodyContact& c : s.body)
-    if (!c.ridge.pair.empty()) return true;
+    if (!c.edges.pair.empty()) return true;
   return false;
 }
 
 // For a new state, before its surroundings are looked at, and after: what is at rest sticks.
-void ridge_begin(const System& system, State& state);
-void ridge_stick(const System& system, State& state);
+void edge_begin(const System& system, State& state);
+void edge_stick(const System& system, State& state);
 
 // After particles and bodies have moved, and their surroundings were looked at: which pairs may touch in the
 // next step, of `ahead` s.
@@ -50,7 +50,7 @@ double edge_store_velocities(const System& system, State& state, std::vector<Edg
 double edge_narrow_phase(const System& system, const State& state, std::vector<EdgeContactPair>& touches);
 
 // Velocities, and in a step places, that touching changes. Inertia is mass over lightness.
-struct RidgeField {
+struct EdgeField {
   double* v[3];
   double* r[3];                      // null: nothing moves
   const double* inverse_mass_scale;  // or null
@@ -58,37 +58,37 @@ struct RidgeField {
 
 // Gives in advance what pairs got in the step before.
 void edge_warm_start(const System& system, const State& state, const std::vector<EdgeContactPair>& touches,
-                     const ContactCoefficients& c, const RidgeField& field);
+                     const ContactCoefficients& c, const EdgeField& field);
 
 // What touching does to a free motion. `moves`: writes into it what goes on with it, or null. Adds the
 // impulses to load [bodies], J to dissipated and input.
-struct RidgeSums {
+struct EdgeSums {
   std::vector<math::Wrench> load;
   std::vector<double> stop;  // [touches] N s along n
   double dissipated, input;
 };
-void ridge_respond(const System& system, const State& state, const std::vector<EdgeContactPair>& touches,
-                   const ContactCoefficients& c, const RidgeField& field, State* moves, RidgeSums& sums);
+void edge_respond(const System& system, const State& state, const std::vector<EdgeContactPair>& touches,
+                  const ContactCoefficients& c, const EdgeField& field, State* moves, EdgeSums& sums);
 
 // Links and cells of a lattice that are cut by a ridge of a body, or deeper in its layer than anything is to
 // be.
-struct RidgeDeep {
+struct EdgeDepth {
   std::size_t count = 0;
   double depth = 0;  // m, of the deepest, and where it is
   Vec3 at{0, 0, 0};
 };
-RidgeDeep ridge_deepest(const System& system, const State& state, std::size_t body,
-                        const model::Lattice& lattice, body::Voxels& voxels);
+EdgeDepth edge_deepest(const System& system, const State& state, std::size_t body,
+                       const model::Lattice& lattice, body::Voxels& voxels);
 
 // Visits (touch, its place in ridge_look, depth in m, force of the penalty in N) where links and cells are
 // within their layer.
 template <class Visit>
-void ridge_each(const System& system, const State& s, Visit visit) {
-  if (!ridge_any(s)) return;
+void edge_pairs_visit(const System& system, const State& s, Visit visit) {
+  if (!edge_any(s)) return;
   std::vector<EdgeContactPair> touches;
   edge_narrow_phase(system, s, touches);
   for (const EdgeContactPair& t : touches) {
-    const double contact_distance = system.lattices[std::size_t(t.part->lattice)].contact_law.distance;
+    const double contact_distance = system.lattices[std::size_t(t.element->lattice)].contact_law.distance;
     const double depth = contact_distance - t.gap.distance;
     const double pressed =
         std::min(depth, contact_distance);  // past the ridge it is pushed as from the ridge itself

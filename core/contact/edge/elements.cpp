@@ -19,32 +19,32 @@ constexpr double kStretched = 1;  // of a cell: how far the nearer end of a link
 constexpr double kBucket = 2;     // of what is near
 
 void cell_add(const std::size_t* corner, int lattice,
-              std::map<std::array<std::uint32_t, 2>, std::size_t>& links, model::RidgeCloth& cloth) {
+              std::map<std::array<std::uint32_t, 2>, std::size_t>& links, model::EdgeElements& cloth) {
   constexpr int kSide[4][4] = {{0, 1, 2, 3}, {2, 3, 0, 1}, {0, 2, 1, 3}, {1, 3, 0, 2}};  // and across
-  model::RidgePart cell{{}, 4, true, lattice};
+  model::EdgeElement cell{{}, 4, true, lattice};
   for (int k = 0; k < 4; ++k) cell.node[k] = std::uint32_t(corner[k]);
-  cloth.part.push_back(cell);
+  cloth.element.push_back(cell);
   for (const auto& side : kSide) {
     std::uint32_t n[4];
     for (int k = 0; k < 4; ++k) n[k] = cell.node[side[k]];
     if (n[0] > n[1]) std::swap(n[0], n[1]), std::swap(n[2], n[3]);
-    const auto [at, is_new] = links.try_emplace({n[0], n[1]}, cloth.part.size());
+    const auto [at, is_new] = links.try_emplace({n[0], n[1]}, cloth.element.size());
     if (is_new) {
-      cloth.part.push_back({{n[0], n[1], n[2], n[3], 0, 0}, 4, false, lattice});
+      cloth.element.push_back({{n[0], n[1], n[2], n[3], 0, 0}, 4, false, lattice});
       continue;
     }
-    model::RidgePart& link = cloth.part[at->second];
+    model::EdgeElement& link = cloth.element[at->second];
     if (link.nodes == 6) continue;  // of cells in three leaves
     link.node[4] = n[2], link.node[5] = n[3];
     link.nodes = 6;
   }
 }
 
-void nodes_number(std::size_t nodes, model::RidgeCloth& cloth) {
+void nodes_number(std::size_t nodes, model::EdgeElements& cloth) {
   cloth.first.assign(nodes + 1, 0);
   const auto each = [&](auto visit) {
-    for (std::size_t p = 0; p < cloth.part.size(); ++p)
-      for (int k = 0; k < cloth.part[p].weights(); ++k) visit(cloth.part[p].node[k], std::uint32_t(p));
+    for (std::size_t p = 0; p < cloth.element.size(); ++p)
+      for (int k = 0; k < cloth.element[p].weights(); ++k) visit(cloth.element[p].node[k], std::uint32_t(p));
   };
   each([&](std::uint32_t n, std::uint32_t) { ++cloth.first[n + 1]; });
   for (std::size_t n = 0; n < nodes; ++n) cloth.first[n + 1] += cloth.first[n];
@@ -55,32 +55,32 @@ void nodes_number(std::size_t nodes, model::RidgeCloth& cloth) {
 
 }  // namespace
 
-double ridge_sine(const model::Lattice& l) { return kSink * l.contact_law.distance / l.cell; }
-double ridge_margin(const model::Lattice& l) { return kMargin * l.cell; }
-double ridge_near(const model::Lattice& l) {
-  return kStretched * l.cell + l.contact_law.distance + ridge_margin(l);
+double edge_sine(const model::Lattice& l) { return kSink * l.contact_law.distance / l.cell; }
+double edge_margin(const model::Lattice& l) { return kMargin * l.cell; }
+double edge_near(const model::Lattice& l) {
+  return kStretched * l.cell + l.contact_law.distance + edge_margin(l);
 }
 
-void ridges_find(System& system) {
+void edge_elements_make(System& system) {
   double sine = INFINITY, near = 0;
   for (const model::Lattice& l : system.lattices) {
-    sine = std::min(sine, 2 * ridge_sine(l));
-    near = std::max(near, ridge_near(l));
+    sine = std::min(sine, 2 * edge_sine(l));
+    near = std::max(near, edge_near(l));
   }
   bool any = false;
   for (model::Body& body : system.bodies) {
-    body.ridges = body::ridges_make(body.mesh.surface,
-                                    std::max(sine, system.fit ? body::kRidgeSineFit : body::kRidgeSine),
-                                    kBucket * near);
-    any = any || !body.ridges.ridge.empty();
+    body.sharp = body::sharp_features_make(
+        body.mesh.surface, std::max(sine, system.fit ? body::kSharpSineFit : body::kSharpSine),
+        kBucket * near);
+    any = any || !body.sharp.feature.empty();
   }
   if (!any) return;
   std::map<std::array<std::uint32_t, 2>, std::size_t> links;
   for (const model::Lattice& l : system.lattices)
     model::each_cell(system, l, [&](const std::size_t* corner, double) {
-      cell_add(corner, l.piece, links, system.ridge_cloth);
+      cell_add(corner, l.piece, links, system.edge_elements);
     });
-  nodes_number(system.nodes, system.ridge_cloth);
+  nodes_number(system.nodes, system.edge_elements);
 }
 
 }  // namespace drape::contact

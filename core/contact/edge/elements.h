@@ -5,10 +5,10 @@
 namespace drape::contact {
 
 // Finds the ridges of all bodies, and lays the parts where there are any.
-void ridges_find(System& system);
+void edge_elements_make(System& system);
 
-double ridge_sine(const model::Lattice& lattice);    // from which a ridge counts for a lattice
-double ridge_margin(const model::Lattice& lattice);  // m, that a listing is good for
-double ridge_near(const model::Lattice& lattice);    // m, from a ridge: nodes whose parts may come near it
+double edge_sine(const model::Lattice& lattice);    // from which a ridge counts for a lattice
+double edge_margin(const model::Lattice& lattice);  // m, that a listing is good for
+double edge_near(const model::Lattice& lattice);    // m, from a ridge: nodes whose parts may come near it
 
 }  // namespace drape::contact

@@ -20,7 +20,7 @@ constexpr double kSettled = 1e-13;  // of a cell's side
 
 // Turns n, of length 1, to the side from which the body falls away in all directions; the least sine of
 // these, or 0 where there is none.
-double side_set(const body::Ridge& r, Vec3& n) {
+double side_set(const body::SharpFeature& r, Vec3& n) {
   double low = INFINITY, high = -INFINITY;
   for (const Vec3& f : r.fall) {
     const double falls = -dot(n, f);
@@ -34,8 +34,8 @@ double side_set(const body::Ridge& r, Vec3& n) {
 }
 
 // Over the ridge where `sines`, the least that counts, is above `sine`.
-void over_set(const body::Ridge& r, double sines, double sine, const Vec3& n, double distance,
-              RidgeGap& gap) {
+void over_set(const body::SharpFeature& r, double sines, double sine, const Vec3& n, double distance,
+              EdgeGap& gap) {
   if (!(sines > sine)) return;
   const double rise = std::min(sines / sine - 1, 1.0);
   gap.over = true;
@@ -54,8 +54,8 @@ void over_set(const body::Ridge& r, double sines, double sine, const Vec3& n, do
 // and its way out. On a ridge of more than 90 degrees of turn, the foot on the link's line may then lie a
 // little beyond its end, by half a link at most. There the weights are up to 3/2 and sum |W_k| up to 2: the
 // penalty is over (sum |W_k|)^2, so that it stiffens the nodes as one on the link with |W_k|/sum |W_j|.
-RidgeGap gap_link_edge(const body::Ridge& edge, const Vec3* end, double sine) {
-  RidgeGap gap;
+EdgeGap gap_link_edge(const body::SharpFeature& edge, const Vec3* end, double sine) {
+  EdgeGap gap;
   const Vec3 e = end[1] - end[0], f = edge.to - edge.from, r = end[0] - edge.from, across = cross(e, f);
   const auto [s, t, skew] = math::lines_closest(e, f, r);
   const bool crosses = skew && t >= -kBeyond && t <= 1 + kBeyond;
@@ -82,9 +82,9 @@ RidgeGap gap_link_edge(const body::Ridge& edge, const Vec3* end, double sine) {
 }
 
 // A minimum also along the cloth: n.m >= sine |m| for the ways m from the link into its cells.
-RidgeGap gap_link_tip(const body::Ridge& tip, const Vec3* end, const Vec3 (*beyond)[2], int cells,
-                      double sine) {
-  RidgeGap gap;
+EdgeGap gap_link_tip(const body::SharpFeature& tip, const Vec3* end, const Vec3 (*beyond)[2], int cells,
+                     double sine) {
+  EdgeGap gap;
   const Vec3 link = end[1] - end[0];
   const double t = math::segment_closest(tip.from, end[0], end[1]);
   const Vec3 arm = end[0] + t * link - tip.from;
@@ -152,7 +152,7 @@ bool axis_meets(const Vec3& p, const Vec3& out, const Vec3* c, double& u, double
   return u >= 0 && u <= 1 && v >= 0 && v <= 1;
 }
 
-void weights_set(double u, double v, RidgeGap& gap) {
+void weights_set(double u, double v, EdgeGap& gap) {
   gap.weight[0] = (1 - u) * (1 - v);
   gap.weight[1] = u * (1 - v);
   gap.weight[2] = (1 - u) * v;
@@ -164,8 +164,8 @@ void weights_set(double u, double v, RidgeGap& gap) {
 // The cell passes over (or under) the tip where its foot is on the cell, or the way out of the tip meets it.
 // Where it is steeper than the tip, or the foot is beyond its sides, the height along the way out counts, and
 // is only stopped: it does not jump as the tip slides from cell to cell.
-RidgeGap gap_cell_tip(const body::Ridge& tip, const Vec3* c, double sine) {
-  RidgeGap gap;
+EdgeGap gap_cell_tip(const body::SharpFeature& tip, const Vec3* c, double sine) {
+  EdgeGap gap;
   const Vec3& p = tip.from;
   const double sides2 =
       std::min(std::min(math::segment_distance2(p, c[0], c[1]), math::segment_distance2(p, c[2], c[3])),

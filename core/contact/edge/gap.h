@@ -11,7 +11,7 @@
 
 namespace drape::contact {
 
-struct RidgeGap {
+struct EdgeGap {
   double clearance = 0;  // m, of the two from each other, without a sign
   bool over = false;     // a local minimum of the distance; what follows is only then set
   double distance = 0;   // d, m
@@ -23,14 +23,14 @@ struct RidgeGap {
 };
 
 // `sine`: from which on it counts.
-RidgeGap gap_link_edge(const body::Ridge& edge, const Vec3* end, double sine);
+EdgeGap gap_link_edge(const body::SharpFeature& edge, const Vec3* end, double sine);
 
 // The cells on either side of the link continue to the points `beyond`, across from its ends; `cells` of
 // them.
-RidgeGap gap_link_tip(const body::Ridge& tip, const Vec3* end, const Vec3 (*beyond)[2], int cells,
-                      double sine);
+EdgeGap gap_link_tip(const body::SharpFeature& tip, const Vec3* end, const Vec3 (*beyond)[2], int cells,
+                     double sine);
 
 // The cell is the bilinear surface of its corners a, b, c, d.
-RidgeGap gap_cell_tip(const body::Ridge& tip, const Vec3* corner, double sine);
+EdgeGap gap_cell_tip(const body::SharpFeature& tip, const Vec3* corner, double sine);
 
 }  // namespace drape::contact

@@ -7,20 +7,20 @@
 namespace drape::contact {
 
 // The nodes of a part in the frame of body b.
-inline void ridge_places(const System& system, const State& s, std::size_t b, const model::RidgePart& part,
-                         Vec3* x) {
+inline void edge_element_places(const System& system, const State& s, std::size_t b,
+                                const model::EdgeElement& part, Vec3* x) {
   for (int k = 0; k < part.nodes; ++k) {
     const std::size_t n = part.node[k];
     x[k] = model::pose_inward(system.bodies[b], s.body[b], {s.x[n], s.y[n], s.z[n]});
   }
 }
 
-inline RidgeGap ridge_gap(const model::RidgePart& part, const body::Ridge& ridge, const Vec3* x,
-                          double sine) {
-  if (part.cell) return gap_cell_tip(ridge, x, sine);
-  if (!ridge.tip) return gap_link_edge(ridge, x, sine);
+inline EdgeGap edge_gap(const model::EdgeElement& part, const body::SharpFeature& feature, const Vec3* x,
+                        double sine) {
+  if (part.cell) return gap_cell_tip(feature, x, sine);
+  if (!feature.tip) return gap_link_edge(feature, x, sine);
   const Vec3 beyond[2][2] = {{x[2], x[3]}, {x[4], x[5]}};
-  return gap_link_tip(ridge, x, beyond, part.nodes == 6 ? 2 : 1, sine);
+  return gap_link_tip(feature, x, beyond, part.nodes == 6 ? 2 : 1, sine);
 }
 
 }  // namespace drape::contact

@@ -24,12 +24,12 @@ constexpr double kWay = 0.25;  // of the layer: the most a step may move what is
 
 Vec3 place(const State& s, std::size_t n) { return {s.x[n], s.y[n], s.z[n]}; }
 
-bool before(const model::RidgePair& a, const model::RidgePair& b) {
-  return a.part != b.part ? a.part < b.part : a.ridge < b.ridge;
+bool before(const model::EdgePair& a, const model::EdgePair& b) {
+  return a.element != b.element ? a.element < b.element : a.feature < b.feature;
 }
 
 // The parts that have one of the nodes.
-void parts_of(const model::RidgeCloth& cloth, const std::vector<std::uint32_t>& nodes,
+void parts_of(const model::EdgeElements& cloth, const std::vector<std::uint32_t>& nodes,
               std::vector<std::uint32_t>& parts) {
   parts.clear();
   for (std::uint32_t n : nodes)
@@ -46,42 +46,42 @@ double speed_of(const System& system, const State& s, std::size_t b, std::size_t
 
 // Lists the pairs of these parts, in order.
 void pairs_find(const System& system, const State& s, std::size_t b, const std::vector<std::uint32_t>& parts,
-                double ahead, std::vector<model::RidgePair>& found) {
-  static thread_local std::vector<std::uint32_t> ridges;
-  const body::Ridges& of = system.bodies[b].ridges;
+                double ahead, std::vector<model::EdgePair>& found) {
+  static thread_local std::vector<std::uint32_t> features;
+  const body::SharpFeatures& of = system.bodies[b].sharp;
   found.clear();
   for (std::uint32_t p : parts) {
-    const model::RidgePart& part = system.ridge_cloth.part[p];
+    const model::EdgeElement& part = system.edge_elements.element[p];
     const model::Lattice& l = system.lattices[std::size_t(part.lattice)];
     Vec3 x[6], middle{0, 0, 0};
-    ridge_places(system, s, b, part, x);
+    edge_element_places(system, s, b, part, x);
     double fastest = 0, around = 0;
     for (int k = 0; k < part.weights(); ++k) {
       fastest = std::max(fastest, speed_of(system, s, b, part.node[k]));
       middle += (1.0 / part.weights()) * x[k];
     }
     for (int k = 0; k < part.weights(); ++k) around = std::max(around, norm(x[k] - middle));
-    const double reach = l.contact_law.distance + ridge_margin(l) + kListSteps * fastest * ahead;
+    const double reach = l.contact_law.distance + edge_margin(l) + kListSteps * fastest * ahead;
     const Vec3 box = (around + reach) * Vec3{1, 1, 1};
-    body::ridges_in(of, middle - box, middle + box, ridges);
-    for (std::uint32_t r : ridges) {
-      const body::Ridge& ridge = of.ridge[r];
-      if (part.cell && !ridge.tip) continue;
-      if (math::segment_distance2(middle, ridge.from, ridge.to) > (around + reach) * (around + reach))
+    body::sharp_features_in(of, middle - box, middle + box, features);
+    for (std::uint32_t r : features) {
+      const body::SharpFeature& feature = of.feature[r];
+      if (part.cell && !feature.tip) continue;
+      if (math::segment_distance2(middle, feature.from, feature.to) > (around + reach) * (around + reach))
         continue;
-      if (ridge_gap(part, ridge, x, ridge_sine(l)).clearance <= reach) found.push_back({p, r});
+      if (edge_gap(part, feature, x, edge_sine(l)).clearance <= reach) found.push_back({p, r});
     }
   }
 }
 
 // The nodes of the parts that have one of `nodes` join those that are watched; those are watched from here.
 void nodes_track(const System& system, const State& s, std::size_t b, const std::vector<std::uint32_t>& nodes,
-                 const std::vector<std::uint32_t>& parts, model::RidgeContact& c) {
+                 const std::vector<std::uint32_t>& parts, model::EdgeContact& c) {
   static thread_local std::vector<std::uint32_t> joined;
   static thread_local std::vector<Vec3> from;
   joined = c.node;
   for (std::uint32_t p : parts) {
-    const model::RidgePart& part = system.ridge_cloth.part[p];
+    const model::EdgeElement& part = system.edge_elements.element[p];
     joined.insert(joined.end(), part.node, part.node + part.nodes);
   }
   std::sort(joined.begin(), joined.end());
@@ -101,9 +101,9 @@ void nodes_track(const System& system, const State& s, std::size_t b, const std:
 }
 
 // `found` takes the place of the pairs of `parts`, or of all; what they remember goes on.
-void pairs_join(const std::vector<std::uint32_t>& parts, const std::vector<model::RidgePair>& found, bool all,
-                model::RidgeContact& c) {
-  static thread_local std::vector<model::RidgePair> pair;
+void pairs_join(const std::vector<std::uint32_t>& parts, const std::vector<model::EdgePair>& found, bool all,
+                model::EdgeContact& c) {
+  static thread_local std::vector<model::EdgePair> pair;
   static thread_local std::vector<double> wake;
   pair.clear();
   wake.clear();
@@ -111,17 +111,17 @@ void pairs_join(const std::vector<std::uint32_t>& parts, const std::vector<model
   const auto take = [&](std::size_t k) {
     pair.push_back(c.pair[k]), wake.push_back(c.active_after_travel[k]);
   };
-  for (const model::RidgePair& p : found) {
+  for (const model::EdgePair& p : found) {
     for (; old < c.pair.size() && before(c.pair[old], p); ++old) {
-      while (part < parts.size() && parts[part] < c.pair[old].part) ++part;
-      if (!all && (part == parts.size() || parts[part] != c.pair[old].part)) take(old);
+      while (part < parts.size() && parts[part] < c.pair[old].element) ++part;
+      if (!all && (part == parts.size() || parts[part] != c.pair[old].element)) take(old);
     }
     if (old < c.pair.size() && !before(p, c.pair[old])) take(old++);
     else pair.push_back(p), wake.push_back(c.travel);
   }
   for (; old < c.pair.size(); ++old) {
-    while (part < parts.size() && parts[part] < c.pair[old].part) ++part;
-    if (!all && (part == parts.size() || parts[part] != c.pair[old].part)) take(old);
+    while (part < parts.size() && parts[part] < c.pair[old].element) ++part;
+    if (!all && (part == parts.size() || parts[part] != c.pair[old].element)) take(old);
   }
   c.pair = pair;
   c.active_after_travel = wake;
@@ -131,9 +131,9 @@ void pairs_join(const std::vector<std::uint32_t>& parts, const std::vector<model
 void list(const System& system, State& s, std::size_t b, const std::vector<std::uint32_t>& nodes, bool all,
           double ahead) {
   static thread_local std::vector<std::uint32_t> parts;
-  static thread_local std::vector<model::RidgePair> found;
-  model::RidgeContact& c = s.body[b].ridge;
-  parts_of(system.ridge_cloth, nodes, parts);
+  static thread_local std::vector<model::EdgePair> found;
+  model::EdgeContact& c = s.body[b].edges;
+  parts_of(system.edge_elements, nodes, parts);
   pairs_find(system, s, b, parts, ahead, found);
   nodes_track(system, s, b, nodes, parts, c);
   pairs_join(parts, found, all, c);
@@ -143,7 +143,7 @@ void list(const System& system, State& s, std::size_t b, const std::vector<std::
 // far from where its parts were listed that they must be anew.
 bool travel_add(const System& system, State& s, std::size_t b, double ahead, double margin) {
   model::BodyContact& body = s.body[b];
-  model::RidgeContact& c = body.ridge;
+  model::EdgeContact& c = body.edges;
   double way2 = 0, speed2 = 0, contact_distance = 0;
   bool due = false;
   for (const model::Lattice& l : system.lattices)
@@ -166,16 +166,16 @@ bool travel_add(const System& system, State& s, std::size_t b, double ahead, dou
 
 double min_margin(const System& system) {
   double smallest = INFINITY;
-  for (const model::Lattice& l : system.lattices) smallest = std::min(smallest, ridge_margin(l));
+  for (const model::Lattice& l : system.lattices) smallest = std::min(smallest, edge_margin(l));
   return smallest;
 }
 
 }  // namespace
 
-void ridge_begin(const System& system, State& s) {
+void edge_begin(const System& system, State& s) {
   for (std::size_t b = 0; b < s.body.size(); ++b) {
-    s.body[b].ridge = model::RidgeContact{};
-    if (!system.bodies[b].ridges.ridge.empty()) s.body[b].ridge.near.assign(system.nodes, 0);
+    s.body[b].edges = model::EdgeContact{};
+    if (!system.bodies[b].sharp.feature.empty()) s.body[b].edges.near.assign(system.nodes, 0);
   }
 }
 
@@ -184,7 +184,7 @@ void ridge_begin(const System& system, State& s) {
 // it was. Where one is to be listed anew, so are all that have used up half of that.
 void edge_update_proximity(const System& system, State& s, std::size_t b, double ahead) {
   static thread_local std::vector<std::uint32_t> nodes;
-  model::RidgeContact& c = s.body[b].ridge;
+  model::EdgeContact& c = s.body[b].edges;
   if (c.fresh.empty() && c.node.empty()) return;
   const double half = min_margin(system) / 2;
   const bool due = travel_add(system, s, b, ahead, half);
@@ -209,11 +209,11 @@ void edge_update_proximity(const System& system, State& s, std::size_t b, double
   list(system, s, b, nodes, all, ahead);
 }
 
-void ridge_stick(const System& system, State& s) {
+void edge_stick(const System& system, State& s) {
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     if (system.bodies[b].moves) continue;
-    for (model::RidgePair& pair : s.body[b].ridge.pair) {
-      const model::RidgePart& part = system.ridge_cloth.part[pair.part];
+    for (model::EdgePair& pair : s.body[b].edges.pair) {
+      const model::EdgeElement& part = system.edge_elements.element[pair.element];
       pair.sticking = 1;
       for (int k = 0; k < part.weights(); ++k) {
         const std::size_t n = part.node[k];
@@ -226,7 +226,7 @@ void ridge_stick(const System& system, State& s) {
 double edge_max_step(const System& system, const State& s) {
   double longest = INFINITY;
   for (std::size_t b = 0; b < s.body.size(); ++b)
-    for (std::uint32_t n : s.body[b].ridge.node)
+    for (std::uint32_t n : s.body[b].edges.node)
       longest = std::min(longest, kWay * model::system_lattice_of(system, n).contact_law.distance /
                                       speed_of(system, s, b, n));
   return longest;

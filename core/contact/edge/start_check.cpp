@@ -17,10 +17,10 @@ bool goes_through(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q, co
   return (u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0);
 }
 
-bool is_cut(const body::BodySurface& surface, const body::Ridge& ridge, const model::RidgePart& part,
-            const Vec3* x) {
-  if (part.cell || ridge.tip) return false;
-  for (int t : surface.edges[std::size_t(ridge.edge)].triangle) {
+bool is_cut(const body::BodySurface& surface, const body::SharpFeature& feature,
+            const model::EdgeElement& part, const Vec3* x) {
+  if (part.cell || feature.tip) return false;
+  for (int t : surface.edges[std::size_t(feature.edge)].triangle) {
     const std::array<int, 3>& c = surface.corner[std::size_t(t)];
     if (goes_through(x[0], x[1], surface.point[std::size_t(c[0])], surface.point[std::size_t(c[1])],
                      surface.point[std::size_t(c[2])]))
@@ -31,30 +31,30 @@ bool is_cut(const body::BodySurface& surface, const body::Ridge& ridge, const mo
 
 }  // namespace
 
-RidgeDeep ridge_deepest(const System& system, const State& s, std::size_t b, const model::Lattice& l,
-                        body::Voxels& voxels) {
-  RidgeDeep deep;
+EdgeDepth edge_deepest(const System& system, const State& s, std::size_t b, const model::Lattice& l,
+                       body::Voxels& voxels) {
+  EdgeDepth deep;
   const model::Body& body = system.bodies[b];
   std::uint32_t last = 0xffffffff;  // a part over several ridges counts once
-  for (const model::RidgePair& pair : s.body[b].ridge.pair) {
-    const model::RidgePart& part = system.ridge_cloth.part[pair.part];
+  for (const model::EdgePair& pair : s.body[b].edges.pair) {
+    const model::EdgeElement& part = system.edge_elements.element[pair.element];
     if (part.lattice != l.piece) continue;
-    const body::Ridge& ridge = body.ridges.ridge[pair.ridge];
+    const body::SharpFeature& feature = body.sharp.feature[pair.feature];
     Vec3 x[6], foot{0, 0, 0}, at{0, 0, 0};
-    ridge_places(system, s, b, part, x);
-    const RidgeGap gap = ridge_gap(part, ridge, x, ridge_sine(l));
+    edge_element_places(system, s, b, part, x);
+    const EdgeGap gap = edge_gap(part, feature, x, edge_sine(l));
     if (!gap.over || !(gap.distance < (1 - kContactDeepest) * l.contact_law.distance)) continue;
     for (int k = 0; k < part.weights(); ++k) {
       const std::size_t n = part.node[k];
       foot += gap.weight[k] * x[k];
       at += gap.weight[k] * Vec3{s.x[n], s.y[n], s.z[n]};
     }
-    if (gap.distance < 0 && !is_cut(body.mesh.surface, ridge, part, x) &&
+    if (gap.distance < 0 && !is_cut(body.mesh.surface, feature, part, x) &&
         !(body::voxels_depth(voxels, foot) > 0))
       continue;  // beyond the body
     const double depth = l.contact_law.distance - gap.distance;
-    deep.count += pair.part != last;
-    last = pair.part;
+    deep.count += pair.element != last;
+    last = pair.element;
     if (depth > deep.depth) deep.depth = depth, deep.at = at;
   }
   return deep;

@@ -40,7 +40,7 @@ void block_update(const System& system, ContactWorkspace& workspace, State& s, s
     step[i] = model::pose_inward(body, s.body[b], at + ahead * v) - x[i];
   }
   update_neighbours(body.mesh.surface, workspace.voxels[b], s.body[b], node, l.piece, l.contact_law.distance,
-                    {body.ridges, ridge_near(l), ridge_margin(l)}, x, step);
+                    {body.sharp, edge_near(l), edge_margin(l)}, x, step);
 }
 
 ContactPass contact_pass_of(const System& system, ContactWorkspace& workspace, const State& s, std::size_t b,
@@ -122,7 +122,7 @@ ContactWorkspace workspace_make(const System& system) {
 }
 
 void begin(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace, State& s) {
-  ridge_begin(system, s);
+  edge_begin(system, s);
   for (model::BodyContact& c : s.body) {
     c.blocks = model::ContactBlocks{};
     c.x = s.x, c.y = s.y, c.z = s.z;
@@ -139,7 +139,7 @@ void begin(const System& system, const ContactKernel& kernel, ContactWorkspace& 
         if (s.vx[n] == 0 && s.vy[n] == 0 && s.vz[n] == 0) block.sticking[i] = 1;
       }
   }
-  ridge_stick(system, s);
+  edge_stick(system, s);
 }
 
 namespace {
@@ -159,7 +159,7 @@ void particle_store_velocities(ContactWorkspace& workspace, const State& s) {
 
 void store_velocities(const System& system, ContactWorkspace& workspace, State& s) {
   particle_store_velocities(workspace, s);
-  const double lost = edge_store_velocities(system, s, workspace.ridge);
+  const double lost = edge_store_velocities(system, s, workspace.edge_pairs);
   if (system.energy) s.dissipated += lost;
 }
 
@@ -204,7 +204,7 @@ void warm_start(const System& system, const ContactWorkspace& workspace, const C
   double* r[] = {s.x.data(), s.y.data(), s.z.data()};
   const double* inverse_mass_scale = s.inverse_mass_scale.empty() ? nullptr : s.inverse_mass_scale.data();
   warm_start_apply(s, step.kick, inverse_mass_scale, v, r, step.drift);
-  edge_warm_start(system, s, workspace.ridge, kick_coefficients(step),
+  edge_warm_start(system, s, workspace.edge_pairs, kick_coefficients(step),
                   {{v[0], v[1], v[2]}, {r[0], r[1], r[2]}, inverse_mass_scale});
 }
 
@@ -214,8 +214,8 @@ void warm_start_synchronous(const System& system, ContactWorkspace& workspace, c
   ContactCoefficients c;
   c.kick = half > 0 ? half / centred : 1;
   warm_start_apply(s, c.kick, nullptr, v, nullptr, 0);
-  workspace.ridge_lost = edge_narrow_phase(system, s, workspace.ridge);
-  edge_warm_start(system, s, workspace.ridge, c, {{vx, vy, vz}, {}, nullptr});
+  workspace.edge_lost = edge_narrow_phase(system, s, workspace.edge_pairs);
+  edge_warm_start(system, s, workspace.edge_pairs, c, {{vx, vy, vz}, {}, nullptr});
 }
 
 void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
@@ -239,22 +239,22 @@ void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& 
     s.dissipated += sum[6];
     s.input += sum[7];
   }
-  if (workspace.ridge.empty()) return;
-  for (const EdgeContactPair& t : workspace.ridge)
-    for (int k = 0; !workspace.touched.empty() && k < t.part->weights(); ++k)
-      workspace.touched[t.part->node[k] / math::kRowUnit] = 1;
-  ridge_respond(system, s, workspace.ridge, kick_coefficients(step),
-                {{s.vx.data(), s.vy.data(), s.vz.data()},
-                 {s.x.data(), s.y.data(), s.z.data()},
-                 s.inverse_mass_scale.empty() ? nullptr : s.inverse_mass_scale.data()},
-                &s, workspace.ridge_sums);
+  if (workspace.edge_pairs.empty()) return;
+  for (const EdgeContactPair& t : workspace.edge_pairs)
+    for (int k = 0; !workspace.touched.empty() && k < t.element->weights(); ++k)
+      workspace.touched[t.element->node[k] / math::kRowUnit] = 1;
+  edge_respond(system, s, workspace.edge_pairs, kick_coefficients(step),
+               {{s.vx.data(), s.vy.data(), s.vz.data()},
+                {s.x.data(), s.y.data(), s.z.data()},
+                s.inverse_mass_scale.empty() ? nullptr : s.inverse_mass_scale.data()},
+               &s, workspace.edge_sums);
   for (std::size_t b = 0; b < s.body.size(); ++b) {
-    s.body[b].impulse.force += workspace.ridge_sums.load[b].force;
-    s.body[b].impulse.torque += workspace.ridge_sums.load[b].torque;
+    s.body[b].impulse.force += workspace.edge_sums.load[b].force;
+    s.body[b].impulse.torque += workspace.edge_sums.load[b].torque;
   }
   if (!system.energy) return;
-  s.dissipated += workspace.ridge_sums.dissipated;
-  s.input += workspace.ridge_sums.input;
+  s.dissipated += workspace.edge_sums.dissipated;
+  s.input += workspace.edge_sums.input;
 }
 
 namespace {
@@ -330,7 +330,7 @@ void update_proximity(const System& system, const ContactKernel& kernel, Contact
 
 void apply_synchronous(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
                        const State& s, double half, double centred, double* vx, double* vy, double* vz) {
-  workspace.dissipated = half > 0 && system.energy ? workspace.ridge_lost : 0;
+  workspace.dissipated = half > 0 && system.energy ? workspace.edge_lost : 0;
   workspace.input = 0;
   if (half > 0) particle_store_velocities(workspace, s);
   for (std::size_t b = 0; b < s.body.size(); ++b) {
@@ -353,17 +353,17 @@ void apply_synchronous(const System& system, const ContactKernel& kernel, Contac
     workspace.dissipated += sum[6];
     workspace.input += sum[7];
   }
-  if (workspace.ridge.empty()) return;
-  ridge_respond(system, s, workspace.ridge,
-                half > 0 ? last_kick_coefficients(half, centred) : force_coefficients(system, s),
-                {{vx, vy, vz}, {}, nullptr}, nullptr, workspace.ridge_sums);
+  if (workspace.edge_pairs.empty()) return;
+  edge_respond(system, s, workspace.edge_pairs,
+               half > 0 ? last_kick_coefficients(half, centred) : force_coefficients(system, s),
+               {{vx, vy, vz}, {}, nullptr}, nullptr, workspace.edge_sums);
   for (std::size_t b = 0; b < s.body.size(); ++b) {
-    workspace.load[b].force += workspace.ridge_sums.load[b].force;
-    workspace.load[b].torque += workspace.ridge_sums.load[b].torque;
+    workspace.load[b].force += workspace.edge_sums.load[b].force;
+    workspace.load[b].torque += workspace.edge_sums.load[b].torque;
   }
   if (half == 0 || !system.energy) return;
-  workspace.dissipated += workspace.ridge_sums.dissipated;
-  workspace.input += workspace.ridge_sums.input;
+  workspace.dissipated += workspace.edge_sums.dissipated;
+  workspace.input += workspace.edge_sums.input;
 }
 
 double max_step(const System& system, const State& s) {
@@ -384,13 +384,13 @@ double max_step(const System& system, const State& s) {
 
 bool any_near(const State& s) {
   return std::any_of(s.body.begin(), s.body.end(), [](const model::BodyContact& c) {
-    return !c.blocks.order.empty() || !c.ridge.pair.empty();
+    return !c.blocks.order.empty() || !c.edges.pair.empty();
   });
 }
 
 double added_omega2(const System& system, const State& s, int lattice) {
   const double omega2 = system.lattices[std::size_t(lattice)].contact_law.omega2;
-  return (any_near(s) ? omega2 : 0) + (ridge_any(s) ? omega2 : 0) + (self_any(s) ? omega2 : 0);
+  return (any_near(s) ? omega2 : 0) + (edge_any(s) ? omega2 : 0) + (self_any(s) ? omega2 : 0);
 }
 
 }  // namespace drape::contact

@@ -14,10 +14,10 @@ struct ContactWorkspace {
   std::vector<std::size_t> stale;    // [nodes / kRowUnit] first nodes of blocks to look at anew
   Array tied;                 // [nodes] 1 where pins and welds tie a particle to others; empty: nowhere
   std::vector<char> touched;  // [nodes / kRowUnit] where tied nodes have been touched in the present step
-  std::vector<model::ContactLaw> law;  // [lattices] of the present body
-  std::vector<EdgeContactPair> ridge;  // links and cells on ridges, of the present pass
-  RidgeSums ridge_sums;
-  double ridge_lost = 0;  // J, of ridge_look
+  std::vector<model::ContactLaw> law;       // [lattices] of the present body
+  std::vector<EdgeContactPair> edge_pairs;  // links and cells on ridges, of the present pass
+  EdgeSums edge_sums;
+  double edge_lost = 0;  // J, of ridge_look
   bool half_kick_reported =
       false;  // what bodies were told of the half step before this advance is taken out already
   std::vector<math::Wrench> load;    // [bodies] of the last synchronous pass

@@ -40,7 +40,7 @@ void check_start(const System& system, const Scene& scene, ContactWorkspace& wor
       }
       const char* what = " particles inside the body ";
       if (count == 0) {
-        const RidgeDeep deep = ridge_deepest(system, s, b, l, workspace.voxels[b]);
+        const EdgeDepth deep = edge_deepest(system, s, b, l, workspace.voxels[b]);
         count = deep.count, deepest = deep.depth, worst = deep.at;
         what = " links or cells through sharp edges or tips of the body ";
       }

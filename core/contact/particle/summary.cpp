@@ -58,7 +58,7 @@ bool is_deep(double contact_distance, double depth) {
 double stop_of(const std::vector<double>& stops, std::size_t k) { return stops.empty() ? 0 : stops[k]; }
 
 double layer_of(const System& system, const EdgeContactPair& t) {
-  return system.lattices[std::size_t(t.part->lattice)].contact_law.distance;
+  return system.lattices[std::size_t(t.element->lattice)].contact_law.distance;
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ double layer_of(const System& system, const EdgeContactPair& t) {
 bool any_stopped(const System& system, const State& s) {
   bool deep = false;
   each_touching(system, s, [&](const Touching& t) { deep = deep || is_deep(t.law->distance, t.depth()); });
-  ridge_each(system, s, [&](const EdgeContactPair& t, std::size_t, double depth, double) {
+  edge_pairs_visit(system, s, [&](const EdgeContactPair& t, std::size_t, double depth, double) {
     deep = deep || is_deep(layer_of(system, t), depth);
   });
   return deep;
@@ -97,8 +97,8 @@ ContactStops stop_forces(const System& system, const State& s, const std::vector
   std::vector<EdgeContactPair> accelerated = pairs;
   for (EdgeContactPair& t : accelerated)
     t.body_velocity = model::pose_acceleration(system.bodies[t.body], s.body[t.body], t.at);
-  RidgeSums sums;
-  ridge_respond(system, s, accelerated, c, {{a[0], a[1], a[2]}, {}, nullptr}, nullptr, sums);
+  EdgeSums sums;
+  edge_respond(system, s, accelerated, c, {{a[0], a[1], a[2]}, {}, nullptr}, nullptr, sums);
   stops.pair = sums.stop;
   return stops;
 }
@@ -113,10 +113,10 @@ model::ContactSummary contact_summary(const System& system, const State& s, cons
     sum.penetration = std::max(sum.penetration, t.depth());
     sum.pressure = std::max(sum.pressure, pressure_of(system, s, t, stop_of(stops.particle, k++)));
   });
-  ridge_each(system, s, [&](const EdgeContactPair& t, std::size_t pair, double depth, double force) {
+  edge_pairs_visit(system, s, [&](const EdgeContactPair& t, std::size_t pair, double depth, double force) {
     if (t.gap.share == 0 && !is_deep(layer_of(system, t), depth)) return;  // only a stop would touch it
     double area = INFINITY;
-    for (int i = 0; i < t.part->weights(); ++i) area = std::min(area, system.area[t.part->node[i]]);
+    for (int i = 0; i < t.element->weights(); ++i) area = std::min(area, system.area[t.element->node[i]]);
     ++sum.count;
     sum.penetration = std::max(sum.penetration, depth);
     sum.pressure = std::max(sum.pressure, (force + stop_of(stops.pair, pair)) / area);
@@ -130,10 +130,10 @@ std::vector<double> contact_pressure(const System& system, const State& s, const
   each_touching(system, s, [&](const Touching& t) {
     pressure[t.node] += pressure_of(system, s, t, stop_of(stops.particle, k++));
   });
-  ridge_each(system, s, [&](const EdgeContactPair& t, std::size_t pair, double, double force) {
-    for (int i = 0; i < t.part->weights(); ++i)
-      pressure[t.part->node[i]] +=
-          t.gap.weight[i] * (force + stop_of(stops.pair, pair)) / system.area[t.part->node[i]];
+  edge_pairs_visit(system, s, [&](const EdgeContactPair& t, std::size_t pair, double, double force) {
+    for (int i = 0; i < t.element->weights(); ++i)
+      pressure[t.element->node[i]] +=
+          t.gap.weight[i] * (force + stop_of(stops.pair, pair)) / system.area[t.element->node[i]];
   });
   return pressure;
 }
@@ -144,7 +144,7 @@ double contact_energy(const System& system, const State& s) {
     sum += model::inertia_of(system, s, t.node) * t.law->omega2 *
            math::smooth_ramp_integral(kContactBlend * t.law->distance, t.depth());
   });
-  ridge_each(system, s, [&](const EdgeContactPair& t, std::size_t, double depth, double) {
+  edge_pairs_visit(system, s, [&](const EdgeContactPair& t, std::size_t, double depth, double) {
     const double contact_distance = layer_of(system, t);
     sum += t.stiffness *
            math::smooth_ramp_integral(kContactBlend * contact_distance, std::min(depth, contact_distance));

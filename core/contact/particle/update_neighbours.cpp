@@ -126,12 +126,13 @@ double search_reach(const body::BodySurface& surface, double contact_distance) {
 namespace {
 
 // How far a node may go until it must be looked at for ridges again; notes whether one is near.
-double ridge_way(const RidgeNear& of, model::RidgeContact& c, std::size_t n, const Vec3& x, double clearance,
+double ridge_way(const SharpRange& of, model::EdgeContact& c, std::size_t n, const Vec3& x, double clearance,
                  double step) {
-  if (of.ridges.ridge.empty()) return INFINITY;
+  if (of.sharp.feature.empty()) return INFINITY;
   const double within = of.within + 2 * kAhead * step;
   double distance = clearance;
-  if (distance <= within + of.margin) distance = body::ridges_distance(of.ridges, x, within + 2 * of.margin);
+  if (distance <= within + of.margin)
+    distance = body::sharp_features_distance(of.sharp, x, within + 2 * of.margin);
   const bool near = distance <= within + of.margin;
   if (near && !c.near[n]) c.fresh.push_back(std::uint32_t(n));
   c.near[n] = near;
@@ -141,7 +142,7 @@ double ridge_way(const RidgeNear& of, model::RidgeContact& c, std::size_t n, con
 }  // namespace
 
 void update_neighbours(const body::BodySurface& surface, body::Voxels& voxels, model::BodyContact& c,
-                       std::size_t node, int lattice, double contact_distance, const RidgeNear& ridges,
+                       std::size_t node, int lattice, double contact_distance, const SharpRange& features,
                        const Vec3* x, const Vec3* step) {
   static thread_local body::ClosestFeatures found;
   const auto name = std::uint32_t(node / math::kRowUnit);
@@ -159,11 +160,11 @@ void update_neighbours(const body::BodySurface& surface, body::Voxels& voxels, m
           std::min(std::max(kKeptDistances * contact_distance, contact_distance + kAhead * norm(step[i])),
                    voxels.reach),
           voxels.reach, near.listed, side_known(c.blocks, name, i, side) ? &side : nullptr, found);
-    const double way = ridge_way(ridges, c.ridge, n, x[i], near.clearance, norm(step[i]));
+    const double way = ridge_way(features, c.edges, n, x[i], near.clearance, norm(step[i]));
     const double budget = std::max(std::min(found.budget, way), kMin * contact_distance);
     c.x[n] = x[i][0], c.y[n] = x[i][1], c.z[n] = x[i][2];
     c.free_distance2[n] = budget * budget;
-    lane_write(c.blocks, name, lattice, i, found.touch, !c.ridge.near.empty() && c.ridge.near[n]);
+    lane_write(c.blocks, name, lattice, i, found.touch, !c.edges.near.empty() && c.edges.near[n]);
   }
   blocks_prune(c.blocks, name);
 }

@@ -13,15 +13,15 @@ inline constexpr double kKeptDistances = 3, kListedDistances = 4;
 double search_reach(const body::BodySurface& surface, double contact_distance);
 
 // How near nodes must be to a ridge to be noted, and for how far that is good at least.
-struct RidgeNear {
-  const body::Ridges& ridges;
+struct SharpRange {
+  const body::SharpFeatures& sharp;
   double within, margin;  // m
 };
 
 // Of kRowUnit nodes from `node` on, those at x (in the body's frame) that have used up most of their budgets,
 // or will by the next step, which moves them by `step` (m).
 void update_neighbours(const body::BodySurface& surface, body::Voxels& voxels, model::BodyContact& contact,
-                       std::size_t node, int lattice, double contact_distance, const RidgeNear& ridges,
+                       std::size_t node, int lattice, double contact_distance, const SharpRange& features,
                        const Vec3* x, const Vec3* step);
 
 }  // namespace drape::contact

@@ -24,7 +24,8 @@ BodySurface surface_of(const command::Mesh& mesh) {
 
 std::array<int, 2> edges_and_tips(const command::Mesh& mesh) {
   std::array<int, 2> count{};
-  for (const Ridge& r : ridges_make(surface_of(mesh), kRidgeSine, 0.01).ridge) ++count[r.tip];
+  for (const SharpFeature& r : sharp_features_make(surface_of(mesh), kSharpSine, 0.01).feature)
+    ++count[r.tip];
   return count;
 }
 
@@ -53,28 +54,28 @@ TEST(Ridge, AreTheSharpEdgesAndTipsOfABody) {
 TEST(Ridge, SearchFindsTheNearest) {
   const command::Mesh mesh = box(0.3, 0.2, 0.1);
   const BodySurface surface = surface_of(mesh);
-  const Ridges ridges = ridges_make(surface, kRidgeSine, 0.02);
+  const SharpFeatures features = sharp_features_make(surface, kSharpSine, 0.02);
   std::mt19937 random(5);
   std::uniform_real_distribution<double> at(-0.2, 0.2);
   for (int k = 0; k < 200; ++k) {
     const Vec3 x{at(random), at(random), at(random)};
     double smallest = 0.05;
-    for (const Ridge& r : ridges.ridge)
+    for (const SharpFeature& r : features.feature)
       for (int p = 0; p <= 2000; ++p)
         smallest = std::min(smallest, norm(x - r.from - (p / 2000.0) * (r.to - r.from)));
-    EXPECT_NEAR(ridges_distance(ridges, x, 0.05), smallest, 1e-5);
+    EXPECT_NEAR(sharp_features_distance(features, x, 0.05), smallest, 1e-5);
   }
 }
 
 // d is the distance of the parts while they are apart, and grows below 0 as they pass: D.n by differences of
 // the nodes' places, W = dd/dr_k . n.
 TEST(Ridge, WeightsAreTheGradientOfTheDistance) {
-  const Ridges edges = ridges_make(surface_of(roof(0.7)), kRidgeSine, 0.1),
-               tips = ridges_make(surface_of(pyramid(0.7)), kRidgeSine, 0.1);
-  const Ridge *edge = nullptr, *tip = nullptr;
-  for (const Ridge& r : edges.ridge)
+  const SharpFeatures edges = sharp_features_make(surface_of(roof(0.7)), kSharpSine, 0.1),
+                      tips = sharp_features_make(surface_of(pyramid(0.7)), kSharpSine, 0.1);
+  const SharpFeature *edge = nullptr, *tip = nullptr;
+  for (const SharpFeature& r : edges.feature)
     if (!r.tip && r.from[2] == 0 && r.to[2] == 0) edge = &r;
-  for (const Ridge& r : tips.ridge)
+  for (const SharpFeature& r : tips.feature)
     if (r.tip && r.from[2] == 0) tip = &r;
   ASSERT_TRUE(edge && tip);
   const double sine = 0.01, h = 1e-7;
@@ -86,7 +87,7 @@ TEST(Ridge, WeightsAreTheGradientOfTheDistance) {
                  {0, 0, 0},
                  {0, 0, 0}};
     const auto check = [&](const char* what, int nodes, auto gap_of) {
-      const contact::RidgeGap gap = gap_of(x);
+      const contact::EdgeGap gap = gap_of(x);
       ASSERT_TRUE(gap.over) << what;
       EXPECT_EQ(gap.distance > 0, z > 0) << what;
       EXPECT_NEAR(gap.clearance, std::abs(gap.distance), 1e-12) << what;

@@ -178,7 +178,7 @@ TEST(Ridge, MomentumIsBalancedOverEveryAdvance) {
     };
     ASSERT_EQ(dynamics::leapfrog_advance(a.system, a.motion, a.state, 1e-3, event, anew),
               dynamics::Advance::kDone);
-    on_ridges += a.motion.contact.ridge.size();
+    on_ridges += a.motion.contact.edge_pairs.size();
     const Vec3 after = now(), gained = after - before;
     const Vec3 reported = a.state.body[0].impulse.force + a.motion.contact.load[0].force;
     worst = std::max(worst, norm(gained - (Vec3{0, 0, -9.81e-3 * mass} - reported)));
@@ -276,7 +276,7 @@ TEST(Ridge, AClothRestsOnRoofAndTip) {
     for (double t = 0; t < 20 && !a.state.relaxation.at_rest; t += 0.1) advance(a, 0.1);
     EXPECT_TRUE(a.state.relaxation.at_rest) << "residual " << a.state.relaxation.residual;
     expect_weight(a);
-    EXPECT_FALSE(a.motion.contact.ridge.empty());
+    EXPECT_FALSE(a.motion.contact.edge_pairs.empty());
   }
 }
 
@@ -289,7 +289,7 @@ TEST(Ridge, BitsAreThoseOfEveryKernelAndGrouping) {
     if (kernel) a.motion.kernel = dynamics::kernel_named(kernel);
     if (!a.motion.kernel) return Eigen::VectorXd();
     for (int k = 0; k < advances; ++k) advance(a, 0.06 / advances);
-    EXPECT_TRUE(ridge_any(a.state));
+    EXPECT_TRUE(edge_any(a.state));
     return positions(a);
   };
   const Eigen::VectorXd whole = run("scalar", 1);
@@ -304,7 +304,7 @@ TEST(Ridge, StateGoesOnAsItWas) {
   const SceneFolder folder;
   Assembled a = assemble(over_roof(0.1, 0.01, 0.0009, 0.6, folder));
   advance(a, 0.03);
-  ASSERT_TRUE(ridge_any(a.state));
+  ASSERT_TRUE(edge_any(a.state));
   expect_goes_on(a, 0.03);
 }
 
@@ -416,9 +416,9 @@ TEST(Ridge, PenaltyStaysWithinTheBoundOfTheStep) {
     begin(a.system, a.motion.kernel->contact, a.motion.contact, a.state);
     edge_store_velocities(a.system, a.state, touches);
     for (const EdgeContactPair& t : touches) {
-      ASSERT_EQ(t.part->weights(), 2);
+      ASSERT_EQ(t.element->weights(), 2);
       const double *w = t.gap.weight, spread = std::abs(w[0]) + std::abs(w[1]);
-      const double m[2] = {a.system.mass[t.part->node[0]], a.system.mass[t.part->node[1]]};
+      const double m[2] = {a.system.mass[t.element->node[0]], a.system.mass[t.element->node[1]]};
       EXPECT_NEAR(w[0] + w[1], 1, 1e-12);
       smallest = std::min(smallest, w[1]), largest = std::max(largest, w[1]);
       for (int k = 0; k < 2; ++k) {
@@ -443,9 +443,9 @@ TEST(Ridge, ASmoothBodyPaysNothing) {
   body_add(scene, folder, "ball", ball(0.05, 100));
   Assembled a = assemble(scene);
   advance(a, 0.01);
-  EXPECT_TRUE(a.system.bodies[0].ridges.ridge.empty());
-  EXPECT_TRUE(a.system.ridge_cloth.part.empty());
-  EXPECT_TRUE(a.state.body[0].ridge.near.empty());
+  EXPECT_TRUE(a.system.bodies[0].sharp.feature.empty());
+  EXPECT_TRUE(a.system.edge_elements.element.empty());
+  EXPECT_TRUE(a.state.body[0].edges.near.empty());
   EXPECT_TRUE(any_near(a.state));
 }
 

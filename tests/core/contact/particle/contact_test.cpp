@@ -196,10 +196,10 @@ TEST(Touch, MomentumIsBalancedOverEveryAdvance) {
 // At 50 m/s against a thin plate and against a sharp ridge, at the automatic step.
 TEST(Touch, NothingGetsThroughAtFiftyMetresPerSecond) {
   const SceneFolder folder;
-  command::Mesh ridge;  // a roof of 20 degrees, closed below
-  ridge.point = {{-1, 0, 0},       {1, 0, 0},        {1, 0.1763, -1},
-                 {-1, 0.1763, -1}, {1, -0.1763, -1}, {-1, -0.1763, -1}};
-  ridge.corner = {{0, 1, 2}, {0, 2, 3}, {1, 0, 5}, {1, 5, 4}, {3, 2, 4}, {3, 4, 5}, {1, 4, 2}, {0, 3, 5}};
+  command::Mesh feature;  // a roof of 20 degrees, closed below
+  feature.point = {{-1, 0, 0},       {1, 0, 0},        {1, 0.1763, -1},
+                   {-1, 0.1763, -1}, {1, -0.1763, -1}, {-1, -0.1763, -1}};
+  feature.corner = {{0, 1, 2}, {0, 2, 3}, {1, 0, 5}, {1, 5, 4}, {3, 2, 4}, {3, 4, 5}, {1, 4, 2}, {0, 3, 5}};
   for (const bool plate : {true, false}) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> shift(-1, 1);
@@ -212,7 +212,7 @@ TEST(Touch, NothingGetsThroughAtFiftyMetresPerSecond) {
     scene.pieces[0].place.origin = {-0.045, -0.045, 0.05};
     scene.pieces[0].velocity = {0, 0, -50};
     if (plate) body_add(scene, folder, "plate", box(2, 2, 0.001));
-    else body_add(scene, folder, "ridge", ridge);
+    else body_add(scene, folder, "ridge", feature);
     Assembled a = assemble(scene);
     for (std::size_t n : a.system.particle) a.state.y[n] += 0.004 * shift(random);
     begin(a.system, a.motion.kernel->contact, a.motion.contact, a.state);

@@ -125,13 +125,13 @@ TEST(Tied, AStripRestsInAGroove) {
 // against all of them met again. Two sewn squares fall onto a ball below the seam, or on a box with ridges.
 TEST(Tied, WeldsLeftAloneAreMetAlready) {
   const SceneFolder folder;
-  const auto run = [&](bool ridges, bool all) {
+  const auto run = [&](bool features, bool all) {
     Scene scene = sewn_pair(0.05, 1.6, 0.2, 0.6);
     scene.energy = true;
     scene.pieces[0].place.origin = {-0.05, 0, 0.001};
     scene.pieces[1].place.origin = {0, 0, 0.001};
     scene.pins = {{"held", 0, {}, {3}}};
-    if (ridges) body_add(scene, folder, "body", box(0.05, 0.025, 0.1)).position = {0.003, 0.01, -0.05};
+    if (features) body_add(scene, folder, "body", box(0.05, 0.025, 0.1)).position = {0.003, 0.01, -0.05};
     else body_add(scene, folder, "body", ball(0.03, 40)).position = {0.002, 0.022, -0.03};
     Assembled a = assemble(scene);
     sewn_advance(a, 1e-3);
@@ -144,14 +144,14 @@ TEST(Tied, WeldsLeftAloneAreMetAlready) {
       met += std::count(a.motion.contact.touched.begin(), a.motion.contact.touched.end(), 1) > 0;
     }
     if (!all) {
-      EXPECT_GT(met, 5) << ridges;
+      EXPECT_GT(met, 5) << features;
       EXPECT_LT(met, 60);
     }
     return a;
   };
-  for (const bool ridges : {false, true}) {
-    const Assembled some = run(ridges, false), all = run(ridges, true);
-    EXPECT_LT((positions(some) - positions(all)).cwiseAbs().maxCoeff(), 1e-10) << ridges;
+  for (const bool features : {false, true}) {
+    const Assembled some = run(features, false), all = run(features, true);
+    EXPECT_LT((positions(some) - positions(all)).cwiseAbs().maxCoeff(), 1e-10) << features;
     EXPECT_NEAR(some.state.input, all.state.input, 1e-10);
     for (std::size_t k = 0; k < 3; ++k)
       EXPECT_NEAR(some.state.pin_impulse[0].force[k], all.state.pin_impulse[0].force[k], 1e-10);
