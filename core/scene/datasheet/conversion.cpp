@@ -77,7 +77,7 @@ void bending_settle(const Settling& s, FabricText& t) {
 
 void missing(const Settling& s, FabricText& t, const std::string& key) {
   for (const Key& row : fabric_keys(t))
-    if (row.name == key) return fault_at(s, key, "is missing; wanted: " + key_wanted(row));
+    if (row.name == key) return fault_at(s, key, "is missing; wanted: " + key_expected(row));
 }
 
 void sheet_settle(Faults& faults, const toml::table& table, const std::string& path, FabricText& text) {

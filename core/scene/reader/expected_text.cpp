@@ -57,9 +57,9 @@ std::string words_text(const std::vector<std::string>& words) {
   return text;
 }
 
-std::string key_number_wanted(const Key& key) { return Wanted{key}.of("a number"); }
+std::string key_number_expected(const Key& key) { return Wanted{key}.of("a number"); }
 
-std::string key_wanted(const Key& key) { return std::visit(Wanted{key}, key.lands); }
+std::string key_expected(const Key& key) { return std::visit(Wanted{key}, key.destination); }
 
 const char* node_kind(const toml::node& node) {
   switch (node.type()) {

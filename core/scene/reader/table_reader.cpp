@@ -50,19 +50,19 @@ void level_read(Faults& faults, const toml::table& table, const std::string& pat
     });
     const bool lands =
         plain && row != keys.end() && (!is_table || node.is_string());  // text: the table's name
-    if (lands) value_land(faults, at, *row, node);
+    if (lands) value_read(faults, at, *row, node);
     else if (!is_table) unknown_key(faults, at, name, prefix, keys);
     else if (node.is_table()) level_read(faults, *node.as_table(), at, prefix + name + ".", keys);
     else
       fault_add(faults, at,
                 std::string("is ") + node_kind(node) + "; wanted: a table" +
-                    (row != keys.end() ? " or " + key_wanted(*row) : ""));
+                    (row != keys.end() ? " or " + key_expected(*row) : ""));
   }
   for (const Key& key : keys)
     if (key.required && key.name == prefix + key_within(key, prefix) &&
         !table.contains(key.name.substr(prefix.size())))
       fault_add(faults, joined(path, key.name.substr(prefix.size())),
-                "is missing; wanted: " + key_wanted(key));
+                "is missing; wanted: " + key_expected(key));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace drape::scene {
 namespace {
 
 // Puts one value where it belongs, or adds a fault. Nothing lands from a list with a fault.
-struct Land {
+struct ValueReader {
   Faults& faults;
   const std::string& path;
   const Key& key;
@@ -25,7 +25,7 @@ struct Land {
     double value;
     if (const auto* floating = n.as_floating_point()) value = floating->get();
     else if (const auto* whole = n.as_integer()) value = static_cast<double>(whole->get());
-    else return misfit(at, n, key_number_wanted(key)), std::nullopt;
+    else return misfit(at, n, key_number_expected(key)), std::nullopt;
     const description::Range& r = key.range;
     if (value >= r.low && value <= r.high && !(r.above && value == r.low)) return value / key.per_si;
     place_note(faults, at, n);
@@ -53,7 +53,7 @@ struct Land {
   std::optional<std::array<double, N>> fixed(const toml::node& n, const std::string& at) const {
     const Key of_these{key.name, static_cast<std::array<double, N>*>(nullptr), key.required, key.range,
                        key.unit};
-    const toml::array* list = list_of(n, at, N, key_wanted(of_these));
+    const toml::array* list = list_of(n, at, N, key_expected(of_these));
     if (!list) return std::nullopt;
     std::array<double, N> values;
     bool complete = true;
@@ -85,7 +85,7 @@ struct Land {
 
   std::optional<std::vector<Vec2>> points(const toml::node& n, const std::string& at) const {
     const Key of_these{key.name, static_cast<std::vector<Vec2>*>(nullptr), key.required, key.range, key.unit};
-    return list(n, at, key_wanted(of_these), true,
+    return list(n, at, key_expected(of_these), true,
                 [&](const toml::node& e, const std::string& e_at) { return fixed<2>(e, e_at); });
   }
 
@@ -98,16 +98,16 @@ struct Land {
   template <class Take>
   void word(Take take) const {
     if (const auto* text = node.as_string()) take(text->get());
-    else misfit(path, node, key_wanted(key));
+    else misfit(path, node, key_expected(key));
   }
 
   void operator()(Elsewhere) const {}
   void operator()(const OneOf& one) const {
     const auto* whole = node.as_integer();
-    if (!whole) return misfit(path, node, key_wanted(key));
+    if (!whole) return misfit(path, node, key_expected(key));
     const auto it = std::find(one.numbers.begin(), one.numbers.end(), whole->get());
     if (it != one.numbers.end()) *one.to = static_cast<int>(*it);
-    else fault_add(faults, path, "= " + std::to_string(whole->get()) + "; allowed: " + key_wanted(key));
+    else fault_add(faults, path, "= " + std::to_string(whole->get()) + "; allowed: " + key_expected(key));
   }
   void operator()(std::string* to) const {
     word([&](const std::string& text) { *to = text; });
@@ -121,18 +121,18 @@ struct Land {
   void operator()(const Auto& automatic) const {
     const auto* text = node.as_string();
     if (text && text->get() == "auto") *automatic.to = 0;
-    else if (text) fault_add(faults, path, "= " + in_quotes(text->get()) + "; wanted: " + key_wanted(key));
+    else if (text) fault_add(faults, path, "= " + in_quotes(text->get()) + "; wanted: " + key_expected(key));
     else put(automatic.to, number(node, path));
   }
   void operator()(const Flag& flag) const {
     if (const auto* value = node.as_boolean()) *flag.to = value->get();
-    else misfit(path, node, key_wanted(key));
+    else misfit(path, node, key_expected(key));
   }
   void operator()(const Choice& choice) const {
     word([&](const std::string& text) {
       const auto it = std::find(choice.words.begin(), choice.words.end(), text);
       if (it != choice.words.end()) return choice.take(static_cast<int>(it - choice.words.begin()));
-      fault_add(faults, path, "= " + in_quotes(text) + "; allowed: " + key_wanted(key));
+      fault_add(faults, path, "= " + in_quotes(text) + "; allowed: " + key_expected(key));
     });
   }
   void operator()(const Reference& reference) const {
@@ -150,14 +150,14 @@ struct Land {
   void operator()(double* to) const { put(to, number(node, path)); }
   void operator()(int* to) const { put(to, whole(node, path)); }
   void operator()(const Whole& w) const {
-    if (!node.is_integer()) return misfit(path, node, key_wanted(key));
+    if (!node.is_integer()) return misfit(path, node, key_expected(key));
     if (number(node, path)) *w.to = node.as_integer()->get();
   }
   void operator()(const Pair& pair) const {
     if (!node.is_array()) {
-      if (!node.is_number()) return misfit(path, node, key_wanted(key));
+      if (!node.is_number()) return misfit(path, node, key_expected(key));
       if (const auto value = number(node, path)) *pair.to = {*value, *value};
-    } else if (list_of(node, path, 2, key_wanted(key))) {
+    } else if (list_of(node, path, 2, key_expected(key))) {
       put(pair.to, fixed<2>(node, path));
     }
   }
@@ -165,23 +165,23 @@ struct Land {
   void operator()(std::optional<Vec2>* to) const { put(to, fixed<2>(node, path)); }
   void operator()(Vec3* to) const { put(to, fixed<3>(node, path)); }
   void operator()(std::vector<double>* to) const {
-    put(to, list(node, path, key_wanted(key), false,
+    put(to, list(node, path, key_expected(key), false,
                  [&](const toml::node& n, const std::string& at) { return number(n, at); }));
   }
   void operator()(std::vector<int>* to) const {
-    put(to, list(node, path, key_wanted(key), false,
+    put(to, list(node, path, key_expected(key), false,
                  [&](const toml::node& n, const std::string& at) { return whole(n, at); }));
   }
   void operator()(std::vector<Vec2>* to) const { put(to, points(node, path)); }
   // Where there may be several, there may be none.
   void operator()(std::vector<std::vector<Vec2>>* to) const {
     if (const toml::array* none = node.as_array(); none && none->empty()) return;
-    put(to, list(node, path, key_wanted(key), true,
+    put(to, list(node, path, key_expected(key), true,
                  [&](const toml::node& n, const std::string& at) { return points(n, at); }));
   }
   void operator()(const Tables& tables) const {
     const toml::array* entries = node.as_array();
-    if (!entries) return misfit(path, node, key_wanted(key));
+    if (!entries) return misfit(path, node, key_expected(key));
     for (std::size_t i = 0; i < entries->size(); ++i) {
       const toml::node& n = (*entries)[i];
       place_note(faults, entry(path, i), n);
@@ -193,8 +193,8 @@ struct Land {
 
 }  // namespace
 
-void value_land(Faults& faults, const std::string& path, const Key& key, const toml::node& node) {
-  std::visit(Land{faults, path, key, node}, key.lands);
+void value_read(Faults& faults, const std::string& path, const Key& key, const toml::node& node) {
+  std::visit(ValueReader{faults, path, key, node}, key.destination);
 }
 
 }  // namespace drape::scene

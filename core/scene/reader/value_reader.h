@@ -58,13 +58,14 @@ struct Tables {
   std::function<std::vector<Key>()> add;  // the rows of one more
 };  // a list of tables; those with a fault are there too
 struct Elsewhere {};  // a table with rows of its own
-using Landing = std::variant<Elsewhere, std::string*, Name, double*, Auto, Flag, Choice, OneOf, Reference,
-                             int*, Whole, Pair, Vec2*, std::optional<Vec2>*, Vec3*, std::vector<double>*,
-                             std::vector<int>*, std::vector<Vec2>*, std::vector<std::vector<Vec2>>*, Tables>;
+using Destination =
+    std::variant<Elsewhere, std::string*, Name, double*, Auto, Flag, Choice, OneOf, Reference, int*, Whole,
+                 Pair, Vec2*, std::optional<Vec2>*, Vec3*, std::vector<double>*, std::vector<int>*,
+                 std::vector<Vec2>*, std::vector<std::vector<Vec2>>*, Tables>;
 
 struct Key {
   std::string name;  // within its table; "strip.width" is `width` in the table `strip`
-  Landing lands;
+  Destination destination;
   bool required = kOptional;  // in a table within the table: where that table is there
   description::Range range{};
   const char* unit = "";
@@ -73,11 +74,11 @@ struct Key {
 
 // Puts a value where its row says, or adds a fault. A value with a fault does not land: what it was to fill
 // keeps its default, empty or -1.
-void value_land(Faults& faults, const std::string& path, const Key& key, const toml::node& node);
+void value_read(Faults& faults, const std::string& path, const Key& key, const toml::node& node);
 
 // Texts of messages: what a key takes, the range of its numbers, a number in its unit, what a node is.
-std::string key_wanted(const Key& key);
-std::string key_number_wanted(const Key& key);
+std::string key_expected(const Key& key);
+std::string key_number_expected(const Key& key);
 std::string key_range(const Key& key);
 std::string key_number(const Key& key, double value);
 std::string words_text(const std::vector<std::string>& words);
