@@ -4,7 +4,7 @@
 
 namespace drape::standards {
 
-struct SheetDiagram {
+struct Diagram {
   std::vector<double> percent;          // elongation, from 0
   std::vector<double> force_per_width;  // N/m
 };

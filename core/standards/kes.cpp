@@ -15,8 +15,8 @@ constexpr double kBend = 12;  // of a; LT from 0.17 to 1.83
 // (exp(a x) - 1)/(exp(a) - 1)
 double share(double a, double x) { return a == 0 ? x : std::expm1(a * x) / std::expm1(a); }
 
-SheetDiagram diagram_of(double a, double emt, double force) {
-  SheetDiagram d;
+Diagram diagram_of(double a, double emt, double force) {
+  Diagram d;
   for (int i = 0; i <= kSegments; ++i) {
     d.percent.push_back(emt * i / kSegments);
     d.force_per_width.push_back(force * share(a, double(i) / kSegments));
@@ -25,7 +25,7 @@ SheetDiagram diagram_of(double a, double emt, double force) {
 }
 
 // The area under the curve through the points, N/m.
-double energy_of(const SheetDiagram& d) {
+double energy_of(const Diagram& d) {
   std::vector<double> e;
   for (const double percent : d.percent) e.push_back(percent / 100);
   return math::curve_energy(math::curve_make(e, d.force_per_width, {}), e.back());
@@ -37,7 +37,7 @@ double kes_linearity(double emt, double wt, double fm) { return wt / (fm * emt /
 
 double kes_energy(double emt, double lt, double fm) { return lt * fm * emt / 100 / 2; }
 
-SheetDiagram kes_tension(double emt, double wt, double fm) {
+Diagram kes_tension(double emt, double wt, double fm) {
   const double force = fm * kGramForcePerCm, energy = wt * kGramForcePerCm;
   // The area falls as a rises.
   const auto less = [&](double minus_a) { return energy_of(diagram_of(-minus_a, emt, force)); };

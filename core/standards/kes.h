@@ -34,6 +34,6 @@ inline constexpr double kKesLinearityLow = 0.2, kKesLinearityHigh = 1.8;  // of 
 // EMT in percent, WT in gf cm/cm^2, Fm in gf/cm.
 double kes_linearity(double emt, double wt, double fm);
 double kes_energy(double emt, double lt, double fm);
-SheetDiagram kes_tension(double emt, double wt, double fm);
+Diagram kes_tension(double emt, double wt, double fm);
 
 }  // namespace drape::standards

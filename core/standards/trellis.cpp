@@ -5,8 +5,8 @@
 namespace drape::standards {
 
 // Up to 10 %, 12 degrees of shear.
-SheetDiagram trellis_bias(double shear) {
-  SheetDiagram d;
+Diagram trellis_bias(double shear) {
+  Diagram d;
   for (int percent = 0; percent <= 10; ++percent) {
     const double l1 = 1 + percent / 100.0, g = std::asin(l1 * l1 - 1), l2 = std::sqrt(2 - l1 * l1);
     d.percent.push_back(percent);

@@ -13,6 +13,6 @@
 
 namespace drape::standards {
 
-SheetDiagram trellis_bias(double shear);  // N/m per rad
+Diagram trellis_bias(double shear);  // N/m per rad
 
 }  // namespace drape::standards

@@ -147,16 +147,16 @@ void edges_check(const scene::PieceSpec& piece, const scene::PinSpec& pin, const
 
 }  // namespace
 
-void pins_check(const Scene& scene, const std::vector<bool>& sound, Problems& problems) {
+void pins_check(const Scene& scene, const std::vector<bool>& valid, Problems& problems) {
   std::vector<Held> cloths;  // of the pieces; empty where there is none to judge by
   for (std::size_t p = 0; p < scene.pieces.size(); ++p)
-    cloths.push_back(sound[p] ? held_make(Held::kArea, piece::outline_flatten(scene.pieces[p])) : Held{});
+    cloths.push_back(valid[p] ? held_make(Held::kArea, piece::outline_flatten(scene.pieces[p])) : Held{});
   std::vector<const scene::PinSpec*> pins;
   for (const scene::PinSpec& pin : scene.pins) {
     const std::string path = "pin." + pin.name;
     const std::size_t before = problems.size();
     piece::polygon_problems(pin.region, path + ".region", problems);
-    if (pin.piece < 0 || !sound[std::size_t(pin.piece)]) continue;
+    if (pin.piece < 0 || !valid[std::size_t(pin.piece)]) continue;
     const scene::PieceSpec& piece = scene.pieces[std::size_t(pin.piece)];
     const Held& cloth = cloths[std::size_t(pin.piece)];
     for (std::size_t i = 0; i < pin.at.size(); ++i)
@@ -168,7 +168,7 @@ void pins_check(const Scene& scene, const std::vector<bool>& sound, Problems& pr
     pins.push_back(&pin);
   }
   for (const scene::ProbeSpec& probe : scene.probes)
-    if (probe.piece >= 0 && sound[std::size_t(probe.piece)])
+    if (probe.piece >= 0 && valid[std::size_t(probe.piece)])
       point_check(scene.pieces[std::size_t(probe.piece)], cloths[std::size_t(probe.piece)], probe.at,
                   "probe." + probe.name + ".at", problems);
 }

@@ -62,7 +62,7 @@ void scene_check(const Scene& scene, std::vector<Problem>& problems) {
   motion_check(scene, problems);
   order_check(scene, problems);
   for (const scene::FabricSpec& f : scene.fabrics) fabric_check(scene, f, problems);
-  std::vector<bool> sound;
+  std::vector<bool> valid;
   for (const scene::PieceSpec& piece : scene.pieces) {
     const std::string path = "piece." + piece.name;
     std::vector<Problem> found;
@@ -71,11 +71,11 @@ void scene_check(const Scene& scene, std::vector<Problem>& problems) {
     const bool of_cell =
         piece.curves.empty() &&
         std::all_of(found.begin(), found.end(), [&](const Problem& p) { return p.place == path + ".cell"; });
-    sound.push_back(!piece.outline.empty() && (of_cell || (piece.cell > 0 && found.empty())));
+    valid.push_back(!piece.outline.empty() && (of_cell || (piece.cell > 0 && found.empty())));
     problems.insert(problems.end(), found.begin(), found.end());
   }
-  seams_check(scene, sound, problems);
-  pins_check(scene, sound, problems);
+  seams_check(scene, valid, problems);
+  pins_check(scene, valid, problems);
 }
 
 void scene_check_layout(const Scene& scene, std::vector<Problem>& problems) {

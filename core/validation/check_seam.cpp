@@ -33,13 +33,13 @@ bool side_check(const scene::PieceSpec& piece, const scene::SeamSide& side, cons
 
 }  // namespace
 
-void seams_check(const Scene& scene, const std::vector<bool>& sound, Problems& problems) {
+void seams_check(const Scene& scene, const std::vector<bool>& valid, Problems& problems) {
   std::map<std::pair<int, int>, std::string> sewn;  // piece and edge -> the side that has it
   for (const scene::SeamSpec& seam : scene.seams) {
     for (std::size_t k = 0; k < 2; ++k) {
       const scene::SeamSide& side = seam.side[k];
       const std::string path = "seam." + seam.name + "." + "ab"[k];
-      if (side.piece < 0 || side.edges.empty() || !sound[std::size_t(side.piece)]) continue;
+      if (side.piece < 0 || side.edges.empty() || !valid[std::size_t(side.piece)]) continue;
       if (!side_check(scene.pieces[std::size_t(side.piece)], side, path, problems)) continue;
       for (std::size_t i = 0; i < side.edges.size(); ++i) {
         const auto [known, fresh] = sewn.emplace(std::pair{side.piece, side.edges[i]}, path);

@@ -55,9 +55,9 @@ int run_bench(const Options& options) {
   bench::Patience patience;
   if (options.quick) patience = {1, 0.002, {}};
   patience.scenes = options.scenes;
-  bool sound = true;
-  for (const std::string& file : options.scenes) sound = cloth_open(file) && sound;
-  if (!sound) return kBadInput;
+  bool valid = true;
+  for (const std::string& file : options.scenes) valid = cloth_open(file) && valid;
+  if (!valid) return kBadInput;
   std::vector<bench::Row> rows;
   for (const bench::Group& group : bench::groups()) {
     bool wanted = options.groups.empty() && group.by_default;

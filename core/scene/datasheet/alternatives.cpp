@@ -6,14 +6,14 @@ namespace drape::scene {
 
 namespace {
 
-bool in_scene(const Settling& s, const std::string& key) {
+bool in_scene(const Conversion& s, const std::string& key) {
   const toml::source_region& source = stated(s, key)->source();
   return !source.path || *source.path == s.faults.file;
 }
 
 }  // namespace
 
-const toml::node* stated(const Settling& s, const std::string& key) {
+const toml::node* stated(const Conversion& s, const std::string& key) {
   const toml::node* node = &s.table;
   for (std::size_t from = 0; node && from <= key.size();) {
     const std::size_t dot = std::min(key.find('.', from), key.size());
@@ -23,15 +23,15 @@ const toml::node* stated(const Settling& s, const std::string& key) {
   return node;
 }
 
-bool sound(const Settling& s, const std::string& key) {
+bool valid(const Conversion& s, const std::string& key) {
   return stated(s, key) && !fault_within(s.faults, s.path + "." + key);
 }
 
-void fault_at(const Settling& s, const std::string& key, const std::string& message) {
+void fault_at(const Conversion& s, const std::string& key, const std::string& message) {
   fault_add(s.faults, s.path + "." + key, message);
 }
 
-void fault_at(const Settling& s, const std::string& key, std::size_t k, const std::string& message) {
+void fault_at(const Conversion& s, const std::string& key, std::size_t k, const std::string& message) {
   const toml::node* node = stated(s, key);
   const std::string at = node && node->is_array() ? key + "[" + std::to_string(k) + "]" : key;
   const std::string path = s.path + "." + at;
@@ -41,11 +41,12 @@ void fault_at(const Settling& s, const std::string& key, std::size_t k, const st
   if (!reported) fault_at(s, at, message);
 }
 
-bool same_text(const Settling& s, const std::string& a, const std::string& b) {
+bool same_text(const Conversion& s, const std::string& a, const std::string& b) {
   return in_scene(s, a) == in_scene(s, b);
 }
 
-std::string way_of(const Settling& s, const std::string& property, const std::vector<std::string>& keys) {
+std::string property_source(const Conversion& s, const std::string& property,
+                            const std::vector<std::string>& keys) {
   std::vector<std::string> given;
   bool from_scene = false;
   for (const std::string& key : keys) {

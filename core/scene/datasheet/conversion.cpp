@@ -15,36 +15,36 @@ namespace {
 
 constexpr double kMicroNcm2 = 1e10;  // uN cm^2 per N m^2
 
-void weight_settle(const Settling& s, FabricText& t) {
-  const std::string way = way_of(s, "areal density", {"areal_density", "kes.W", "fast.W"});
+void weight_settle(const Conversion& s, FabricText& t) {
+  const std::string way = property_source(s, "areal density", {"areal_density", "kes.W", "fast.W"});
   if (way.empty()) missing(s, t, "areal_density");
-  if (!sound(s, way)) return;
-  if (way == "kes.W") t.sheet.plain.insert("areal_density", t.sheet.kes.W * standards::kKesWeight);
-  if (way == "fast.W") t.sheet.plain.insert("areal_density", t.sheet.fast.W / 1e3);
+  if (!valid(s, way)) return;
+  if (way == "kes.W") t.datasheet.plain.insert("areal_density", t.datasheet.kes.W * standards::kKesWeight);
+  if (way == "fast.W") t.datasheet.plain.insert("areal_density", t.datasheet.fast.W / 1e3);
 }
 
-void thickness_settle(const Settling& s, FabricText& t) {
-  const FastText& fast = t.sheet.fast;
+void thickness_settle(const Conversion& s, FabricText& t) {
+  const FastText& fast = t.datasheet.fast;
   if (stated(s, "fast.T100") && !stated(s, "fast.T2")) missing(s, t, "fast.T2");
-  if (sound(s, "fast.T2") && sound(s, "fast.T100") && fast.T100 > fast.T2)
+  if (valid(s, "fast.T2") && valid(s, "fast.T100") && fast.T100 > fast.T2)
     fault_at(s, "fast.T100",
              "= " + number_text(fast.T100) + " mm is more than T2, " + number_text(fast.T2) +
                  " mm; allowed: at most as much, since the pressure is higher");
-  const std::string way = way_of(s, "thickness", {"thickness", "kes.T0", "fast.T2"});
+  const std::string way = property_source(s, "thickness", {"thickness", "kes.T0", "fast.T2"});
   if (way.empty() && !stated(s, "fast.T100")) missing(s, t, "thickness");
-  if (!sound(s, way)) return;
-  if (way == "kes.T0") t.sheet.plain.insert("thickness", t.sheet.kes.T0 / 1e3);
-  if (way == "fast.T2") t.sheet.plain.insert("thickness", fast.T2 / 1e3);
+  if (!valid(s, way)) return;
+  if (way == "kes.T0") t.datasheet.plain.insert("thickness", t.datasheet.kes.T0 / 1e3);
+  if (way == "fast.T2") t.datasheet.plain.insert("thickness", fast.T2 / 1e3);
 }
 
 // The areal density that the fabric ends up with, kg/m^2; 0 where there is none without fault.
 double weight_of(const FabricText& t) {
-  return t.sheet.plain["areal_density"].value<double>().value_or(t.spec.areal_density);
+  return t.datasheet.plain["areal_density"].value<double>().value_or(t.spec.areal_density);
 }
 
 // B of warp or weft, N m, by a sheet.
 double bending_of(const std::string& way, const FabricText& t, std::size_t k) {
-  const SheetText& sheet = t.sheet;
+  const DatasheetText& sheet = t.datasheet;
   if (way == "kes.B") return sheet.kes.B[k] * standards::kKesBending;
   if (way == "fast.C")
     return standards::fast_bending(std::isnan(sheet.fast.W) ? 1e3 * weight_of(t) : sheet.fast.W,
@@ -56,47 +56,47 @@ double bending_of(const std::string& way, const FabricText& t, std::size_t k) {
   return standards::gost_10550_rigidity(sheet.gost_mass[k], sheet.gost_deflection[k]) / standards::kGostWidth;
 }
 
-void bending_settle(const Settling& s, FabricText& t) {
+void bending_settle(const Conversion& s, FabricText& t) {
   const std::string plain = "bending.rigidity_uN_cm2";
-  const std::string way =
-      way_of(s, "bending rigidity",
-             {plain, "bending.gost_10550", "bending.length_mm", "bending.overhang_mm", "kes.B", "fast.C"});
+  const std::string way = property_source(
+      s, "bending rigidity",
+      {plain, "bending.gost_10550", "bending.length_mm", "bending.overhang_mm", "kes.B", "fast.C"});
   const toml::node* table = stated(s, "bending");
   if (way.empty() && table && table->is_table()) missing(s, t, plain);
-  if (way == plain || !sound(s, way)) return;
+  if (way == plain || !valid(s, way)) return;
   if (stated(s, "bending.width") && same_text(s, "bending.width", way))
     return fault_at(s, "bending.width", "belongs to bending.rigidity_uN_cm2, not to " + way);
   toml::array rigidity;
   for (std::size_t k = 0; k < 2; ++k)
     rigidity.push_back(bending_of(way, t, k) * standards::kGostWidth * kMicroNcm2);
-  t.sheet.plain.insert("bending",
-                       toml::table{{"rigidity_uN_cm2", rigidity}, {"width", standards::kGostWidth}});
+  t.datasheet.plain.insert("bending",
+                           toml::table{{"rigidity_uN_cm2", rigidity}, {"width", standards::kGostWidth}});
 }
 
 }  // namespace
 
-void missing(const Settling& s, FabricText& t, const std::string& key) {
+void missing(const Conversion& s, FabricText& t, const std::string& key) {
   for (const Key& row : fabric_keys(t))
     if (row.name == key) return fault_at(s, key, "is missing; wanted: " + key_expected(row));
 }
 
-void sheet_settle(Faults& faults, const toml::table& table, const std::string& path, FabricText& text) {
-  const Settling s{faults, table, path};
+void datasheet_convert(Faults& faults, const toml::table& table, const std::string& path, FabricText& text) {
+  const Conversion s{faults, table, path};
   weight_settle(s, text);
   thickness_settle(s, text);
-  if (text.sheet.strip_by_name)
-    text.sheet.plain.insert("strip",
-                            toml::table{{"width", text.spec.strip_width}, {"gauge", text.spec.strip_gauge}});
-  tension_settle(s, text);
-  shear_settle(s, text);
+  if (text.datasheet.strip_by_name)
+    text.datasheet.plain.insert(
+        "strip", toml::table{{"width", text.spec.strip_width}, {"gauge", text.spec.strip_gauge}});
+  tensile_convert(s, text);
+  shear_convert(s, text);
   bending_settle(s, text);
 }
 
 FabricText fabric_read(Faults& faults, const toml::table& table, const std::string& path) {
   FabricText text;
   keys_read(faults, table, path, fabric_keys(text));
-  sheet_settle(faults, table, path, text);
-  keys_read(faults, text.sheet.plain, path, fabric_keys(text));
+  datasheet_convert(faults, table, path, text);
+  keys_read(faults, text.datasheet.plain, path, fabric_keys(text));
   text.spec.bending_warp = text.rigidity[0] / text.bending_width;
   text.spec.bending_weft = text.rigidity[1] / text.bending_width;
   text.spec.bending_width = text.bending_width;
@@ -105,10 +105,10 @@ FabricText fabric_read(Faults& faults, const toml::table& table, const std::stri
 
 void fabric_flatten(toml::table& table, const FabricText& text) {
   for (const char* sheet : {"kes", "fast"}) table.erase(sheet);
-  for (const std::string& name : text.sheet.replaced) table.erase(name);
+  for (const std::string& name : text.datasheet.replaced) table.erase(name);
   if (toml::table* calibration = table["calibration"].as_table())
     for (const char* name : kDiagrams) calibration->erase(name);
-  if (text.sheet.strip_by_name) table.erase("strip");
+  if (text.datasheet.strip_by_name) table.erase("strip");
   if (toml::table* bending = table["bending"].as_table())
     for (const char* key : {"gost_10550", "length_mm", "overhang_mm"}) bending->erase(key);
   for (const char* name : kDiagrams)
@@ -116,7 +116,7 @@ void fabric_flatten(toml::table& table, const FabricText& text) {
       for (const OtherUnit& unit : kExtensions) diagram->erase(unit.as.key);
       for (const OtherUnit& unit : kForces) diagram->erase(unit.as.key);
     }
-  for (auto&& [key, node] : text.sheet.plain) {
+  for (auto&& [key, node] : text.datasheet.plain) {
     toml::table* own = table[key.str()].as_table();
     if (!own || !node.is_table()) table.insert_or_assign(key.str(), node);
     else

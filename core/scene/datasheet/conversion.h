@@ -7,12 +7,12 @@
 namespace drape::scene {
 
 // Adds the fault of a key that is not there.
-void missing(const Settling& s, FabricText& text, const std::string& key);
+void missing(const Conversion& s, FabricText& text, const std::string& key);
 
 // Warp and weft, and the diagrams' other units.
-void tension_settle(const Settling& s, FabricText& text);
+void tensile_convert(const Conversion& s, FabricText& text);
 
 // Bias.
-void shear_settle(const Settling& s, FabricText& text);
+void shear_convert(const Conversion& s, FabricText& text);
 
 }  // namespace drape::scene

@@ -44,7 +44,7 @@ struct DiagramText {
   std::vector<double> force[5];      // N, by kForces
 };
 
-struct SheetText {
+struct DatasheetText {
   KesText kes;
   FastText fast;
   DiagramText diagram[3];               // by kDiagrams
@@ -56,10 +56,10 @@ struct SheetText {
 };
 
 // The rows of the doors; they stand beside the fabric's own.
-std::vector<Key> sheet_keys(FabricText& text);
+std::vector<Key> datasheet_keys(FabricText& text);
 
 // What the rows of a fabric leave open: each property stated once, figures that belong together, conversion.
-void sheet_settle(Faults& faults, const toml::table& table, const std::string& path, FabricText& text);
+void datasheet_convert(Faults& faults, const toml::table& table, const std::string& path, FabricText& text);
 
 // Reads a fabric, sheets and all.
 FabricText fabric_read(Faults& faults, const toml::table& table, const std::string& path);

@@ -20,7 +20,7 @@ Key strip_key(FabricText& t) {
   choice.take = [&t](int k) {
     t.spec.strip_width = standards::kStripStandards[k].width;
     t.spec.strip_gauge = standards::kStripStandards[k].gauge;
-    t.sheet.strip_by_name = true;
+    t.datasheet.strip_by_name = true;
   };
   return {"strip", choice};
 }
@@ -36,16 +36,16 @@ void lists_add(std::vector<Key>& keys, const std::string& name, const OtherUnit 
 
 }  // namespace
 
-std::vector<Key> sheet_keys(FabricText& t) {
-  KesText& kes = t.sheet.kes;
-  FastText& fast = t.sheet.fast;
+std::vector<Key> datasheet_keys(FabricText& t) {
+  KesText& kes = t.datasheet.kes;
+  FastText& fast = t.datasheet.fast;
   const auto pair = [](Vec2& v) { return Pair{&v, kPair}; };
   std::vector<Key> keys = {
       strip_key(t),
-      {"bending.gost_10550.mass_g", pair(t.sheet.gost_mass), kRequired, {1e-3, 1e3}, "g", 1e3},
-      {"bending.gost_10550.deflection_mm", pair(t.sheet.gost_deflection), kRequired, {1, 69}, "mm", 1e3},
-      {"bending.length_mm", pair(t.sheet.bending_length), kOptional, {0.1, 100}, "mm", 1e3},
-      {"bending.overhang_mm", pair(t.sheet.overhang), kOptional, {0.2, 200}, "mm", 1e3},
+      {"bending.gost_10550.mass_g", pair(t.datasheet.gost_mass), kRequired, {1e-3, 1e3}, "g", 1e3},
+      {"bending.gost_10550.deflection_mm", pair(t.datasheet.gost_deflection), kRequired, {1, 69}, "mm", 1e3},
+      {"bending.length_mm", pair(t.datasheet.bending_length), kOptional, {0.1, 100}, "mm", 1e3},
+      {"bending.overhang_mm", pair(t.datasheet.overhang), kOptional, {0.2, 200}, "mm", 1e3},
       {"kes.W",
        &kes.W,
        kOptional,
@@ -68,8 +68,8 @@ std::vector<Key> sheet_keys(FabricText& t) {
       {"fast.EB5", &fast.EB5, kOptional, {0.1, 41}, "percent"},
   };
   for (std::size_t k = 0; k < std::size(kDiagrams); ++k) {
-    lists_add(keys, kDiagrams[k], kExtensions, t.sheet.diagram[k].extension);
-    lists_add(keys, kDiagrams[k], kForces, t.sheet.diagram[k].force);
+    lists_add(keys, kDiagrams[k], kExtensions, t.datasheet.diagram[k].extension);
+    lists_add(keys, kDiagrams[k], kForces, t.datasheet.diagram[k].force);
   }
   return keys;
 }

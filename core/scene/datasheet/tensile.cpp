@@ -22,15 +22,15 @@ toml::array array_of(const std::vector<double>& values) {
 }
 
 // A diagram that no text shows takes the place of the one that a file may have.
-void diagram_insert(FabricText& t, std::size_t k, const standards::SheetDiagram& d, bool jaws) {
+void diagram_insert(FabricText& t, std::size_t k, const standards::Diagram& d, bool jaws) {
   std::vector<double> force;
   for (const double f : d.force_per_width) force.push_back(f * t.spec.strip_width);
   toml::table diagram{{"elongation_percent", array_of(d.percent)}, {"force", array_of(force)}};
   if (!jaws) diagram.insert("jaws", false);
   if (!t.calibration[k].empty()) diagram.insert("correction", array_of(t.calibration[k]));
   spec_of(t, k) = {};
-  t.sheet.replaced.push_back(kDiagrams[k]);
-  t.sheet.plain.insert_or_assign(kDiagrams[k], diagram);
+  t.datasheet.replaced.push_back(kDiagrams[k]);
+  t.datasheet.plain.insert_or_assign(kDiagrams[k], diagram);
 }
 
 template <std::size_t N>
@@ -47,7 +47,7 @@ toml::array percent_of(const std::vector<double>& extension, double gauge) {
 }
 
 // 1000 percent at most, as elongation_percent.
-bool extension_fits(const Settling& s, const std::string& key, const GivenAs& as,
+bool extension_fits(const Conversion& s, const std::string& key, const GivenAs& as,
                     const std::vector<double>& extension, double gauge) {
   constexpr double kMax = 10;
   bool fits = true;
@@ -62,7 +62,7 @@ bool extension_fits(const Settling& s, const std::string& key, const GivenAs& as
 }
 
 // The diagram's own lists, in whatever unit they are.
-void lists_settle(const Settling& s, FabricText& t, std::size_t k) {
+void lists_settle(const Conversion& s, FabricText& t, std::size_t k) {
   const std::string name = kDiagrams[k];
   if (const toml::node* table = stated(s, name); !table || !table->is_table()) return;
   std::vector<std::string> ways_e{name + ".elongation_percent"}, ways_f{name + ".force"};
@@ -70,7 +70,8 @@ void lists_settle(const Settling& s, FabricText& t, std::size_t k) {
   for (const OtherUnit& unit : kForces) ways_f.push_back(name + "." + unit.as.key);
   if (const std::string own = "calibration." + name; stated(s, own))
     fault_at(s, own, "belongs to a diagram from a sheet; wanted: " + name + ".correction");
-  const std::string way_e = way_of(s, "elongation", ways_e), way_f = way_of(s, "force", ways_f);
+  const std::string way_e = property_source(s, "elongation", ways_e),
+                    way_f = property_source(s, "force", ways_f);
   if (way_e.empty()) missing(s, t, ways_e[0]);
   if (way_f.empty()) missing(s, t, ways_f[0]);
 
@@ -79,19 +80,19 @@ void lists_settle(const Settling& s, FabricText& t, std::size_t k) {
   std::size_t u;
   if (const GivenAs* as = given_as(kExtensions, way_e.substr(way_e.find('.') + 1), u)) {
     d.elongation_as = {as->key, as->unit, as->per_si * t.spec.strip_gauge};
-    const std::vector<double>& extension = t.sheet.diagram[k].extension[u];
-    if (sound(s, way_e) && extension_fits(s, way_e, d.elongation_as, extension, t.spec.strip_gauge))
+    const std::vector<double>& extension = t.datasheet.diagram[k].extension[u];
+    if (valid(s, way_e) && extension_fits(s, way_e, d.elongation_as, extension, t.spec.strip_gauge))
       plain.insert("elongation_percent", percent_of(extension, t.spec.strip_gauge));
   }
   if (const GivenAs* as = given_as(kForces, way_f.substr(way_f.find('.') + 1), u)) {
     d.force_as = *as;
-    if (sound(s, way_f)) plain.insert("force", array_of(t.sheet.diagram[k].force[u]));
+    if (valid(s, way_f)) plain.insert("force", array_of(t.datasheet.diagram[k].force[u]));
   }
-  if (!plain.empty()) t.sheet.plain.insert_or_assign(name, plain);
+  if (!plain.empty()) t.datasheet.plain.insert_or_assign(name, plain);
 }
 
 // WT of direction k from what the sheet has of WT and LT; not a number where that does not fit EMT.
-double kes_energy_of(const Settling& s, const KesText& kes, std::size_t k) {
+double kes_energy_of(const Conversion& s, const KesText& kes, std::size_t k) {
   constexpr double kMeans = 0.05;  // a mean of LT is not the LT of means, and both are rounded
   const double emt = kes.EMT[k], fm = kes.Fm;
   if (!stated(s, "kes.WT")) return standards::kes_energy(emt, kes.LT[k], fm);
@@ -113,19 +114,19 @@ double kes_energy_of(const Settling& s, const KesText& kes, std::size_t k) {
   return wt;
 }
 
-void kes_settle(const Settling& s, FabricText& t, std::size_t k) {
+void kes_settle(const Conversion& s, FabricText& t, std::size_t k) {
   for (const char* key : {"kes.EMT", "kes.WT", "kes.LT", "kes.Fm"})
-    if (stated(s, key) && !sound(s, key)) return;
+    if (stated(s, key) && !valid(s, key)) return;
   if (!stated(s, "kes.WT") && !stated(s, "kes.LT")) return;
-  const KesText& kes = t.sheet.kes;
+  const KesText& kes = t.datasheet.kes;
   const double wt = kes_energy_of(s, kes, k);
   if (!std::isnan(wt)) diagram_insert(t, k, standards::kes_tension(kes.EMT[k], wt, kes.Fm), true);
 }
 
-void fast_settle(const Settling& s, FabricText& t, std::size_t k) {
+void fast_settle(const Conversion& s, FabricText& t, std::size_t k) {
   for (const char* key : {"fast.E5", "fast.E20", "fast.E100"})
-    if (!sound(s, key)) return;
-  const FastText& fast = t.sheet.fast;
+    if (!valid(s, key)) return;
+  const FastText& fast = t.datasheet.fast;
   const double e5 = fast.E5[k], e20 = fast.E20[k], e100 = fast.E100[k];
   const auto rises = [&](const char* key, double e, const char* before, double less) {
     if (e - less >= 1e-6) return true;
@@ -142,7 +143,7 @@ void fast_settle(const Settling& s, FabricText& t, std::size_t k) {
 }
 
 // Keys of a diagram that stand over a sheet without one; told, and left to the sheet.
-bool stray_tell(const Settling& s, const std::string& name, const std::vector<std::string>& sheets) {
+bool stray_tell(const Conversion& s, const std::string& name, const std::vector<std::string>& sheets) {
   const toml::node* node = stated(s, name);
   const auto sheet =
       std::find_if(sheets.begin(), sheets.end(), [&](const auto& key) { return stated(s, key); });
@@ -161,7 +162,7 @@ bool stray_tell(const Settling& s, const std::string& name, const std::vector<st
 }
 
 // Figures of tension that do not stand alone.
-void companions_check(const Settling& s, FabricText& t) {
+void companions_check(const Conversion& s, FabricText& t) {
   const bool work = stated(s, "kes.WT") || stated(s, "kes.LT");
   if (work && !stated(s, "kes.EMT")) missing(s, t, "kes.EMT");
   if (stated(s, "kes.EMT") && !work) missing(s, t, "kes.WT");
@@ -172,26 +173,26 @@ void companions_check(const Settling& s, FabricText& t) {
 
 }  // namespace
 
-void tension_settle(const Settling& s, FabricText& t) {
+void tensile_convert(const Conversion& s, FabricText& t) {
   companions_check(s, t);
   for (std::size_t k = 0; k < 2; ++k) {
     const std::string name = kDiagrams[k];
     if (stray_tell(s, name, {"kes.EMT", "fast.E100"})) continue;
-    const std::string way = way_of(s, name + " tension", {name, "kes.EMT", "fast.E100"});
+    const std::string way = property_source(s, name + " tension", {name, "kes.EMT", "fast.E100"});
     if (way == name) lists_settle(s, t, k);
     else if (way == "kes.EMT") kes_settle(s, t, k);
     else if (way == "fast.E100") fast_settle(s, t, k);
   }
 }
 
-void shear_settle(const Settling& s, FabricText& t) {
+void shear_convert(const Conversion& s, FabricText& t) {
   if (stray_tell(s, "bias", {"kes.G", "fast.EB5"})) return;
-  const std::string way = way_of(s, "shear", {"bias", "kes.G", "fast.EB5"});
+  const std::string way = property_source(s, "shear", {"bias", "kes.G", "fast.EB5"});
   if (way == "bias") return lists_settle(s, t, 2);
-  if (!sound(s, way)) return;
-  const Vec2& g = t.sheet.kes.G;
+  if (!valid(s, way)) return;
+  const Vec2& g = t.datasheet.kes.G;
   const double shear =
-      way == "kes.G" ? (g[0] + g[1]) / 2 * standards::kKesShear : standards::fast_shear(t.sheet.fast.EB5);
+      way == "kes.G" ? (g[0] + g[1]) / 2 * standards::kKesShear : standards::fast_shear(t.datasheet.fast.EB5);
   diagram_insert(t, 2, standards::trellis_bias(shear), false);
 }
 

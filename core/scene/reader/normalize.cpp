@@ -89,24 +89,24 @@ void curves_settle(Faults& faults, const toml::table& table, const std::string& 
 
 }  // namespace
 
-void piece_settle(Faults& faults, const toml::table& table, const std::string& path, PieceSpec& piece) {
+void piece_normalize(Faults& faults, const toml::table& table, const std::string& path, PieceSpec& piece) {
   const std::string place = path + ".place";
-  const auto sound = [&](const std::string& key) { return !fault_within(faults, path + "." + key); };
-  if (sound("place.axis_x") && sound("place.axis_y")) axes_settle(faults, table, place, piece.place);
-  if (table["place"]["cylinder"].is_table() && sound("place"))
+  const auto valid = [&](const std::string& key) { return !fault_within(faults, path + "." + key); };
+  if (valid("place.axis_x") && valid("place.axis_y")) axes_settle(faults, table, place, piece.place);
+  if (table["place"]["cylinder"].is_table() && valid("place"))
     cylinder_settle(faults, place + ".cylinder", piece.place);
   curves_settle(faults, table, path);
-  if (!sound("curves") || !sound("holes")) piece.outline.clear();
+  if (!valid("curves") || !valid("holes")) piece.outline.clear();
 }
 
-void seam_settle(Faults& faults, const toml::table& table, const std::string& path) {
+void seam_normalize(Faults& faults, const toml::table& table, const std::string& path) {
   for (const char* side : {"a", "b"})
     if (!table.contains(side))
       fault_add(faults, path + "." + side, "is missing; wanted: a table { piece, edges }");
 }
 
-void body_settle(Faults& faults, const std::string& path, const std::filesystem::path& folder,
-                 const BodyText& text, BodySpec& body) {
+void body_normalize(Faults& faults, const std::string& path, const std::filesystem::path& folder,
+                    const BodyText& text, BodySpec& body) {
   const std::filesystem::path file = (folder / text.mesh).lexically_normal();
   body.mesh = file.string();
   std::error_code error;
@@ -123,7 +123,7 @@ void body_settle(Faults& faults, const std::string& path, const std::filesystem:
     fault_add(faults, path + ".orientation", "has length 0; allowed: any length above 0");
 }
 
-void pin_settle(Faults& faults, const toml::table& table, const std::string& path) {
+void pin_normalize(Faults& faults, const toml::table& table, const std::string& path) {
   const int ways = table.contains("at") + table.contains("edges") + table.contains("region");
   if (ways != 1)
     fault_add(faults, path,

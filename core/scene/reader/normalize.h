@@ -11,15 +11,15 @@ namespace drape::scene {
 
 // Axes become exactly orthonormal. A piece whose outline, curves or holes have a fault loses its outline:
 // what rests on them is passed over.
-void piece_settle(Faults& faults, const toml::table& table, const std::string& path, PieceSpec& piece);
+void piece_normalize(Faults& faults, const toml::table& table, const std::string& path, PieceSpec& piece);
 
 // A seam has two sides.
-void seam_settle(Faults& faults, const toml::table& table, const std::string& path);
+void seam_normalize(Faults& faults, const toml::table& table, const std::string& path);
 
 // The mesh's file, looked for beside the scene's, and the orientation.
-void body_settle(Faults& faults, const std::string& path, const std::filesystem::path& folder,
-                 const BodyText& text, BodySpec& body);
+void body_normalize(Faults& faults, const std::string& path, const std::filesystem::path& folder,
+                    const BodyText& text, BodySpec& body);
 
-void pin_settle(Faults& faults, const toml::table& table, const std::string& path);
+void pin_normalize(Faults& faults, const toml::table& table, const std::string& path);
 
 }  // namespace drape::scene

@@ -34,7 +34,7 @@ std::vector<FabricSpec> fabrics_read(Faults& faults, const Document& document) {
 // Reads every table of [[kind]]. `rows` gives the rows of one, `settle` sees to what they leave open.
 template <class Spec, class Rows, class Settle>
 std::vector<Spec> specs_read(Faults& faults, const toml::table& root, const std::string& kind, Rows rows,
-                             Settle settle) {
+                             Settle normalize) {
   std::vector<Spec> specs;
   const toml::node* node = root.get(kind);
   if (!node) return specs;
@@ -52,7 +52,7 @@ std::vector<Spec> specs_read(Faults& faults, const toml::table& root, const std:
     place_note(faults, path, table);
     Spec& spec = specs.emplace_back();
     keys_read(faults, table, path, rows(spec));
-    settle(table, path, spec);
+    normalize(table, path, spec);
     if (again && name_fits(name))
       fault_add(faults, path + ".name",
                 "= " + in_quotes(name) + " is taken by another " + kind + "; names differ within a kind");
@@ -78,22 +78,24 @@ void document_read(Faults& faults, const Document& document, Scene& scene) {
   const std::vector<std::string> fabrics = names_of(scene.fabrics);
   scene.pieces = specs_read<PieceSpec>(
       faults, root, "piece", [&](PieceSpec& p) { return piece_keys(p, fabrics); },
-      [&](const toml::table& t, const std::string& path, PieceSpec& p) { piece_settle(faults, t, path, p); });
+      [&](const toml::table& t, const std::string& path, PieceSpec& p) {
+        piece_normalize(faults, t, path, p);
+      });
   if (!root.contains("piece")) fault_add(faults, "piece", "is missing; wanted: at least one [[piece]]");
 
   const std::vector<std::string> pieces = names_of(scene.pieces);
   scene.pins = specs_read<PinSpec>(
       faults, root, "pin", [&](PinSpec& p) { return pin_keys(p, pieces); },
-      [&](const toml::table& t, const std::string& path, PinSpec&) { pin_settle(faults, t, path); });
+      [&](const toml::table& t, const std::string& path, PinSpec&) { pin_normalize(faults, t, path); });
   scene.seams = specs_read<SeamSpec>(
       faults, root, "seam", [&](SeamSpec& s) { return seam_keys(s, pieces); },
-      [&](const toml::table& t, const std::string& path, SeamSpec&) { seam_settle(faults, t, path); });
+      [&](const toml::table& t, const std::string& path, SeamSpec&) { seam_normalize(faults, t, path); });
   const std::filesystem::path folder = std::filesystem::path(faults.file).parent_path();
   BodyText text;
   scene.bodies = specs_read<BodySpec>(
       faults, root, "body", [&](BodySpec& b) { return body_keys(b, text = BodyText{}); },
       [&](const toml::table&, const std::string& path, BodySpec& b) {
-        body_settle(faults, path, folder, text, b);
+        body_normalize(faults, path, folder, text, b);
       });
   scene.probes = specs_read<ProbeSpec>(
       faults, root, "probe", [&](ProbeSpec& p) { return probe_keys(p, pieces); },

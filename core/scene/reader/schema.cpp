@@ -88,7 +88,7 @@ std::vector<Key> fabric_keys(FabricText& t) {
   keys.push_back({"calibration.date", &t.calibration_date, kRequired});
   for (std::size_t k = 0; k < 3; ++k)
     keys.push_back({std::string("calibration.") + kDiagrams[k], &t.calibration[k], kOptional, {1e-3, 1e3}});
-  for (Key& key : sheet_keys(t)) keys.push_back(std::move(key));
+  for (Key& key : datasheet_keys(t)) keys.push_back(std::move(key));
   return keys;
 }
 

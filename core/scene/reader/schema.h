@@ -20,7 +20,7 @@ struct FabricText {
   double calibration_cell = 0, calibration_residual = 0;
   std::string calibration_date;
   std::vector<double> calibration[3];  // corrections of diagrams from sheets, by kDiagrams
-  SheetText sheet;
+  DatasheetText datasheet;
 };
 
 std::vector<Key> scene_keys(Scene& scene);  // of the whole file; tables of their own have the rows below

@@ -90,11 +90,11 @@ void stitches_read(const JsonFaults& faults, const Json& list, const std::vector
       continue;
     }
     Stitch stitch;
-    bool sound = true;
+    bool valid = true;
     for (std::size_t s = 0; s < 2; ++s) {
       const std::string at = scene::entry(path, s);
       if (!side_read(faults, json[s], at, pattern, edges, stitch.panel[s], stitch.edge[s])) {
-        sound = false;
+        valid = false;
         continue;
       }
       const auto [known, fresh] = sewn.emplace(std::pair{stitch.panel[s], stitch.edge[s]}, at);
@@ -110,7 +110,7 @@ void stitches_read(const JsonFaults& faults, const Json& list, const std::vector
         json_fault(faults, scene::entry(path, 2),
                    "= " + json[2].dump().substr(0, 80) + "; allowed: \"right_wrong\", or nothing");
     }
-    if (sound) pattern.stitches.push_back(stitch);
+    if (valid) pattern.stitches.push_back(stitch);
   }
 }
 

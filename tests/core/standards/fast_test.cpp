@@ -27,7 +27,7 @@ TEST(Fast, ShearIsThatOfTheStrip) {
 }
 
 scene::FabricSpec sheared(double g) {
-  const SheetDiagram d = trellis_bias(g);
+  const Diagram d = trellis_bias(g);
   scene::FabricSpec fabric;
   for (std::size_t i = 0; i < d.percent.size(); ++i) {
     fabric.bias.elongation.push_back(d.percent[i] / 100);

@@ -10,7 +10,7 @@
 namespace drape::standards {
 namespace {
 
-math::Curve curve_of(const SheetDiagram& d) {
+math::Curve curve_of(const Diagram& d) {
   std::vector<double> e;
   for (const double percent : d.percent) e.push_back(percent / 100);
   return math::curve_make(e, d.force_per_width, {});
@@ -49,7 +49,7 @@ TEST(Kes, TensionGivesTheFiguresBack) {
 // fourth order in a/10 a segment.
 TEST(Kes, TensionIsExponential) {
   for (const double lt : {0.2, 0.5, 0.676, 1.2, 1.8}) {
-    const SheetDiagram d = kes_tension(4, kes_energy(4, lt, 500), 500);
+    const Diagram d = kes_tension(4, kes_energy(4, lt, 500), 500);
     ASSERT_EQ(d.percent.size(), 11u);
     const double fm = d.force_per_width.back(), a = 2 * std::log(fm / d.force_per_width[5] - 1);
     for (std::size_t i = 0; i <= 10; ++i) {

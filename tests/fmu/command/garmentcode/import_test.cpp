@@ -449,7 +449,7 @@ TEST_F(Import, survives_any_text) {
     state = state * 6364136223846793005u + 1442695040888963407u;
     return std::size_t(state >> 33) % n;
   };
-  int sound = 0;
+  int valid = 0;
   for (int k = 0; k < 3000; ++k) {
     std::string text = kTunic;
     for (std::size_t edit = 1 + below(2); edit-- > 0;) {
@@ -464,12 +464,12 @@ TEST_F(Import, survives_any_text) {
     if (problems.empty()) {
       const Scene scene = garment_scene(pattern, {}, {});
       validation::scene_check(scene, problems);
-      sound += problems.empty();
+      valid += problems.empty();
       EXPECT_FALSE(garment_text(scene, pattern, {}).empty());
     }
     for (const Problem& p : problems) EXPECT_FALSE(p.place.empty() || p.message.empty()) << text;
   }
-  EXPECT_GT(sound, 0);
+  EXPECT_GT(valid, 0);
 }
 
 }  // namespace
