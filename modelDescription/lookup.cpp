@@ -32,7 +32,7 @@ const Variable* variable_find(const std::vector<Variable>& table, std::string_vi
 std::string variable_nearest(const std::vector<Variable>& table, std::string_view name) {
   std::vector<std::string> names;
   for (const Variable& v : table) names.push_back(v.name());
-  return scene::name_nearest(name, names);
+  return scene::spelling_nearest(name, names);
 }
 
 std::string range_text(const Range& r) {

@@ -128,12 +128,12 @@ drape_cloth* drape_open(const char* scene_file, drape_log_fn* log, void* user) {
   std::vector<Problem> problems;
   try {
     c->scene = validation::scene_load(scene_file, problems);
-    if (problems.empty()) c->text = scene::scene_resolve(scene_file, problems);
+    if (problems.empty()) c->text = scene::scene_inline_files(scene_file, problems);
     for (const scene::BodySpec& body : c->scene.bodies)
       c->files.push_back(scene::body_file(body.name, body.mesh));
     if (problems.empty()) {
       cloth_assemble(*c, problems);
-      for (Problem& p : problems) p.place = scene::scene_place(scene_file, p.place);
+      for (Problem& p : problems) p.place = scene::scene_location(scene_file, p.place);
     }
   } catch (const std::bad_alloc&) {
     problems.push_back(

@@ -16,9 +16,9 @@ std::string one_line(std::string text) {
   return text;
 }
 
-Place place_find(const Faults& faults, std::string path) {
+Location place_find(const Faults& faults, std::string path) {
   while (!path.empty()) {
-    if (const auto it = faults.places.find(path); it != faults.places.end()) return it->second;
+    if (const auto it = faults.locations.find(path); it != faults.locations.end()) return it->second;
     const std::size_t end = path.find_last_of(".[");
     path.resize(end == std::string::npos ? 0 : end);
   }
@@ -28,7 +28,7 @@ Place place_find(const Faults& faults, std::string path) {
 }  // namespace
 
 std::string fault_place(const Faults& faults, const std::string& path) {
-  const Place at = place_find(faults, path);
+  const Location at = place_find(faults, path);
   std::string place = at.file;
   if (at.line) place += ":" + std::to_string(at.line);
   return place + (path.empty() ? ":" : ": " + path);
@@ -46,15 +46,15 @@ bool fault_within(const Faults& faults, const std::string& path) {
   });
 }
 
-void fault_add_at(Faults& faults, const Place& at, const std::string& place, const std::string& message) {
+void fault_add_at(Faults& faults, const Location& at, const std::string& place, const std::string& message) {
   faults.found.push_back({at, {one_line(place), one_line(message)}, ""});
 }
 
 void faults_report(const Faults& faults, std::vector<Problem>& problems) {
   std::vector<Faults::Found> sorted = faults.found;
   std::stable_sort(sorted.begin(), sorted.end(), [&](const Faults::Found& a, const Faults::Found& b) {
-    const auto key = [&](const Place& p) { return std::tuple(p.file != faults.file, p.file, p.line); };
-    return key(a.place) < key(b.place);
+    const auto key = [&](const Location& p) { return std::tuple(p.file != faults.file, p.file, p.line); };
+    return key(a.location) < key(b.location);
   });
   for (const Faults::Found& f : sorted) problems.push_back(f.problem);
 }

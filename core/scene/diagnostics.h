@@ -8,16 +8,16 @@
 
 namespace drape::scene {
 
-struct Place {
+struct Location {
   std::string file;   // "" where no text stands behind a path
   unsigned line = 0;  // from 1; 0 = the file as a whole
 };
 
 struct Faults {
-  std::string file;                     // the scene file
-  std::map<std::string, Place> places;  // dotted path -> where it stands
+  std::string file;                           // the scene file
+  std::map<std::string, Location> locations;  // dotted path -> where it stands
   struct Found {
-    Place place;
+    Location location;
     Problem problem;
     std::string path;  // dotted; "" where none stands for the place
   };
@@ -35,7 +35,7 @@ bool fault_within(const Faults& faults, const std::string& path);
 std::string fault_place(const Faults& faults, const std::string& path);
 
 // The same where no path stands for the place.
-void fault_add_at(Faults& faults, const Place& at, const std::string& place, const std::string& message);
+void fault_add_at(Faults& faults, const Location& at, const std::string& place, const std::string& message);
 
 // Appends the faults found, in the order of the text, the scene file first.
 void faults_report(const Faults& faults, std::vector<Problem>& problems);

@@ -29,7 +29,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string name_nearest(std::string_view word, const std::vector<std::string>& known) {
+std::string spelling_nearest(std::string_view word, const std::vector<std::string>& known) {
   std::string nearest;
   std::size_t smallest = std::string::npos;
   for (const std::string& name : known) {

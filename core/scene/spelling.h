@@ -7,6 +7,6 @@
 namespace drape::scene {
 
 // The nearest of the known names if no more than a third of its letters are wrong, else "".
-std::string name_nearest(std::string_view word, const std::vector<std::string>& known);
+std::string spelling_nearest(std::string_view word, const std::vector<std::string>& known);
 
 }  // namespace drape::scene

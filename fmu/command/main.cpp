@@ -51,7 +51,7 @@ std::string command_problem(const CLI::App& app, int argc, char** argv) {
     all += (all.empty() ? "" : ", ") + command->get_name();
   }
   if (std::find(commands.begin(), commands.end(), argv[1]) != commands.end()) return "";
-  const std::string nearest = scene::name_nearest(argv[1], commands);
+  const std::string nearest = scene::spelling_nearest(argv[1], commands);
   return "unknown command '" + std::string(argv[1]) + "'; " +
          (nearest.empty() ? "known: " + all : "the nearest is '" + nearest + "'") + "; see drape --help";
 }

@@ -36,7 +36,7 @@ std::optional<toml::table> text_parse(const std::string& text, const std::string
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
     const toml::source_position at = error.source().begin;
-    const Place place{file, at.line};
+    const Location place{file, at.line};
     const std::string where = file + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) + ":";
     fault_add_at(faults, place, where, "is not valid TOML: " + std::string(error.description()));
     return std::nullopt;
@@ -89,7 +89,7 @@ bool fabric_fold(toml::table& fabric, const std::string& path, const command::fs
   if (!named || !named->is_string()) return true;
   const std::string& name = named->as_string()->get();
   const std::string key = path + ".file";
-  faults.places[key] = {faults.file, named->source().begin.line};
+  faults.locations[key] = {faults.file, named->source().begin.line};
 
   const command::fs::path file = (folder / name).lexically_normal();
   files.push_back(file);
@@ -102,7 +102,7 @@ bool fabric_fold(toml::table& fabric, const std::string& path, const command::fs
   std::optional<toml::table> base = text_parse(text, file.string(), faults);
   if (!base) return false;
   if (const toml::node* another = base->get("file")) {
-    faults.places[key] = {file.string(), another->source().begin.line};
+    faults.locations[key] = {file.string(), another->source().begin.line};
     fault_add(faults, key, "stands in a fabric file; a fabric file cannot name another one");
   }
   corrections_drop(fabric, *base);

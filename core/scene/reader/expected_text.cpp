@@ -89,7 +89,7 @@ bool name_fits(const std::string& name) {
 }
 
 void place_note(Faults& faults, const std::string& path, const toml::node& node) {
-  if (node.source().path) faults.places[path] = {*node.source().path, node.source().begin.line};
+  if (node.source().path) faults.locations[path] = {*node.source().path, node.source().begin.line};
 }
 
 }  // namespace drape::scene

@@ -12,7 +12,7 @@ std::string body_file(const std::string& name, const std::string& mesh) {
 
 // Sheets become plain keys. Doubles are printed as the shortest decimal that gives the same double, so that
 // nothing is lost on the way.
-std::string scene_resolve(const std::filesystem::path& file, std::vector<Problem>& problems) {
+std::string scene_inline_files(const std::filesystem::path& file, std::vector<Problem>& problems) {
   Faults faults;
   Document document = document_load(file, faults);
   faults_report(faults, problems);

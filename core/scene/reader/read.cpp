@@ -126,7 +126,7 @@ FabricFile fabric_read(const std::filesystem::path& file, Corrections correction
   return text;
 }
 
-std::string scene_place(const std::filesystem::path& file, const std::string& path) {
+std::string scene_location(const std::filesystem::path& file, const std::string& path) {
   return fault_place(scene_read(file).faults, path);
 }
 

@@ -31,7 +31,7 @@ FabricFile fabric_read(const std::filesystem::path& file, Corrections correction
 
 // A dotted path with where it stands, "scene.toml:12: scene.step", for faults that only the assembled cloth
 // shows. Reads the files once more.
-std::string scene_place(const std::filesystem::path& file, const std::string& path);
+std::string scene_location(const std::filesystem::path& file, const std::string& path);
 
 // The files that a scene is read from: its own first.
 std::vector<std::filesystem::path> scene_files(const std::filesystem::path& file);
@@ -42,6 +42,6 @@ std::string body_file(const std::string& name, const std::string& mesh);
 // The same scene as one TOML text that refers to no other file but the meshes of bodies, which must lie
 // beside it by the names of body_file; reading it gives the same Scene bit for bit. Reports only what hinders
 // the folding (files, syntax): the rest is scene_read's.
-std::string scene_resolve(const std::filesystem::path& file, std::vector<Problem>& problems);
+std::string scene_inline_files(const std::filesystem::path& file, std::vector<Problem>& problems);
 
 }  // namespace drape::scene

@@ -31,7 +31,7 @@ void unknown_key(Faults& faults, const std::string& path, const std::string& nam
     known.push_back(name_known);
     all += (all.empty() ? "" : ", ") + name_known;
   }
-  const std::string nearest = name_nearest(name, known);
+  const std::string nearest = spelling_nearest(name, known);
   fault_add(
       faults, path,
       "is no known key; " + (nearest.empty() ? "known: " + all : "the nearest is " + in_quotes(nearest)));
@@ -41,7 +41,8 @@ void level_read(Faults& faults, const toml::table& table, const std::string& pat
                 const std::vector<Key>& keys) {
   for (auto&& [toml_key, node] : table) {
     const std::string name(toml_key.str()), at = joined(path, name);
-    if (toml_key.source().path) faults.places[at] = {*toml_key.source().path, toml_key.source().begin.line};
+    if (toml_key.source().path)
+      faults.locations[at] = {*toml_key.source().path, toml_key.source().begin.line};
     const bool plain = name.find('.') == std::string::npos;  // a row's dotted name is no key
     const auto row =
         std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == prefix + name; });

@@ -65,7 +65,7 @@ std::size_t column_of(Reading& r, std::size_t column, const std::string& name,
   std::vector<std::string> names{"time"};
   for (const description::Variable& v : table)
     if (v.causality == description::Causality::kInput) names.push_back(v.name());
-  const std::string nearest = scene::name_nearest(name, names);
+  const std::string nearest = scene::spelling_nearest(name, names);
   const std::string known =
       names.size() > 1 ? "`drape variables SCENE` lists the inputs" : "this scene has no inputs";
   complain(

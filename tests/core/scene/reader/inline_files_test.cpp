@@ -69,7 +69,7 @@ void expect_round_trip(const std::string& scene, const std::string& fabric) {
   const std::filesystem::path file = folder.write("scene.toml", scene);
   std::vector<Problem> problems;
   const Scene first = validation::scene_load(file, problems);
-  const std::string text = scene_resolve(file, problems);
+  const std::string text = scene_inline_files(file, problems);
   const Scene second = validation::scene_load(elsewhere.write("scene.toml", text), problems);
   for (const Problem& p : problems) ADD_FAILURE() << problem_text(p) << '\n' << text;
 
@@ -98,7 +98,7 @@ TEST(SceneResolve, SheetsBecomePlainKeys) {
     const SceneFolder folder;
     folder.write("wool.toml", fabric);
     std::vector<Problem> problems;
-    const std::string text = scene_resolve(folder.write("scene.toml", scene), problems);
+    const std::string text = scene_inline_files(folder.write("scene.toml", scene), problems);
     for (const char* key : {"kes", "fast", "gost_10550", "_mm", "_in", "force_", "ASTM"})
       EXPECT_EQ(text.find(key), std::string::npos) << key << '\n' << text;
   }
