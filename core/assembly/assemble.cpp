@@ -114,7 +114,7 @@ std::vector<ClampSlopes> clamp_slopes(const Scene& scene, int piece, const piece
   std::vector<ClampSlopes> clamps;
   for (std::size_t p = 0; p < scene.pins.size(); ++p)
     if (scene.pins[p].clamp && scene.pins[p].piece == piece)
-      clamps.push_back({int(p), piece::hold_make(grid, scene, scene.pins[p]).slopes});
+      clamps.push_back({int(p), piece::support_make(grid, scene, scene.pins[p]).slopes});
   return clamps;
 }
 

@@ -25,7 +25,7 @@ constraint::ConstraintRow row_at(const model::Lattice& l, const piece::GridPoint
 std::vector<constraint::PinBase> pins_make(const Scene& scene, const std::vector<piece::Grid>& grids) {
   std::vector<constraint::PinBase> pins;
   for (const scene::PinSpec& pin : scene.pins) {
-    const piece::Hold hold = piece::hold_make(grids[std::size_t(pin.piece)], scene, pin);
+    const piece::Support hold = piece::support_make(grids[std::size_t(pin.piece)], scene, pin);
     const Vec3 centre = piece::place_point(scene.pieces[std::size_t(pin.piece)].place, hold.centre);
     pins.push_back({pin.name, centre, pin.clamp, pin.drive});
   }
@@ -37,7 +37,7 @@ std::vector<constraint::ConstraintRow> pin_rows(const Scene& scene, const std::v
   std::vector<constraint::ConstraintRow> rows;
   for (std::size_t p = 0; p < scene.pins.size(); ++p) {
     const auto piece = std::size_t(scene.pins[p].piece);
-    for (const piece::GridPoint& at : piece::hold_make(grids[piece], scene, scene.pins[p]).at) {
+    for (const piece::GridPoint& at : piece::support_make(grids[piece], scene, scene.pins[p]).at) {
       rows.push_back(row_at(system.lattices[piece], at, start));
       rows.back().pin = int(p);
     }

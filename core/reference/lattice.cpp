@@ -23,7 +23,7 @@ struct Net {
   piece::Grid grid;
   std::vector<int> number;  // [nodes of the grid] particle, -1 where the node carries nothing
   std::map<std::pair<int, int>, double> warp, weft;  // widths of links by their nodes
-  std::vector<piece::Hold> holds;                    // by pins; empty for those of other pieces
+  std::vector<piece::Support> holds;                 // by pins; empty for those of other pieces
 
   const scene::PieceSpec& piece() const { return scene.pieces[std::size_t(index)]; }
   const scene::FabricSpec& fabric() const { return scene.fabrics[std::size_t(piece().fabric)]; }
@@ -79,7 +79,7 @@ struct Clamped {
 
 Clamped clamped_threads(const Net& net, bool warp) {
   Clamped clamped;
-  for (const piece::Hold& hold : net.holds)
+  for (const piece::Support& hold : net.holds)
     for (const piece::HeldSlope& slope : hold.slopes) {
       if (slope.warp != warp) continue;
       clamped.series.emplace(std::pair{slope.from, slope.to}, slope.series);
@@ -120,7 +120,7 @@ void add_hinges(const Net& net, bool warp, Lattice& lattice) {
 }
 
 // The half link between a clamp and a link that leaves it: kappa_c = y 2 B w/b.
-void add_clamps(const Net& net, const piece::Hold& hold, int pin, Lattice& lattice) {
+void add_clamps(const Net& net, const piece::Support& hold, int pin, Lattice& lattice) {
   for (const piece::HeldSlope& slope : hold.slopes) {
     const double B = link_rigidity(net, slope.warp);
     if (!(B > 0)) continue;
@@ -143,7 +143,7 @@ Point point_at(const Net& net, const piece::GridPoint& found) {
 
 void add_pin(const Net& net, int index, Lattice& lattice) {
   const scene::PinSpec& spec = net.scene.pins[std::size_t(index)];
-  const piece::Hold& hold = net.holds[std::size_t(index)];
+  const piece::Support& hold = net.holds[std::size_t(index)];
   const Vec3 centre = piece::place_point(net.piece().place, hold.centre);
   lattice.pins.push_back({spec.name, {centre[0], centre[1], centre[2]}, spec.drive, spec.clamp});
   for (const piece::GridPoint& at : hold.at) lattice.rows.push_back({point_at(net, at), index});
@@ -234,7 +234,7 @@ void add_seam(const std::vector<Net>& nets, const scene::SeamSpec& spec, double 
 Net net_make(const Scene& scene, int piece) {
   Net net{scene, piece, piece::grid_make(scene, piece), {}, {}, {}, {}};
   for (const scene::PinSpec& pin : scene.pins)
-    net.holds.push_back(pin.piece == piece ? piece::hold_make(net.grid, scene, pin) : piece::Hold{});
+    net.holds.push_back(pin.piece == piece ? piece::support_make(net.grid, scene, pin) : piece::Support{});
   return net;
 }
 

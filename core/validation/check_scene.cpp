@@ -95,7 +95,7 @@ void scene_check_layout(const Scene& scene, std::vector<Problem>& problems) {
       continue;
     }
     for (const scene::PinSpec* pin : regions)
-      if (piece::hold_make(grid, scene, *pin).points.empty())
+      if (piece::support_make(grid, scene, *pin).points.empty())
         problems.push_back({"pin." + pin->name + ".region",
                             "holds nothing: no particle of the piece " + scene::in_quotes(piece.name) +
                                 " lies in it; its cells are " + scene::number_text(piece.cell) + " m"});

@@ -43,7 +43,7 @@ void edges_draw(pugi::xml_node parent, const View& view, const scene::PinSpec& p
 }
 
 void pin_draw(pugi::xml_node parent, const View& view, const scene::PinSpec& pin) {
-  const piece::Hold hold = piece::hold_make(view.grid, view.scene, pin);
+  const piece::Support hold = piece::support_make(view.grid, view.scene, pin);
   const pugi::xml_node group = svg_append(parent, "g", {{"class", "pin"}});
   svg_title(group, title_of(pin));
   if (!pin.region.empty())

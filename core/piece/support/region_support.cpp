@@ -194,9 +194,9 @@ std::vector<Leaving> links_lengthened(Region& r) {
 
 }  // namespace
 
-RegionHold region_hold(const Grid& grid, const std::vector<Vec2>& polygon, bool clamp) {
+RegionSupport region_support(const Grid& grid, const std::vector<Vec2>& polygon, bool clamp) {
   Region region = region_make(grid, polygon);
-  RegionHold hold;
+  RegionSupport hold;
   nodes_hold(region);
   if (clamp)
     for (const Leaving& link : links_lengthened(region)) {

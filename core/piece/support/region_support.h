@@ -4,10 +4,10 @@
 
 namespace drape::piece {
 
-struct RegionHold {
+struct RegionSupport {
   std::vector<int> nodes;  // rising
   std::vector<HeldSlope> slopes;
 };
-RegionHold region_hold(const Grid& grid, const std::vector<Vec2>& region, bool clamp);
+RegionSupport region_support(const Grid& grid, const std::vector<Vec2>& region, bool clamp);
 
 }  // namespace drape::piece

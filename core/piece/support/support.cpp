@@ -32,7 +32,7 @@ Vec2 mean(const std::vector<Vec2>& points) {
   return sum;
 }
 
-void points_hold(Hold& hold, const Grid& grid, std::vector<Vec2> at) {  // in cells
+void points_hold(Support& hold, const Grid& grid, std::vector<Vec2> at) {  // in cells
   std::sort(at.begin(), at.end(), [](Vec2 p, Vec2 q) { return p[1] != q[1] ? p[1] < q[1] : p[0] < q[0]; });
   at.erase(std::unique(at.begin(), at.end()), at.end());
   for (const Vec2& p : at) {
@@ -72,7 +72,7 @@ void cell_slopes(const Grid& grid, Vec2 point, std::vector<HeldSlope>& slopes) {
     if (link.clamp > 0) slopes.push_back(link);
 }
 
-void point_slopes(const Grid& grid, const Hold& hold, std::vector<HeldSlope>& slopes) {
+void point_slopes(const Grid& grid, const Support& hold, std::vector<HeldSlope>& slopes) {
   for (std::size_t k = 0; k < hold.points.size(); ++k) {
     const double* weight = hold.at[k].weight;
     const double* whole = std::find(weight, weight + 4, 1.0);
@@ -90,7 +90,7 @@ bool thread_held(const EdgeCrossing& crossing) {
   return crossing.at[line] == std::floor(crossing.at[line]);
 }
 
-void edges_hold(Hold& hold, const Grid& grid, const scene::PieceSpec& piece, const scene::PinSpec& pin) {
+void edges_hold(Support& hold, const Grid& grid, const scene::PieceSpec& piece, const scene::PinSpec& pin) {
   const std::vector<OutlineLoop> loops = outline_flatten(piece);
   std::vector<Vec2> at;
   for (int edge : pin.edges) {
@@ -105,10 +105,10 @@ void edges_hold(Hold& hold, const Grid& grid, const scene::PieceSpec& piece, con
 
 }  // namespace
 
-Hold hold_make(const Grid& grid, const Scene& scene, const scene::PinSpec& pin) {
-  Hold hold;
+Support support_make(const Grid& grid, const Scene& scene, const scene::PinSpec& pin) {
+  Support hold;
   if (!pin.region.empty()) {
-    RegionHold region = region_hold(grid, pin.region, pin.clamp);
+    RegionSupport region = region_support(grid, pin.region, pin.clamp);
     for (int n : region.nodes) {
       hold.points.push_back(grid.place(n));
       hold.at.push_back({{n, n, n, n}, {1, 0, 0, 0}});

@@ -14,12 +14,12 @@ struct HeldSlope {
   bool pivot;     // there is no other hinge at `from` along this thread
 };
 
-struct Hold {
+struct Support {
   std::vector<Vec2> points;       // in the plane of the outline, each once; nodes of a region too
   std::vector<GridPoint> at;      // [points] where they sit
   std::vector<HeldSlope> slopes;  // only of clamps
   Vec2 centre{0, 0};              // where the pin's frame starts, in the plane of the outline
 };
-Hold hold_make(const Grid& grid, const Scene& scene, const scene::PinSpec& pin);
+Support support_make(const Grid& grid, const Scene& scene, const scene::PinSpec& pin);
 
 }  // namespace drape::piece

@@ -12,7 +12,7 @@ using Points = std::vector<Vec2>;
 
 struct Held {
   Grid grid;
-  Hold hold;
+  Support hold;
 };
 
 Held held(const scene::PieceSpec& piece, scene::PinSpec pin, bool clamp = false) {
@@ -21,7 +21,7 @@ Held held(const scene::PieceSpec& piece, scene::PinSpec pin, bool clamp = false)
   Scene scene = scene_of(piece);
   scene.pins = {pin};
   Held h{grid_make(scene, 0), {}};
-  h.hold = hold_make(h.grid, scene, pin);
+  h.hold = support_make(h.grid, scene, pin);
   return h;
 }
 

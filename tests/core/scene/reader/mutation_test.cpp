@@ -90,7 +90,7 @@ void expect_laid_out(const Scene& scene, const std::string& text) {
     std::vector<Vec2> points = scene.pieces[k].outline;
     for (const PinSpec& pin : scene.pins) {
       if (pin.piece != int(k)) continue;
-      const std::vector<Vec2> held = piece::hold_make(grid, scene, pin).points;
+      const std::vector<Vec2> held = piece::support_make(grid, scene, pin).points;
       EXPECT_FALSE(held.empty()) << text;
       points.insert(points.end(), held.begin(), held.end());
     }
