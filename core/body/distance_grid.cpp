@@ -34,10 +34,10 @@ bool voxel_name(const Vec3& x, double size, std::uint64_t& name, Vec3& centre) {
   return true;
 }
 
-double half_of(const Voxels& v, int level) { return kHalfDiagonal * v.size[level]; }
+double half_of(const DistanceGrid& v, int level) { return kHalfDiagonal * v.size[level]; }
 
 // A largest voxel.
-Voxel voxel_ask(const Voxels& v, const Vec3& centre) {
+Voxel voxel_ask(const DistanceGrid& v, const Vec3& centre) {
   Voxel voxel;
   voxel.distance = v.library->distance(v.query, centre.data(), nullptr) * (1 - kRounding);
   voxel.far = voxel.distance > half_of(v, 0) + v.size[0] / kFiner;
@@ -51,7 +51,8 @@ Voxel voxel_ask(const Voxels& v, const Vec3& centre) {
 }
 
 // A voxel at `centre`: of the triangles of the one that it is in, at `middle`.
-Voxel voxel_part(const Voxels& v, int level, const Voxel& whole, const Vec3& middle, const Vec3& centre) {
+Voxel voxel_part(const DistanceGrid& v, int level, const Voxel& whole, const Vec3& middle,
+                 const Vec3& centre) {
   Voxel voxel;
   const double listed = half_of(v, level) + v.reach;
   double clear = whole.distance * (1 - kRounding) - norm(centre - middle);
@@ -72,13 +73,13 @@ Voxel voxel_part(const Voxels& v, int level, const Voxel& whole, const Vec3& mid
 
 }  // namespace
 
-Voxels voxels_make(const drape_contact_library& library, const drape_query& query, const BodySurface& surface,
-                   double reach) {
-  Voxels v;
+DistanceGrid distance_grid_make(const drape_contact_library& library, const drape_query& query,
+                                const BodySurface& surface, double reach) {
+  DistanceGrid v;
   v.library = &library;
   v.query = &query;
   v.surface = &surface;
-  v.recent = std::make_unique<Voxels::Recent[]>(kVoxelsRecent);
+  v.recent = std::make_unique<DistanceGrid::Recent[]>(kVoxelsRecent);
   v.reach = reach;
   double size = std::max(kEdges * surface.edge_mean, 2 * reach);
   for (int level = kVoxelLevels - 1; level >= 0; --level, size *= kFiner) v.size[level] = size;
@@ -92,12 +93,12 @@ struct Found {
   Voxel* voxel;
   Vec3 centre;
 };
-Found voxel_at(Voxels& v, const Vec3& x) {
+Found voxel_at(DistanceGrid& v, const Vec3& x) {
   constexpr int kLast = kVoxelLevels - 1;
   std::uint64_t last = 0;
   Vec3 centre{}, above{};
   if (!voxel_name(x, v.size[kLast], last, centre)) return {nullptr, {}};
-  Voxels::Recent& recent = v.recent[last * kSpread >> kSpreadShift];
+  DistanceGrid::Recent& recent = v.recent[last * kSpread >> kSpreadShift];
   if (recent.voxel && recent.name == last) return {recent.voxel, centre};
   Voxel* whole = nullptr;
   for (int level = 0; level < kVoxelLevels; ++level) {
@@ -113,7 +114,7 @@ Found voxel_at(Voxels& v, const Vec3& x) {
   return {whole, centre};
 }
 
-double signed_distance(const Voxels& v, const Vec3& x) {
+double signed_distance(const DistanceGrid& v, const Vec3& x) {
   int triangle = 0;
   v.library->distance(v.query, x.data(), &triangle);
   return closest_features_signed(*v.surface, triangle, x);
@@ -121,14 +122,14 @@ double signed_distance(const Voxels& v, const Vec3& x) {
 
 }  // namespace
 
-Neighbourhood voxels_at(Voxels& v, const Vec3& x) {
+Neighbourhood distance_grid_at(DistanceGrid& v, const Vec3& x) {
   const Found found = voxel_at(v, x);
   if (!found.voxel) return {v.library->distance(v.query, x.data(), nullptr) * (1 - kRounding), nullptr, 0};
   if (found.voxel->far) return {found.voxel->distance - norm(x - found.centre), nullptr, 0};
   return {0, &found.voxel->triangle, found.voxel->distance * (1 - kRounding) - norm(x - found.centre)};
 }
 
-double voxels_depth(Voxels& v, const Vec3& x) {
+double distance_grid_depth(DistanceGrid& v, const Vec3& x) {
   if (!v.surface->solid) return 0;
   const Found found = voxel_at(v, x);
   if (found.voxel && found.voxel->far) {

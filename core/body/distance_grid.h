@@ -25,7 +25,7 @@ struct Voxel {
 
 inline constexpr int kVoxelLevels = 3;
 inline constexpr std::size_t kVoxelsRecent = 256;
-struct Voxels {
+struct DistanceGrid {
   const drape_contact_library* library = nullptr;
   const drape_query* query = nullptr;
   const BodySurface* surface = nullptr;
@@ -40,8 +40,8 @@ struct Voxels {
 };
 
 // `reach`: how near a triangle must be to be listed.
-Voxels voxels_make(const drape_contact_library& library, const drape_query& query, const BodySurface& surface,
-                   double reach);
+DistanceGrid distance_grid_make(const drape_contact_library& library, const drape_query& query,
+                                const BodySurface& surface, double reach);
 
 // How far at least x is from the surface; 0: look at the triangles.
 struct Neighbourhood {
@@ -49,9 +49,9 @@ struct Neighbourhood {
   const std::vector<int>* triangle;  // all within `listed` of x, at least those within reach; or null
   double listed;                     // m
 };
-Neighbourhood voxels_at(Voxels& voxels, const Vec3& x);
+Neighbourhood distance_grid_at(DistanceGrid& voxels, const Vec3& x);
 
 // How deep x is inside a solid surface (m), about; 0: it is not.
-double voxels_depth(Voxels& voxels, const Vec3& x);
+double distance_grid_depth(DistanceGrid& voxels, const Vec3& x);
 
 }  // namespace drape::body

@@ -78,7 +78,7 @@ struct EdgeDepth {
   Vec3 at{0, 0, 0};
 };
 EdgeDepth edge_deepest(const System& system, const State& state, std::size_t body,
-                       const model::Lattice& lattice, body::Voxels& voxels);
+                       const model::Lattice& lattice, body::DistanceGrid& voxels);
 
 // Visits (touch, its place in ridge_look, depth in m, force of the penalty in N) where links and cells are
 // within their layer.

@@ -32,7 +32,7 @@ bool is_cut(const body::BodySurface& surface, const body::SharpFeature& feature,
 }  // namespace
 
 EdgeDepth edge_deepest(const System& system, const State& s, std::size_t b, const model::Lattice& l,
-                       body::Voxels& voxels) {
+                       body::DistanceGrid& voxels) {
   EdgeDepth deep;
   const model::Body& body = system.bodies[b];
   std::uint32_t last = 0xffffffff;  // a part over several ridges counts once
@@ -50,7 +50,7 @@ EdgeDepth edge_deepest(const System& system, const State& s, std::size_t b, cons
       at += gap.weight[k] * Vec3{s.x[n], s.y[n], s.z[n]};
     }
     if (gap.distance < 0 && !is_cut(body.mesh.surface, feature, part, x) &&
-        !(body::voxels_depth(voxels, foot) > 0))
+        !(body::distance_grid_depth(voxels, foot) > 0))
       continue;  // beyond the body
     const double depth = l.contact_law.distance - gap.distance;
     deep.count += pair.element != last;

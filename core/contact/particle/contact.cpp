@@ -39,8 +39,8 @@ void block_update(const System& system, ContactWorkspace& workspace, State& s, s
     x[i] = model::pose_inward(body, s.body[b], at);
     step[i] = model::pose_inward(body, s.body[b], at + ahead * v) - x[i];
   }
-  update_neighbours(body.mesh.surface, workspace.voxels[b], s.body[b], node, l.piece, l.contact_law.distance,
-                    {body.sharp, edge_near(l), edge_margin(l)}, x, step);
+  update_neighbours(body.mesh.surface, workspace.distance_grids[b], s.body[b], node, l.piece,
+                    l.contact_law.distance, {body.sharp, edge_near(l), edge_margin(l)}, x, step);
 }
 
 ContactPass contact_pass_of(const System& system, ContactWorkspace& workspace, const State& s, std::size_t b,
@@ -113,8 +113,9 @@ ContactWorkspace workspace_make(const System& system) {
   ContactWorkspace workspace;
   const double contact_distance = max_contact_distance(system);
   for (const model::Body& body : system.bodies)
-    workspace.voxels.push_back(body::voxels_make(*body.mesh.library, *body.mesh.query, body.mesh.surface,
-                                                 search_reach(body.mesh.surface, contact_distance)));
+    workspace.distance_grids.push_back(
+        body::distance_grid_make(*body.mesh.library, *body.mesh.query, body.mesh.surface,
+                                 search_reach(body.mesh.surface, contact_distance)));
   workspace.old.resize(system.bodies.size());
   workspace.load.resize(system.bodies.size());
   if (!system.bodies.empty()) workspace.stale.resize(system.nodes / math::kRowUnit);

@@ -9,9 +9,9 @@ namespace drape::contact {
 
 // Room for contact; made once per System.
 struct ContactWorkspace {
-  std::vector<body::Voxels> voxels;  // [bodies]
-  std::vector<Array> old;            // [bodies][blocks x 3 x kRowUnit] v_{n-1/2}
-  std::vector<std::size_t> stale;    // [nodes / kRowUnit] first nodes of blocks to look at anew
+  std::vector<body::DistanceGrid> distance_grids;  // [bodies]
+  std::vector<Array> old;                          // [bodies][blocks x 3 x kRowUnit] v_{n-1/2}
+  std::vector<std::size_t> stale;                  // [nodes / kRowUnit] first nodes of blocks to look at anew
   Array tied;                 // [nodes] 1 where pins and welds tie a particle to others; empty: nowhere
   std::vector<char> touched;  // [nodes / kRowUnit] where tied nodes have been touched in the present step
   std::vector<model::ContactLaw> law;       // [lattices] of the present body

@@ -11,14 +11,14 @@ double depth_at(const System& system, ContactWorkspace& workspace, const State& 
                 const model::Lattice& l, std::size_t n) {
   const model::Body& body = system.bodies[b];
   const Vec3 x = model::pose_inward(body, s.body[b], {s.x[n], s.y[n], s.z[n]});
-  body::Voxels& voxels = workspace.voxels[b];
-  if (const body::Neighbourhood near = body::voxels_at(voxels, x); near.triangle) {
+  body::DistanceGrid& voxels = workspace.distance_grids[b];
+  if (const body::Neighbourhood near = body::distance_grid_at(voxels, x); near.triangle) {
     body::ClosestFeatures found;
     body::closest_features_find(body.mesh.surface, *near.triangle, x, l.contact_law.distance, voxels.reach,
                                 voxels.reach, near.listed, nullptr, found);
     if (!found.touch.empty()) return l.contact_law.distance - found.touch[0].distance;
   }
-  const double inside = body::voxels_depth(voxels, x);
+  const double inside = body::distance_grid_depth(voxels, x);
   return inside > 0 ? l.contact_law.distance + inside : 0;
 }
 
@@ -40,7 +40,7 @@ void check_start(const System& system, const Scene& scene, ContactWorkspace& wor
       }
       const char* what = " particles inside the body ";
       if (count == 0) {
-        const EdgeDepth deep = edge_deepest(system, s, b, l, workspace.voxels[b]);
+        const EdgeDepth deep = edge_deepest(system, s, b, l, workspace.distance_grids[b]);
         count = deep.count, deepest = deep.depth, worst = deep.at;
         what = " links or cells through sharp edges or tips of the body ";
       }

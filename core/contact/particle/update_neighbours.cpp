@@ -141,7 +141,7 @@ double ridge_way(const SharpRange& of, model::EdgeContact& c, std::size_t n, con
 
 }  // namespace
 
-void update_neighbours(const body::BodySurface& surface, body::Voxels& voxels, model::BodyContact& c,
+void update_neighbours(const body::BodySurface& surface, body::DistanceGrid& voxels, model::BodyContact& c,
                        std::size_t node, int lattice, double contact_distance, const SharpRange& features,
                        const Vec3* x, const Vec3* step) {
   static thread_local body::ClosestFeatures found;
@@ -150,7 +150,7 @@ void update_neighbours(const body::BodySurface& surface, body::Voxels& voxels, m
     const std::size_t n = node + i;
     const Vec3 moved = x[i] + step[i] - Vec3{c.x[n], c.y[n], c.z[n]};
     if (!(dot(moved, moved) >= kUsed * kUsed * c.free_distance2[n])) continue;
-    const body::Neighbourhood near = body::voxels_at(voxels, x[i]);
+    const body::Neighbourhood near = body::distance_grid_at(voxels, x[i]);
     found.touch.clear();
     found.budget = near.clearance - contact_distance;
     Vec3 side{};

@@ -20,8 +20,8 @@ struct SharpRange {
 
 // Of kRowUnit nodes from `node` on, those at x (in the body's frame) that have used up most of their budgets,
 // or will by the next step, which moves them by `step` (m).
-void update_neighbours(const body::BodySurface& surface, body::Voxels& voxels, model::BodyContact& contact,
-                       std::size_t node, int lattice, double contact_distance, const SharpRange& features,
-                       const Vec3* x, const Vec3* step);
+void update_neighbours(const body::BodySurface& surface, body::DistanceGrid& voxels,
+                       model::BodyContact& contact, std::size_t node, int lattice, double contact_distance,
+                       const SharpRange& features, const Vec3* x, const Vec3* step);
 
 }  // namespace drape::contact

@@ -52,7 +52,7 @@ TEST(Nearest, IsTheNearestOfAllTrianglesAndItsBudgetIsKept) {
   for (const command::Mesh& mesh : {ball(0.1, 16), box(0.2, 0.1, 0.01), cylinder(0.05, 0.2, 12)}) {
     const model::Body body = body_of(folder, mesh);
     const double contact = 0.001, reach = contact::search_reach(body.mesh.surface, contact);
-    Voxels voxels = voxels_make(*body.mesh.library, *body.mesh.query, body.mesh.surface, reach);
+    DistanceGrid voxels = distance_grid_make(*body.mesh.library, *body.mesh.query, body.mesh.surface, reach);
     int touched = 0;
     for (int k = 0; k < 4000; ++k) {
       const std::size_t t = std::size_t(random()) % body.mesh.surface.corner.size();
@@ -60,7 +60,7 @@ TEST(Nearest, IsTheNearestOfAllTrianglesAndItsBudgetIsKept) {
       Vec3 x = body.mesh.surface.facet[t].middle;
       for (double& v : x) v += far * shift(random);
       const double exact = mesh_distance(body.mesh.surface, x);
-      const Neighbourhood near = voxels_at(voxels, x);
+      const Neighbourhood near = distance_grid_at(voxels, x);
       ClosestFeatures found;
       if (!near.triangle) {
         EXPECT_LE(near.clearance, exact + 1e-12);
@@ -109,12 +109,12 @@ TEST(Nearest, AFewBadEdgesMakeNoInside) {
   const model::Body body = body_of(folder, mesh);
   const BodySurface& surface = body.mesh.surface;
   ASSERT_TRUE(surface.solid);
-  Voxels voxels = voxels_make(*body.mesh.library, *body.mesh.query, surface, 0.002);
+  DistanceGrid voxels = distance_grid_make(*body.mesh.library, *body.mesh.query, surface, 0.002);
   for (const double side : {-1.0, 1.0}) {
     const Vec3 beside = surface.facet.back().middle + 0.02 * side * surface.facet.back().normal;
-    EXPECT_EQ(voxels_depth(voxels, beside), 0) << side;
+    EXPECT_EQ(distance_grid_depth(voxels, beside), 0) << side;
   }
-  EXPECT_NEAR(voxels_depth(voxels, {0, 0, 0}), 0.1 * std::cos(std::numbers::pi / 16), 0.002);
+  EXPECT_NEAR(distance_grid_depth(voxels, {0, 0, 0}), 0.1 * std::cos(std::numbers::pi / 16), 0.002);
 }
 
 // One minimum over a convex edge, two in a groove, one sign for each side.
