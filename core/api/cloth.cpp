@@ -45,10 +45,10 @@ void seams_warn(const drape_cloth& c) {
     const double a = c.system.seams.seam[k].length[0], b = c.system.seams.seam[k].length[1];
     const double ratio = std::max(a, b) / std::min(a, b);
     if (ratio > kUsual)
-      say(c, DRAPE_LOG_WARNING,
-          "seam." + c.scene.seams[k].name + " sews " + number(a) + " m to " + number(b) +
-              " m: the longer side is " + number(ratio, 4) +
-              " times the shorter, which it is gathered to; usual: up to " + number(kUsual));
+      log_message(c, DRAPE_LOG_WARNING,
+                  "seam." + c.scene.seams[k].name + " sews " + number(a) + " m to " + number(b) +
+                      " m: the longer side is " + number(ratio, 4) +
+                      " times the shorter, which it is gathered to; usual: up to " + number(kUsual));
   }
 }
 
@@ -69,11 +69,11 @@ void cloth_assemble(drape_cloth& c, std::vector<Problem>& problems) {
   outputs::outputs_make(c.outputs, c.scene, c.system);
   seams_warn(c);
   for (const model::Body& body : c.system.bodies)
-    for (const std::string& remark : body.remarks) say(c, DRAPE_LOG_WARNING, remark);
+    for (const std::string& remark : body.remarks) log_message(c, DRAPE_LOG_WARNING, remark);
 }
 
 // Where a run left the finite numbers, and the likely reason.
-std::string trouble_text(const drape_cloth& c) {
+std::string failure_place(const drape_cloth& c) {
   const State& s = c.state;
   for (const model::Lattice& l : c.system.lattices)
     for (std::size_t n : c.system.particle) {
@@ -86,12 +86,13 @@ std::string trouble_text(const drape_cloth& c) {
   return "no particle";
 }
 
-void say_trouble(const drape_cloth& c, dynamics::Advance how, double length) {
+void log_failure(const drape_cloth& c, dynamics::Advance how, double length) {
   const double from = model::state_time(c.good, c.system.communication);
   const std::string when = "between " + number(from, 9) + " and " + number(from + length, 9) + " s";
   if (how == dynamics::Advance::kNotFinite) {
-    say(c, DRAPE_LOG_ERROR,
-        when + " the run left the finite numbers, first seen at " + trouble_text(c) + " after step " +
+    log_message(
+        c, DRAPE_LOG_ERROR,
+        when + " the run left the finite numbers, first seen at " + failure_place(c) + " after step " +
             std::to_string(c.state.steps) + " of size " + number(c.state.h_old) +
             " s; loads or strains grew beyond what the fabric's laws can carry; the state is that of " +
             number(from, 9) + " s");
@@ -99,20 +100,20 @@ void say_trouble(const drape_cloth& c, dynamics::Advance how, double length) {
   }
   const double limit = dynamics::step_limit_of(c.system, c.state.omega2);
   if (how == dynamics::Advance::kTooManySteps) {
-    say(c, DRAPE_LOG_ERROR,
-        when + " the step limit fell to " + number(limit) + " s, more than " +
-            number(double(dynamics::kMaxStepsPerInterval)) +
-            " steps in a communication interval, set by the " +
-            dynamics::step_limit_link(c.system, c.scene, c.state, c.state.h_old) +
-            "; loads or strains grew beyond what the fabric's laws can carry; the state is that of " +
-            number(from, 9) + " s");
+    log_message(c, DRAPE_LOG_ERROR,
+                when + " the step limit fell to " + number(limit) + " s, more than " +
+                    number(double(dynamics::kMaxStepsPerInterval)) +
+                    " steps in a communication interval, set by the " +
+                    dynamics::step_limit_link(c.system, c.scene, c.state, c.state.h_old) +
+                    "; loads or strains grew beyond what the fabric's laws can carry; the state is that of " +
+                    number(from, 9) + " s");
     return;
   }
-  say(c, DRAPE_LOG_ERROR,
-      "scene.step = " + number(c.system.step_given) + " s is above the step limit, which fell to " +
-          number(limit) + " s " + when + ", set by the " +
-          dynamics::step_limit_link(c.system, c.scene, c.state) + "; the state is that of " +
-          number(from, 9) + " s");
+  log_message(c, DRAPE_LOG_ERROR,
+              "scene.step = " + number(c.system.step_given) + " s is above the step limit, which fell to " +
+                  number(limit) + " s " + when + ", set by the " +
+                  dynamics::step_limit_link(c.system, c.scene, c.state) + "; the state is that of " +
+                  number(from, 9) + " s");
 }
 
 }  // namespace
@@ -140,7 +141,7 @@ drape_cloth* drape_open(const char* scene_file, drape_log_fn* log, void* user) {
         {std::string(scene_file) + ":", "does not fit into this machine's memory; use larger cells"});
   }
   if (problems.empty()) return c;
-  say_problems(*c, problems);
+  log_problems(*c, problems);
   delete c;
   return nullptr;
 }
@@ -170,9 +171,9 @@ int drape_at_rest(const drape_cloth* c) { return c->state.relaxation.at_rest; }
 
 drape_status drape_start(drape_cloth* c, double time) {
   if (!std::isfinite(time) || c->state.steps > 0) {
-    say(*c, DRAPE_LOG_ERROR,
-        std::isfinite(time) ? "the start time is set before the first step"
-                            : "the start time must be a finite number of seconds");
+    log_message(*c, DRAPE_LOG_ERROR,
+                std::isfinite(time) ? "the start time is set before the first step"
+                                    : "the start time must be a finite number of seconds");
     return DRAPE_DISCARD;
   }
   c->state.origin = time;
@@ -183,21 +184,21 @@ double drape_time(const drape_cloth* c) { return model::state_time(c->state, c->
 
 drape_status drape_advance(drape_cloth* c, double length) {
   if (!(std::isfinite(length) && length > 0)) {
-    say(*c, DRAPE_LOG_ERROR,
-        "the length of an advance is " + number(length) + " s; allowed: above 0 s, finite");
+    log_message(*c, DRAPE_LOG_ERROR,
+                "the length of an advance is " + number(length) + " s; allowed: above 0 s, finite");
     return DRAPE_DISCARD;
   }
   if (length / c->system.communication > kMaxIntervals) {
-    say(*c, DRAPE_LOG_ERROR,
-        "the length of an advance is " + number(length) + " s; allowed: at most " +
-            number(kMaxIntervals * c->system.communication) + " s, " + number(kMaxIntervals) +
-            " communication intervals");
+    log_message(*c, DRAPE_LOG_ERROR,
+                "the length of an advance is " + number(length) + " s; allowed: at most " +
+                    number(kMaxIntervals * c->system.communication) + " s, " + number(kMaxIntervals) +
+                    " communication intervals");
     return DRAPE_DISCARD;
   }
   c->stuck = false;
   const bool committed = drape_commit(c) == DRAPE_OK;
   std::vector<Problem> problems;
-  if (!inputs_apply(*c, length, problems)) say_problems(*c, problems);
+  if (!inputs_apply(*c, length, problems)) log_problems(*c, problems);
   if (!committed || !problems.empty()) return DRAPE_DISCARD;
   c->good = c->state;
   c->tuning_good = c->tuning;
@@ -208,13 +209,13 @@ drape_status drape_advance(drape_cloth* c, double length) {
         return seam_events_advance(*c) || tuned;
       });
   if (!event.empty())
-    say(*c, DRAPE_LOG_STABILITY,
-        event + ", set by the " + dynamics::step_limit_link(c->system, c->scene, c->state));
+    log_message(*c, DRAPE_LOG_STABILITY,
+                event + ", set by the " + dynamics::step_limit_link(c->system, c->scene, c->state));
   if (how == dynamics::Advance::kDone) {
     inputs_clear_rates(*c);
     return DRAPE_OK;
   }
-  say_trouble(*c, how, length);
+  log_failure(*c, how, length);
   c->state = c->good;
   tuning_restore(*c, c->tuning_good);
   dynamics::seams_restore(c->system, c->motion, c->state);

@@ -55,8 +55,8 @@ struct drape_cloth {
 
 namespace drape::api {
 
-void say(const drape_cloth& cloth, drape_log_kind kind, const std::string& message);
-void say_problems(const drape_cloth& cloth, const std::vector<Problem>& problems);
+void log_message(const drape_cloth& cloth, drape_log_kind kind, const std::string& message);
+void log_problems(const drape_cloth& cloth, const std::vector<Problem>& problems);
 std::string number(double value, int digits = 6);
 
 // What keeps the cloth from stepping on from its present state: no step limit, a given step above it, or more

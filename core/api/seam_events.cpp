@@ -12,7 +12,7 @@ namespace drape::api {
 namespace {
 
 // Tells of seams that pairs of `due` have closed.
-void closed_tell(const drape_cloth& c, const std::vector<std::size_t>& due) {
+void log_closed(const drape_cloth& c, const std::vector<std::size_t>& due) {
   const std::vector<model::Seam>& seams = c.system.seams.seam;
   for (std::size_t k = 0; k < seams.size(); ++k) {
     const std::size_t first = seams[k].first, end = first + seams[k].count;
@@ -25,11 +25,11 @@ void closed_tell(const drape_cloth& c, const std::vector<std::size_t>& due) {
     double gap = 0;  // m
     for (std::size_t p = first; p < end; ++p)
       gap = std::max(gap, math::vector3::norm(model::sum_value(c.system.seams.pair[p].gap, c.state)));
-    if (gap <= seams[k].gap_tolerance / 100) say(c, DRAPE_LOG_EVENT, place + "closed");
+    if (gap <= seams[k].gap_tolerance / 100) log_message(c, DRAPE_LOG_EVENT, place + "closed");
     else
-      say(c, DRAPE_LOG_WARNING,
-          place + "sewn but held open: pins or other seams leave a gap of " + number(gap, 3) +
-              " m; allowed: pins that let both sides meet, or a seam.gap_tol above the gap");
+      log_message(c, DRAPE_LOG_WARNING,
+                  place + "sewn but held open: pins or other seams leave a gap of " + number(gap, 3) +
+                      " m; allowed: pins that let both sides meet, or a seam.gap_tol above the gap");
   }
 }
 
@@ -45,7 +45,7 @@ bool seam_events_advance(drape_cloth& c) {
     dynamics::seams_weld(c.system, c.motion, c.state, due);
     if (c.state.steps == 0) outputs::energy_begin(c.system, c.state);
     c.state.input += balance_error(c) - before;
-    closed_tell(c, due);
+    log_closed(c, due);
     changed = true;
   }
   if (changed) dynamics::leapfrog_retuned(c.system, c.motion, c.state);

@@ -11,12 +11,12 @@
 
 namespace drape::api {
 
-void say(const drape_cloth& c, drape_log_kind kind, const std::string& message) {
+void log_message(const drape_cloth& c, drape_log_kind kind, const std::string& message) {
   if (c.log) c.log(c.log_user, kind, message.c_str());
 }
 
-void say_problems(const drape_cloth& c, const std::vector<Problem>& problems) {
-  for (const Problem& p : problems) say(c, DRAPE_LOG_ERROR, p.place + " " + p.message);
+void log_problems(const drape_cloth& c, const std::vector<Problem>& problems) {
+  for (const Problem& p : problems) log_message(c, DRAPE_LOG_ERROR, p.place + " " + p.message);
 }
 
 std::string number(double value, int digits) {
@@ -81,9 +81,9 @@ void threads_take(drape_cloth& c, int threads) {
   dynamics::Workspace& w = c.motion.workspace;
   w = dynamics::workspace_make(c.system, dynamics::threads_wanted(c.system));
   if (w.threads.size() > 1 && !w.workers)
-    say(c, DRAPE_LOG_WARNING,
-        "threads = " + std::to_string(threads) +
-            ": the system starts no more threads; the cloth moves on one");
+    log_message(c, DRAPE_LOG_WARNING,
+                "threads = " + std::to_string(threads) +
+                    ": the system starts no more threads; the cloth moves on one");
 }
 
 // Takes the numbers of c.parameters into the system. The masses and the limit may have changed: look again at
@@ -195,12 +195,13 @@ bool tuning_advance(drape_cloth& c, double intervals) {
   std::vector<Problem> problems;
   values_take(c, values, problems);
   // Both ends of the way make laws, but a law in between may not: the values wait for the next interval.
-  for (const Problem& p : problems) say(c, DRAPE_LOG_WARNING, "on its way, " + scene::problem_text(p));
+  for (const Problem& p : problems)
+    log_message(c, DRAPE_LOG_WARNING, "on its way, " + scene::problem_text(p));
   if (moves && problems.empty()) tuning_changed(c, error_before);
   if (!ramp_under_way(ramp))
-    say(c, DRAPE_LOG_EVENT,
-        "at " + number(model::state_time(c.state, c.system.communication), 9) +
-            " s the tuned values are reached");
+    log_message(c, DRAPE_LOG_EVENT,
+                "at " + number(model::state_time(c.state, c.system.communication), 9) +
+                    " s the tuned values are reached");
   return moves;
 }
 
@@ -220,6 +221,6 @@ drape_status drape_commit(drape_cloth* c) {
   const ParameterValues before = c->tuning.ramp.to;
   if (!(parameters_read(c->parameters) == before)) parameters_commit(*c, before, problems);
   inputs_validate(*c, problems);
-  say_problems(*c, problems);
+  log_problems(*c, problems);
   return problems.empty() ? DRAPE_OK : DRAPE_DISCARD;
 }

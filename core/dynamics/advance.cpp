@@ -69,7 +69,7 @@ void check_step_limit(const System& system, const Motion& motion, State& s, doub
   s.limit_check_period = std::min(2 * s.limit_check_period, kLimitCheckLongest);
 }
 
-void say_step(std::string& event, const char* verb, double time, double h, const State& s) {
+void describe_step(std::string& event, const char* verb, double time, double h, const State& s) {
   char text[120];
   std::snprintf(text, sizeof text, "at %.9g s the step %s to %.4g s (omega = %.4g 1/s)", time, verb, h,
                 std::sqrt(s.omega2));
@@ -86,7 +86,7 @@ void steps_relax(const System& system, State& s, std::string& event) {
   if (wanted >= s.steps_per_interval) return;
   s.steps_per_interval = wanted;
   s.steps_to_limit_check = 0;
-  say_step(event, "grows", model::state_time(s, q), q / double(wanted), s);
+  describe_step(event, "grows", model::state_time(s, q), q / double(wanted), s);
 }
 
 // Looks at the step limit after `done` of the n steps that fill `length`; where it has fallen, n doubles, in
@@ -109,7 +109,7 @@ Advance watch(const System& system, Motion& motion, State& s, double length, std
     s.steps_per_interval *= 2;
     s.intervals_since_change = 0;
     s.max_omega2 = s.omega2;
-    say_step(event, "falls", model::state_time(s, system.communication) + double(done) * h(), h(), s);
+    describe_step(event, "falls", model::state_time(s, system.communication) + double(done) * h(), h(), s);
   }
   return Advance::kDone;
 }
