@@ -10,7 +10,7 @@ constexpr double kIndependent = 1e-4;  // of the largest change: what less is le
 
 }  // namespace
 
-Eigen::VectorXd mixing_next(Mixing& m, const Eigen::VectorXd& x, const Eigen::VectorXd& left) {
+Eigen::VectorXd anderson_next(Anderson& m, const Eigen::VectorXd& x, const Eigen::VectorXd& left) {
   m.x.push_back(x);
   m.left.push_back(left);
   if (m.x.size() > kKept + 1) m.x.erase(m.x.begin()), m.left.erase(m.left.begin());

@@ -9,11 +9,11 @@
 
 namespace drape::laboratory {
 
-struct Mixing {
+struct Anderson {
   std::vector<Eigen::VectorXd> x, left;  // [sweeps kept]
 };
 
 // The next x; keeps the present one, and f in `left`.
-Eigen::VectorXd mixing_next(Mixing& mixing, const Eigen::VectorXd& x, const Eigen::VectorXd& left);
+Eigen::VectorXd anderson_next(Anderson& mixing, const Eigen::VectorXd& x, const Eigen::VectorXd& left);
 
 }  // namespace drape::laboratory

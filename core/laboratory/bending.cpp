@@ -70,9 +70,9 @@ Hung hang(const Scene& scene, double low, double high, double wing, double beta,
     s.y[n] = s.y[n] < low ? low - between(0) : high + between(0);
     s.z[n] -= between(1);
   }
-  const RestSearchHandle search = rest_search_make(system, false);
+  const EquilibriumSearchHandle search = equilibrium_search_make(system, false);
   Hung hung;
-  hung.found = rest_find(*search, system, motion, s).found;
+  hung.found = equilibrium_find(*search, system, motion, s).found;
   for (const model::Probe& p : system.probes) {
     Vec3 r{0, 0, 0};
     for (int k = 0; k < 4; ++k)

@@ -70,7 +70,7 @@ void bias_place(const scene::FabricSpec& f, scene::DiagramSpec& d, const StripPu
   corrections_end(d.correction_elongation, pull.force.size());
 }
 
-void bias_correct(Mixing& mixing, scene::DiagramSpec& d, const StripPull& pull) {
+void bias_correct(Anderson& mixing, scene::DiagramSpec& d, const StripPull& pull) {
   const auto points = Eigen::Index(pull.force.size());
   Eigen::VectorXd x = Eigen::VectorXd::Zero(points), left = x;
   for (Eigen::Index k = 0; k < points; ++k) {
@@ -79,7 +79,7 @@ void bias_correct(Mixing& mixing, scene::DiagramSpec& d, const StripPull& pull) 
     x[k] = std::log(d.correction[i + 1]);
     left[k] = std::log(d.force[i + 1] / pull.force[i]);
   }
-  const Eigen::VectorXd next = mixing_next(mixing, x, left);
+  const Eigen::VectorXd next = anderson_next(mixing, x, left);
   for (Eigen::Index k = 0; k < points; ++k)
     if (d.force[std::size_t(k) + 1] > 0) d.correction[std::size_t(k) + 1] = std::max(kMin, std::exp(next[k]));
   corrections_end(d.correction, pull.force.size());
@@ -108,7 +108,7 @@ std::string law_problem(const scene::FabricSpec& f) {
 }
 
 // One sweep: pulls all strips of `f`, and corrects it. False, with the reason, where a strip found no rest.
-bool sweep(scene::FabricSpec& f, bool placing, Mixing& mixing, Calibration& c,
+bool sweep(scene::FabricSpec& f, bool placing, Anderson& mixing, Calibration& c,
            std::vector<Problem>& problems) {
   scene::FabricSpec next = f;
   double residual = 0;
@@ -156,7 +156,7 @@ Calibration calibrate(const scene::FabricSpec& fabric, const CalibrationOptions&
   for (scene::DiagramSpec* d : {&f.warp, &f.weft})
     if (d->correction.empty()) d->correction.assign(d->force.size(), 1.0);
   c.fabric = f;
-  Mixing mixing;
+  Anderson mixing;
   for (int k = 0; k < options.max_sweeps && problems.empty(); ++k) {
     if (!sweep(f, fresh && f.bias.jaws && k < kPlacingSweeps, mixing, c, problems)) return c;
     if (c.residuals.back() > options.tolerance) continue;

@@ -11,15 +11,15 @@
 
 namespace drape::laboratory {
 
-struct RestSearch {
+struct EquilibriumSearch {
   std::vector<math::SparseRow> rows;  // [held] fixed nodes, then rows, as in HeldMotion
-  HeldBasis basis;
+  NullSpaceBasis basis;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor;
   bool ordered = false;
   double way = 0;  // m, the largest of a coordinate in the last step
 };
 
-void RestSearchCloser::operator()(RestSearch* search) const { delete search; }
+void EquilibriumSearchCloser::operator()(EquilibriumSearch* search) const { delete search; }
 
 namespace {
 
@@ -37,11 +37,11 @@ constexpr double kRounding = 1e-13;  // of an energy
 constexpr double kShifts[] = {0, 1e-6, 1e-4, 1e-2};
 
 // Puts the nodes that follow where their rows want them.
-void held_place(const RestSearch& search, const dynamics::HeldMotion& held, State& s) {
+void held_place(const EquilibriumSearch& search, const dynamics::HeldMotion& held, State& s) {
   Array* const axes[] = {&s.x, &s.y, &s.z};
   for (std::size_t k = 0; k < 3; ++k) {
     Array& r = *axes[k];
-    for (const HeldBlock& block : search.basis.blocks) {
+    for (const NullSpaceBlock& block : search.basis.blocks) {
       VectorXd gap(Index(block.row.size()));
       for (std::size_t i = 0; i < block.row.size(); ++i) {
         const math::SparseRow& row = search.rows[block.row[i]];
@@ -64,7 +64,7 @@ void forces_take(const System& system, dynamics::Motion& motion, const State& s)
     for (std::size_t k = 0; k < 3; ++k) (*f[k])[n] += system.mass[n] * system.gravity[k];
 }
 
-VectorXd forces_of(const RestSearch& search, const System& system, const dynamics::Motion& motion) {
+VectorXd forces_of(const EquilibriumSearch& search, const System& system, const dynamics::Motion& motion) {
   const Array* f[] = {&motion.now_x, &motion.now_y, &motion.now_z};
   const Unknowns& all = search.basis.all;
   VectorXd b(all.count);
@@ -74,10 +74,10 @@ VectorXd forces_of(const RestSearch& search, const System& system, const dynamic
 }
 
 // [held] N, what each row carries: A1^T q = f_1.
-std::vector<Vec3> row_forces(const RestSearch& search, const dynamics::Motion& motion) {
+std::vector<Vec3> row_forces(const EquilibriumSearch& search, const dynamics::Motion& motion) {
   const Array* f[] = {&motion.now_x, &motion.now_y, &motion.now_z};
   std::vector<Vec3> q(search.rows.size(), Vec3{0, 0, 0});
-  for (const HeldBlock& block : search.basis.blocks)
+  for (const NullSpaceBlock& block : search.basis.blocks)
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t i = 0; i < block.row.size(); ++i)
         for (std::size_t j = 0; j < block.following.size(); ++j)
@@ -85,7 +85,8 @@ std::vector<Vec3> row_forces(const RestSearch& search, const dynamics::Motion& m
   return q;
 }
 
-std::vector<Vec3> pin_forces(const RestSearch& search, const System& system, const dynamics::Motion& motion) {
+std::vector<Vec3> pin_forces(const EquilibriumSearch& search, const System& system,
+                             const dynamics::Motion& motion) {
   const std::vector<Vec3> q = row_forces(search, motion);
   std::vector<Vec3> force(system.constraints.pins.size(), Vec3{0, 0, 0});
   std::size_t r = 0;
@@ -103,8 +104,8 @@ std::vector<Vec3> pin_forces(const RestSearch& search, const System& system, con
 
 // What is left of the forces, over the load; true where that is rest, or all that rounding of the coordinates
 // allows: the last step was below it.
-bool rest_judge(const RestSearch& search, const System& system, dynamics::Motion& motion, const State& s,
-                RestFound& found) {
+bool rest_judge(const EquilibriumSearch& search, const System& system, dynamics::Motion& motion,
+                const State& s, Equilibrium& found) {
   forces_take(system, motion, s);
   const VectorXd left = search.basis.z.transpose() * forces_of(search, system, motion);
   double sum = 0, weight = 0, pulled = 0, far = 0;
@@ -122,9 +123,10 @@ bool rest_judge(const RestSearch& search, const System& system, dynamics::Motion
 }
 
 // Z^T (K + shift 1) Z, factorised; the shift over the largest entry of K. False where it is not positive.
-bool factor_take(RestSearch& search, const System& system, const State& s, Stiffness which, double shift) {
+bool factor_take(EquilibriumSearch& search, const System& system, const State& s, Stiffness which,
+                 double shift) {
   Triplets triplets;
-  const HeldBasis& basis = search.basis;
+  const NullSpaceBasis& basis = search.basis;
   stiffness_add(system, s, which, basis.all, triplets);
   double largest = 0;
   for (const auto& t : triplets) largest = std::max(largest, std::abs(t.value()));
@@ -138,7 +140,8 @@ bool factor_take(RestSearch& search, const System& system, const State& s, Stiff
   return search.factor.info() == Eigen::Success && search.factor.vectorD().minCoeff() > 0;
 }
 
-void state_move(const RestSearch& search, const System& system, const VectorXd& way, double share, State& s) {
+void state_move(const EquilibriumSearch& search, const System& system, const VectorXd& way, double share,
+                State& s) {
   Array* const axes[] = {&s.x, &s.y, &s.z};
   const Unknowns& all = search.basis.all;
   for (std::size_t n : system.particle)
@@ -146,7 +149,8 @@ void state_move(const RestSearch& search, const System& system, const VectorXd& 
 }
 
 // Along `way`, which promises a fall of the energy by `slope` a whole way; false where none is found.
-bool way_go(const RestSearch& search, const System& system, const VectorXd& way, double slope, State& s) {
+bool way_go(const EquilibriumSearch& search, const System& system, const VectorXd& way, double slope,
+            State& s) {
   double cell = system.lattices[0].cell;
   for (const model::Lattice& l : system.lattices) cell = std::min(cell, l.cell);
   double share = std::min(1.0, kFarthest * cell / way.lpNorm<Eigen::Infinity>());
@@ -162,7 +166,7 @@ bool way_go(const RestSearch& search, const System& system, const VectorXd& way,
 }
 
 // The tangent, or the nearest to it that is positive.
-bool positive_take(RestSearch& search, const System& system, const State& s) {
+bool positive_take(EquilibriumSearch& search, const System& system, const State& s) {
   if (factor_take(search, system, s, Stiffness::kTangent, 0)) return true;
   for (double shift : kShifts)
     if (factor_take(search, system, s, Stiffness::kBlunt, shift)) return true;
@@ -170,7 +174,7 @@ bool positive_take(RestSearch& search, const System& system, const State& s) {
 }
 
 // One step; false where there is none.
-bool step_take(RestSearch& search, const System& system, dynamics::Motion& motion, State& s) {
+bool step_take(EquilibriumSearch& search, const System& system, dynamics::Motion& motion, State& s) {
   if (!positive_take(search, system, s)) return false;
   const VectorXd b = search.basis.z.transpose() * forces_of(search, system, motion);
   const VectorXd free = search.factor.solve(b), way = search.basis.z * free;
@@ -182,16 +186,17 @@ bool step_take(RestSearch& search, const System& system, dynamics::Motion& motio
 
 }  // namespace
 
-RestSearchHandle rest_search_make(const System& system, bool flat) {
-  RestSearchHandle search(new RestSearch);
+EquilibriumSearchHandle equilibrium_search_make(const System& system, bool flat) {
+  EquilibriumSearchHandle search(new EquilibriumSearch);
   for (const constraint::FixedNode& f : system.constraints.fixed) search->rows.push_back({{f.node}, {1.0}});
   for (const constraint::HeldRow& row : system.constraints.rows) search->rows.push_back(row.on);
-  search->basis = held_basis_make(system, search->rows, flat ? 2 : 3);
+  search->basis = null_space_basis_make(system, search->rows, flat ? 2 : 3);
   return search;
 }
 
-RestFound rest_find(RestSearch& search, const System& system, dynamics::Motion& motion, State& s) {
-  RestFound found;
+Equilibrium equilibrium_find(EquilibriumSearch& search, const System& system, dynamics::Motion& motion,
+                             State& s) {
+  Equilibrium found;
   dynamics::held_refresh(system.constraints, s, motion.held);
   held_place(search, motion.held, s);
   search.way = std::numeric_limits<double>::infinity();

@@ -15,7 +15,7 @@
 
 namespace drape::laboratory {
 
-struct RestFound {
+struct Equilibrium {
   bool found = false;
   int steps = 0;
   double residual = 0;      // forces left on particles over the load, both summed by size
@@ -23,17 +23,18 @@ struct RestFound {
 };
 
 // What a search keeps for the next one, of a state near by.
-struct RestSearch;
-struct RestSearchCloser {
-  void operator()(RestSearch* search) const;
+struct EquilibriumSearch;
+struct EquilibriumSearchCloser {
+  void operator()(EquilibriumSearch* search) const;
 };
-using RestSearchHandle = std::unique_ptr<RestSearch, RestSearchCloser>;
+using EquilibriumSearchHandle = std::unique_ptr<EquilibriumSearch, EquilibriumSearchCloser>;
 
 // `flat`: the cloth stays in its plane z = const.
-RestSearchHandle rest_search_make(const System& system, bool flat);
+EquilibriumSearchHandle equilibrium_search_make(const System& system, bool flat);
 
 // Moves the state from its present places to the rest. The load is the largest of the weight, the pins'
 // forces and 1e-2 N.
-RestFound rest_find(RestSearch& search, const System& system, dynamics::Motion& motion, State& state);
+Equilibrium equilibrium_find(EquilibriumSearch& search, const System& system, dynamics::Motion& motion,
+                             State& state);
 
 }  // namespace drape::laboratory

@@ -29,8 +29,8 @@ std::vector<std::vector<std::size_t>> rows_gather(const System& system,
   return sets;
 }
 
-HeldBlock block_make(const std::vector<math::SparseRow>& rows, const std::vector<std::size_t>& set) {
-  HeldBlock block;
+NullSpaceBlock block_make(const std::vector<math::SparseRow>& rows, const std::vector<std::size_t>& set) {
+  NullSpaceBlock block;
   block.row = set;
   std::vector<std::size_t> nodes;
   for (std::size_t r : set) nodes.insert(nodes.end(), rows[r].node.begin(), rows[r].node.end());
@@ -54,8 +54,9 @@ HeldBlock block_make(const std::vector<math::SparseRow>& rows, const std::vector
 
 }  // namespace
 
-HeldBasis held_basis_make(const System& system, const std::vector<math::SparseRow>& rows, int dimension) {
-  HeldBasis basis;
+NullSpaceBasis null_space_basis_make(const System& system, const std::vector<math::SparseRow>& rows,
+                                     int dimension) {
+  NullSpaceBasis basis;
   basis.all = unknowns_make(system, dimension);
   std::vector<char> follows(system.nodes, 0);
   for (const std::vector<std::size_t>& set : rows_gather(system, rows)) {
@@ -71,7 +72,7 @@ HeldBasis held_basis_make(const System& system, const std::vector<math::SparseRo
     count += dimension;
     for (int k = 0; k < dimension; ++k) z.emplace_back(basis.all.first[n] + k, free[n] + k, 1.0);
   }
-  for (const HeldBlock& block : basis.blocks)
+  for (const NullSpaceBlock& block : basis.blocks)
     for (std::size_t i = 0; i < block.following.size(); ++i)
       for (std::size_t j = 0; j < block.leading.size(); ++j)
         for (int k = 0; k < dimension; ++k)

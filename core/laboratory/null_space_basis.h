@@ -14,20 +14,21 @@
 
 namespace drape::laboratory {
 
-struct HeldBlock {
+struct NullSpaceBlock {
   std::vector<std::size_t> row;                 // [m]
   std::vector<std::size_t> following, leading;  // [m], [n - m] nodes
   Eigen::MatrixXd inverse;                      // [m x m] A1^-1
   Eigen::MatrixXd follow;                       // [m x n - m] -A1^-1 A2
 };
 
-struct HeldBasis {
-  std::vector<HeldBlock> blocks;
+struct NullSpaceBasis {
+  std::vector<NullSpaceBlock> blocks;
   Unknowns all;                   // of every particle
   Eigen::SparseMatrix<double> z;  // [all.count x free] dr = Z dy
 };
 
 // `rows` are independent, and act on particles.
-HeldBasis held_basis_make(const System& system, const std::vector<math::SparseRow>& rows, int dimension);
+NullSpaceBasis null_space_basis_make(const System& system, const std::vector<math::SparseRow>& rows,
+                                     int dimension);
 
 }  // namespace drape::laboratory

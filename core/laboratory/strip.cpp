@@ -33,14 +33,14 @@ StripPull jaws_pull(const scene::FabricSpec& fabric, model::YarnDirection along,
   StripPull pull;
   Specimen strip = specimen_make(strip_scene(fabric, along, cell, options), problems);
   if (!problems.empty()) return pull;
-  const RestSearchHandle search = rest_search_make(strip.system, true);
+  const EquilibriumSearchHandle search = equilibrium_search_make(strip.system, true);
   const double top = strip.state.pin_motion[1].position[1];
   double length = 1;
   for (double e : elongation) {
     for (std::size_t n : strip.system.particle) strip.state.y[n] *= (1 + e) / length;
     length = 1 + e;
     strip.state.pin_motion[1].position[1] = top + fabric.strip_gauge * e;
-    const RestFound rest = rest_find(*search, strip.system, strip.motion, strip.state);
+    const Equilibrium rest = equilibrium_find(*search, strip.system, strip.motion, strip.state);
     pull.steps += rest.steps;
     pull.residual = std::max(pull.residual, rest.residual);
     if (!rest.found) break;

@@ -140,7 +140,7 @@ bool says(const toml::table& root, const char* table, const char* key, const std
 
 }  // namespace
 
-std::string calibration_store(const std::string& text, const Calibration& c, const std::string& date,
+std::string write_calibration(const std::string& text, const Calibration& c, const std::string& date,
                               std::vector<Problem>& problems) {
   const std::string newline = text.find("\r\n") == std::string::npos ? "\n" : "\r\n";
   const model::YarnDirection threads[] = {model::YarnDirection::kWarp, model::YarnDirection::kWeft,

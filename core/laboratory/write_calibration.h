@@ -9,7 +9,7 @@ namespace drape::laboratory {
 
 // Numbers are rounded to six digits. `date`: "2026-11-25". Empty, with a problem, where the text does not
 // take them.
-std::string calibration_store(const std::string& text, const Calibration& calibration,
+std::string write_calibration(const std::string& text, const Calibration& calibration,
                               const std::string& date, std::vector<Problem>& problems);
 
 }  // namespace drape::laboratory

@@ -272,7 +272,7 @@ int calibrate_fabric(const Options& options) {
   }
   std::ifstream in(options.fabric_file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
-  const std::string stored = laboratory::calibration_store(text, c, today(), problems);
+  const std::string stored = laboratory::write_calibration(text, c, today(), problems);
   if (!problems_tell(problems)) return kBadInput;
   const std::string file = options.has_output ? options.output : options.fabric_file;
   if (const int code = text_replace(file, stored); code != kDone) return code;

@@ -126,7 +126,7 @@ TEST(Store, KeepsTheText) {
       for (std::size_t k = 0; (k = text.find('\n', k)) != std::string::npos; k += 2) text.insert(k, "\r");
     const Calibration c = calibrated(read(text));
     std::vector<Problem> problems;
-    const std::string stored = calibration_store(text, c, "2026-11-25", problems);
+    const std::string stored = write_calibration(text, c, "2026-11-25", problems);
     ASSERT_TRUE(problems.empty());
     std::size_t from = 0;  // every piece of the old text, in order
     for (const char* piece :
@@ -149,7 +149,7 @@ TEST(Store, KeepsTheText) {
         EXPECT_NEAR(a.correction[k] / b.correction[k], 1, 1e-5);
     }
     // Stored anew, only figures change.
-    const std::string twice = calibration_store(stored, c, "2027-01-01", problems);
+    const std::string twice = write_calibration(stored, c, "2027-01-01", problems);
     EXPECT_EQ(twice.size(), stored.size());
     EXPECT_NE(twice.find("2027-01-01"), std::string::npos);
   }
@@ -166,12 +166,12 @@ TEST(Store, TakesOutWhatNoLongerHolds) {
       text += "\n[bias]\nelongation_percent = [0, 2, 4, 6]\nforce = [0, 0.4, 0.9, 1.5]\n";
     }
     std::vector<Problem> problems;
-    const std::string with = calibration_store(text, calibrated(read(text)), "2026-11-25", problems);
+    const std::string with = write_calibration(text, calibrated(read(text)), "2026-11-25", problems);
     ASSERT_NE(with.find("correction_elongation = ["), std::string::npos);
     std::string loose = with;
     const std::string force = "force = [0, 0.4, 0.9, 1.5]";
     loose.insert(loose.find(force) + force.size(), inline_table ? ", jaws = false" : "\njaws = false");
-    const std::string again = calibration_store(loose, calibrated(read(loose, scene::Corrections::kDropped)),
+    const std::string again = write_calibration(loose, calibrated(read(loose, scene::Corrections::kDropped)),
                                                 "2026-11-26", problems);
     ASSERT_TRUE(problems.empty()) << scene::problem_text(problems[0]);
     EXPECT_EQ(again.find("correction_elongation"), std::string::npos) << again;
@@ -188,7 +188,7 @@ TEST(Store, KeepsASheet) {
   const Calibration c = calibrated(read(text));
   ASSERT_TRUE(c.converged);
   std::vector<Problem> problems;
-  const std::string stored = calibration_store(text, c, "2026-11-25", problems);
+  const std::string stored = write_calibration(text, c, "2026-11-25", problems);
   ASSERT_TRUE(problems.empty());
   EXPECT_EQ(stored.substr(0, text.size()), text);
   const scene::FabricSpec again = read(stored);
@@ -200,7 +200,7 @@ TEST(Store, KeepsASheet) {
       EXPECT_NEAR(a.correction[k] / b.correction[k], 1, 1e-5);
   }
   EXPECT_NE(again.warp.correction[1], 1);
-  const std::string twice = calibration_store(stored, c, "2027-01-01", problems);
+  const std::string twice = write_calibration(stored, c, "2027-01-01", problems);
   EXPECT_EQ(twice.size(), stored.size());
 }
 

@@ -117,8 +117,8 @@ TEST(Strip, IsAtRestForTheJudge) {
   const Scene scene = strip_scene(f, model::YarnDirection::kBias, f.strip_width / 8);
   Assembled a = assemble(scene);
   a.state.pin_motion[1].position[1] += 0.04 * f.strip_gauge;
-  const RestSearchHandle search = rest_search_make(a.system, true);
-  const RestFound rest = rest_find(*search, a.system, a.motion, a.state);
+  const EquilibriumSearchHandle search = equilibrium_search_make(a.system, true);
+  const Equilibrium rest = equilibrium_find(*search, a.system, a.motion, a.state);
   ASSERT_TRUE(rest.found);
   const reference::Motion judge = reference::motion_make(scene);
   reference::Outside outside = judge.start;
