@@ -19,7 +19,7 @@ void set(const Field& f, std::size_t n, const Vec3& v) { f.x[n] = v[0], f.y[n] =
 
 // Visits the targets of fixed nodes and rows by their number.
 template <class Visit>
-void each_target(const constraint::Constraints& c, Visit visit) {
+void targets_visit(const constraint::Constraints& c, Visit visit) {
   std::size_t k = 0;
   for (const constraint::FixedNode& f : c.fixed) visit(k++, f.target);
   for (const constraint::HeldRow& r : c.rows) visit(k++, r.target);
@@ -296,7 +296,7 @@ HeldMotion held_make(const constraint::Constraints& c) {
   for (Array* a : {&held.y, &held.z}) a->assign(3 * c.rows.size(), 0.0);
   held.arm.assign(3 * c.parts.size(), 0.0);
   held.old.assign(3 * entries, 0.0);
-  each_target(c, [&](std::size_t k, const constraint::Target& t) {
+  targets_visit(c, [&](std::size_t k, const constraint::Target& t) {
     set(held.now, k, t.start);
     set(held.next, k, t.start);
     held.moves = held.moves || t.moves;
@@ -307,13 +307,13 @@ HeldMotion held_make(const constraint::Constraints& c) {
 void held_refresh(const constraint::Constraints& c, const State& s, HeldMotion& held) {
   arms_set(c, s, held);
   constraint::rigid_aim(c.rigid, s.x.data(), s.y.data(), s.z.data(), held.rigid);
-  each_target(c, [&](std::size_t k, const constraint::Target& t) {
+  targets_visit(c, [&](std::size_t k, const constraint::Target& t) {
     if (t.moves) set(held.now, k, target_now(c, s, t));
   });
 }
 
 void held_rates(const constraint::Constraints& c, const State& s, Rate which, HeldMotion& held) {
-  each_target(c, [&](std::size_t k, const constraint::Target& t) {
+  targets_visit(c, [&](std::size_t k, const constraint::Target& t) {
     Vec3 sum{0, 0, 0};
     for (int p = t.first; t.moves && p < t.first + t.count; ++p) {
       const constraint::TargetPart& part = c.parts[std::size_t(p)];
@@ -338,7 +338,7 @@ void held_store_velocities(const constraint::Constraints& c, const State& s, Hel
 void constraints_project_step(const System& system, const constraint::Constraints& c, const HeldStep& step,
                               HeldMotion& held, State& s) {
   if (held.moves && !step.again)
-    each_target(c, [&](std::size_t k, const constraint::Target& t) {
+    targets_visit(c, [&](std::size_t k, const constraint::Target& t) {
       if (t.moves) set(held.next, k, target_now(c, s, t));
     });
   fixed_apply(system, c, step, held, s);
@@ -380,7 +380,7 @@ void constraints_project(const System& system, const constraint::Constraints& c,
   for (std::size_t k = 0; k < c.rows.size(); ++k) set(held.out, fixed + k, at(held.y, k));
   for (std::size_t k = 0; k < held.out.size(); ++k) held.taken[k] += held.out[k];
   if (load)
-    each_target(c, [&](std::size_t k, const constraint::Target& t) {
+    targets_visit(c, [&](std::size_t k, const constraint::Target& t) {
       load_add(c, held.arm, t, at(held.out, k), *load);
     });
 }

@@ -87,7 +87,7 @@ void relaxation_scale_masses(const System& system, const constraint::Constraints
   for (const model::Lattice& l : system.lattices) {
     const double clamps = step_limit_clamps(system, l, s, steps * h);
     const double contact = contact::added_omega2(system, s, l.piece);
-    model::each_cell(system, l, [&](const std::size_t* corner, double share) {
+    model::cells_visit(system, l, [&](const std::size_t* corner, double share) {
       const double bare = step_limit_cell(l, s, corner, steps * h) + clamps;
       const double omega2 = step_limit_rated(system, l, bare, drag, seams, contact);
       const double ratio = h / (kSafetyDamped * step_limit_of(system, omega2));

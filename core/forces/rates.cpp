@@ -32,9 +32,10 @@ Vec3 rate_forces(const System& system, const State& s, double extrapolation, dou
     for (std::size_t n = 0; n < system.nodes; ++n) to[n] = 0;
   NodeVec air{0.0, 0.0, 0.0};
   for (const model::Lattice& l : system.lattices) {
-    model::each_link(system, l, [&](const model::Link& link) { damping_add(l, link, s, extrapolation, f); });
+    model::links_visit(system, l,
+                       [&](const model::Link& link) { damping_add(l, link, s, extrapolation, f); });
     if (!model::system_has_air(system)) continue;
-    model::each_cell(system, l, [&](const std::size_t* corner, double share) {
+    model::cells_visit(system, l, [&](const std::size_t* corner, double share) {
       const NodeVec quarter = node_air_quarter(system, s, corner, share, extrapolation);
       for (int k = 0; k < 4; ++k) force_add(f, corner[k], quarter);
       air = air + quarter * NodeLane(4.0);

@@ -126,12 +126,13 @@ Unknowns unknowns_make(const System& system, int dimension) {
 void stiffness_add(const System& system, const State& s, Stiffness which, const Unknowns& unknowns,
                    Triplets& to) {
   for (const model::Lattice& l : system.lattices) {
-    model::each_link(system, l, [&](const model::Link& link) { link_add(l, s, which, unknowns, link, to); });
-    model::each_hinge(system, l,
-                      [&](std::size_t n0, std::size_t n1, std::size_t n2, bool warp, double share) {
-                        const double kappa = model::law_bending(l.law, warp) * share;
-                        if (kappa > 0) hinge_add(s, unknowns, {n0, n1, n2}, kappa, to);
-                      });
+    model::links_visit(system, l,
+                       [&](const model::Link& link) { link_add(l, s, which, unknowns, link, to); });
+    model::hinges_visit(system, l,
+                        [&](std::size_t n0, std::size_t n1, std::size_t n2, bool warp, double share) {
+                          const double kappa = model::law_bending(l.law, warp) * share;
+                          if (kappa > 0) hinge_add(s, unknowns, {n0, n1, n2}, kappa, to);
+                        });
     for (const model::ClampHinge& c : system.irregular.clamps) {
       const double kappa = model::law_bending(l.law, c.warp) * c.share;
       if (c.lattice != l.piece || kappa == 0) continue;

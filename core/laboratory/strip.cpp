@@ -125,7 +125,7 @@ const scene::DiagramSpec& strip_diagram(const scene::FabricSpec& fabric, model::
 double leading_strain(const System& system, const State& s, model::YarnDirection along) {
   double sum = 0, weight = 0;
   for (const model::Lattice& l : system.lattices)
-    model::each_link(system, l, [&](const model::Link& link) {
+    model::links_visit(system, l, [&](const model::Link& link) {
       if (link.along != along) return;
       const double e = std::abs(model::link_strain(s, link)), work = link.width * link.rest * std::pow(e, 8);
       sum += work * e;

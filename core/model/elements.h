@@ -28,7 +28,7 @@ inline double link_strain(const State& s, const Link& link) {
 }
 
 template <class Visit>
-void each_link(const System& system, const Lattice& l, Visit visit) {
+void links_visit(const System& system, const Lattice& l, Visit visit) {
   const double b = l.cell, diagonal = std::sqrt(2.0) * b;
   for (int j = 0; j < l.rows; ++j)
     for (int i = 0; i < l.columns; ++i) {
@@ -48,7 +48,7 @@ void each_link(const System& system, const Lattice& l, Visit visit) {
 
 // visit(n0, n1, n2, warp, share): kappa = B share.
 template <class Visit>
-void each_hinge(const System& system, const Lattice& l, Visit visit) {
+void hinges_visit(const System& system, const Lattice& l, Visit visit) {
   const auto row = std::size_t(l.stride);
   for (int j = 0; j < l.rows; ++j)
     for (int i = 0; i < l.columns; ++i) {
@@ -62,7 +62,7 @@ void each_hinge(const System& system, const Lattice& l, Visit visit) {
 
 // visit(corners a, b, c, d as size_t[4], share)
 template <class Visit>
-void each_cell(const System& system, const Lattice& l, Visit visit) {
+void cells_visit(const System& system, const Lattice& l, Visit visit) {
   const auto row = std::size_t(l.stride);
   for (int j = 0; j + 1 < l.rows; ++j)
     for (int i = 0; i + 1 < l.columns; ++i) {

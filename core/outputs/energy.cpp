@@ -17,11 +17,12 @@ Vec3 edge_of(const State& s, std::size_t from, std::size_t to) {
 
 double bending_of(const System& system, const model::Lattice& l, const State& s) {
   double sum = 0;
-  model::each_hinge(system, l, [&](std::size_t n0, std::size_t n1, std::size_t n2, bool warp, double share) {
-    const double rigidity = model::law_bending(l.law, warp);
-    if (rigidity > 0)
-      sum += rigidity * share * forces::hinge_energy_between(edge_of(s, n0, n1), edge_of(s, n1, n2));
-  });
+  model::hinges_visit(
+      system, l, [&](std::size_t n0, std::size_t n1, std::size_t n2, bool warp, double share) {
+        const double rigidity = model::law_bending(l.law, warp);
+        if (rigidity > 0)
+          sum += rigidity * share * forces::hinge_energy_between(edge_of(s, n0, n1), edge_of(s, n1, n2));
+      });
   for (const model::ClampHinge& c : system.irregular.clamps)
     if (c.lattice == l.piece)
       sum += model::law_bending(l.law, c.warp) * c.share *
@@ -34,7 +35,7 @@ double bending_of(const System& system, const model::Lattice& l, const State& s)
 drape_energy energy_potential(const System& system, const State& s) {
   drape_energy e{};
   for (const model::Lattice& l : system.lattices) {
-    model::each_link(system, l, [&](const model::Link& link) {
+    model::links_visit(system, l, [&](const model::Link& link) {
       double& kind = link.along == model::YarnDirection::kBias ? e.shear : e.stretch;
       kind += link.width * link.rest *
               math::curve_energy(model::law_curve(l.law, link.along), model::link_strain(s, link));

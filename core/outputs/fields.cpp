@@ -19,7 +19,7 @@ using LinkSums = std::array<std::array<double, 3>, 3>;
 std::vector<LinkSums> link_sums(const System& system, const State& s) {
   std::vector<LinkSums> sums(system.nodes, LinkSums{});
   for (const model::Lattice& l : system.lattices)
-    model::each_link(system, l, [&](const model::Link& link) {
+    model::links_visit(system, l, [&](const model::Link& link) {
       const double strain = model::link_strain(s, link), tension = link_tension(l.law, link.along, strain);
       for (const std::size_t n : {link.from, link.to}) {
         std::array<double, 3>& sum = sums[n][std::size_t(link.along)];
@@ -52,7 +52,7 @@ Elongation elongation_of(const System& system, const State& s, const model::Latt
   constexpr double kNone = std::numeric_limits<double>::infinity();
   Elongation e{kNone, -kNone, 0, 0, 0};
   double area = 0;
-  model::each_link(system, lattice, [&](const model::Link& link) {
+  model::links_visit(system, lattice, [&](const model::Link& link) {
     if (link.along != along) return;
     const double strain = model::link_strain(s, link), share = link.width * link.rest;
     e.min = std::min(e.min, strain);

@@ -32,7 +32,7 @@ StrainSummary strain_summary(const System& system, const State& state) {
   Running warp, weft, bias;
   double tension = 0, beyond = 0;
   for (const model::Lattice& l : system.lattices)
-    model::each_link(system, l, [&](const model::Link& link) {
+    model::links_visit(system, l, [&](const model::Link& link) {
       const double strain = model::link_strain(state, link);
       const math::Curve& curve = model::law_curve(l.law, link.along);
       const bool diagonal = link.along == model::YarnDirection::kBias;

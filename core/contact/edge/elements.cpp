@@ -77,7 +77,7 @@ void edge_elements_make(System& system) {
   if (!any) return;
   std::map<std::array<std::uint32_t, 2>, std::size_t> links;
   for (const model::Lattice& l : system.lattices)
-    model::each_cell(system, l, [&](const std::size_t* corner, double) {
+    model::cells_visit(system, l, [&](const std::size_t* corner, double) {
       cell_add(corner, l.piece, links, system.edge_elements);
     });
   nodes_number(system.nodes, system.edge_elements);

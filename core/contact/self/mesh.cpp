@@ -19,7 +19,7 @@ constexpr double kTooNear = 1e-3;    // of the thickness: what starts nearer nev
 
 void cells_lay(const System& system, model::SelfMesh& mesh) {
   for (const model::Lattice& l : system.lattices)
-    model::each_cell(system, l, [&](const std::size_t* corner, double) {
+    model::cells_visit(system, l, [&](const std::size_t* corner, double) {
       model::SelfCell cell{};
       for (int k = 0; k < 4; ++k) cell.node[k] = model::NodeIndex(corner[k]);
       const auto [i, j] = l.place_of(corner[0]);

@@ -236,8 +236,8 @@ double step_safety(const System& system, double damping, double omega2) {
 std::string step_limit_link(const System& system, const Scene& scene, const State& state, double ahead) {
   WorstPart worst;
   for (const model::Lattice& l : system.lattices)
-    model::each_link(system, l,
-                     [&](const model::Link& link) { link_offer(worst, scene, l, state, link, ahead); });
+    model::links_visit(system, l,
+                       [&](const model::Link& link) { link_offer(worst, scene, l, state, link, ahead); });
   for (const model::ClampHinge& c : system.irregular.clamps) {
     const model::Lattice& l = system.lattices[std::size_t(c.lattice)];
     const double strain = distance(state, c.node[0], c.node[1], ahead) / l.cell - 1;

@@ -248,7 +248,7 @@ TEST(Sewing, LeavesToPinsWhatTheyHold) {
   Assembled a = assemble(scene);
   for (int k = 0; k < 20; ++k) sewn_advance(a, 1e-3);
   for (const model::Lattice& l : a.system.lattices)
-    model::each_link(a.system, l, [&](const model::Link& link) {
+    model::links_visit(a.system, l, [&](const model::Link& link) {
       EXPECT_LE(std::abs(model::link_strain(a.state, link)), 5e-3);
     });
 }

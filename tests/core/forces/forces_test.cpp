@@ -189,7 +189,7 @@ TEST(Patch, LinearDisplacementGivesTheExactStressOnEveryCutPiece) {
     EXPECT_NEAR(-f.dot(positions(a)), area * virial, 1e-12 * area * virial) << shape_name(shape);
 
     std::vector<int> whole(a.system.nodes, 0);
-    model::each_cell(a.system, l, [&](const std::size_t* corner, double share) {
+    model::cells_visit(a.system, l, [&](const std::size_t* corner, double share) {
       for (int k = 0; k < 4; ++k) whole[corner[k]] += std::abs(share - 1) < 1e-12;
     });
     int inside = 0;

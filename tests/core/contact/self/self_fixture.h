@@ -40,7 +40,7 @@ struct PlainTriangle {
 inline std::vector<PlainTriangle> triangles_of(const System& system) {
   std::vector<PlainTriangle> all;
   for (const model::Lattice& l : system.lattices)
-    model::each_cell(system, l, [&](const std::size_t* c, double) {
+    model::cells_visit(system, l, [&](const std::size_t* c, double) {
       const auto [i, j] = l.place_of(c[0]);
       all.push_back({{c[0], c[1], c[3]}, l.piece, i, j});
       all.push_back({{c[0], c[3], c[2]}, l.piece, i, j});
