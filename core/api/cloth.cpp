@@ -195,7 +195,7 @@ drape_status drape_advance(drape_cloth* c, double length) {
                     " communication intervals");
     return DRAPE_DISCARD;
   }
-  c->stuck = false;
+  c->step_above_limit = false;
   const bool committed = drape_commit(c) == DRAPE_OK;
   std::vector<Problem> problems;
   if (!inputs_apply(*c, length, problems)) log_problems(*c, problems);
@@ -219,18 +219,18 @@ drape_status drape_advance(drape_cloth* c, double length) {
   c->state = c->good;
   tuning_restore(*c, c->tuning_good);
   dynamics::seams_restore(c->system, c->motion, c->state);
-  c->stuck = how == dynamics::Advance::kStepAboveLimit;
-  return c->stuck ? DRAPE_DISCARD : DRAPE_ERROR;
+  c->step_above_limit = how == dynamics::Advance::kStepAboveLimit;
+  return c->step_above_limit ? DRAPE_DISCARD : DRAPE_ERROR;
 }
 
-int drape_stuck(const drape_cloth* c) { return c->stuck; }
+int drape_step_above_limit(const drape_cloth* c) { return c->step_above_limit; }
 
 const drape_outputs* drape_outputs_at(drape_cloth* c, int want_nodes) {
   const int nodes = want_nodes ? DRAPE_NODE_PLACES | DRAPE_NODE_MOTION : 0;
-  return drape_outputs_of(c, DRAPE_PLACES | DRAPE_MOTION | DRAPE_STRAIN | DRAPE_ENERGY | nodes);
+  return drape_get_outputs(c, DRAPE_PLACES | DRAPE_MOTION | DRAPE_STRAIN | DRAPE_ENERGY | nodes);
 }
 
-const drape_outputs* drape_outputs_of(drape_cloth* c, int what) {
+const drape_outputs* drape_get_outputs(drape_cloth* c, int what) {
   outputs::outputs_fill(c->outputs, c->system, c->motion, c->state, what);
   return &c->outputs.c_view;
 }
@@ -255,7 +255,7 @@ drape_snapshot* drape_save(drape_cloth* c, drape_snapshot* into) {
 }
 
 void drape_restore(drape_cloth* c, const drape_snapshot* from) {
-  c->stuck = false;
+  c->step_above_limit = false;
   c->state = from->state;
   dynamics::workspace_clear(c->motion.workspace);  // what the state before may have left there
   tuning_restore(*c, from->tuning);

@@ -50,7 +50,7 @@ struct drape_cloth {
   drape_fields fields_view{};
   std::vector<double> seam_line[2], surface_point;
   std::string limit_link;
-  bool stuck = false;  // the last advance met a step limit below the given step
+  bool step_above_limit = false;  // the last advance met a step limit below the given step
 };
 
 namespace drape::api {

@@ -29,7 +29,7 @@ const drape_fields* drape_fields_at(drape_cloth* c) {
   return &c->fields_view;
 }
 
-drape_elongation drape_elongation_of(drape_cloth* c, int piece, drape_thread along, double limit) {
+drape_elongation drape_elongation_of(drape_cloth* c, int piece, drape_yarn_direction along, double limit) {
   const model::Lattice& l = c->system.lattices[std::size_t(piece)];
   const math::Curve& curve = model::law_curve(l.law, model::YarnDirection(along));
   if (limit < 0) limit = curve.segments ? curve.last : std::numeric_limits<double>::infinity();

@@ -56,8 +56,9 @@ fmi2Status fmi2GetRealStatus(fmi2Component c, const fmi2StatusKind kind, fmi2Rea
 fmi2Status fmi2GetBooleanStatus(fmi2Component c, const fmi2StatusKind kind, fmi2Boolean* value) {
   return gate(c, rule_of("fmi2GetBooleanStatus"), [&](Component& k) {
     if (kind != fmi2Terminated || !value) return no_status(k, "Boolean");
-    *value =
-        drape_stuck(k.instance->cloth) ? fmi2True : fmi2False;  // the same step would be discarded for ever
+    *value = drape_step_above_limit(k.instance->cloth)
+                 ? fmi2True
+                 : fmi2False;  // the same step would be discarded for ever
     return fmi2OK;
   });
 }

@@ -49,7 +49,7 @@ drape_status instance_get(Instance& s, const std::uint32_t* references, std::siz
     if (!v) return instance_refuse(s, DRAPE_DISCARD, no_row(s, references[i]));
     needs |= v->needs;
   }
-  if (const int missing = needs & ~s.read) drape_outputs_of(s.cloth, missing);
+  if (const int missing = needs & ~s.read) drape_get_outputs(s.cloth, missing);
   s.read |= needs;
   for (std::size_t i = 0; i < count; ++i) values[i] = *s.table[references[i] - 1].value;
   return DRAPE_OK;

@@ -192,7 +192,7 @@ typedef struct drape_fields {
   const double* area;     /* [node_count] m^2 */
 } drape_fields;
 
-typedef enum drape_thread { DRAPE_WARP, DRAPE_WEFT, DRAPE_BIAS } drape_thread;
+typedef enum drape_yarn_direction { DRAPE_WARP, DRAPE_WEFT, DRAPE_BIAS } drape_yarn_direction;
 typedef struct drape_elongation {
   drape_strain strain; /* over the links of one direction of a piece */
   double tension_max;  /* N/m; 0 of the bias */
@@ -263,7 +263,7 @@ drape_status drape_advance(drape_cloth*, double length);
 
 /* True where the last advance was refused because the step limit had fallen below the scene's step: it would
  * be again. */
-int drape_stuck(const drape_cloth*);
+int drape_step_above_limit(const drape_cloth*);
 
 /* The outputs at the present time; valid until the next call that takes a non-const cloth (the struct and its
  * arrays keep their addresses for the cloth's life). `want_nodes` != 0 fills the node arrays too. Reading
@@ -279,12 +279,12 @@ enum {
   DRAPE_NODE_PLACES = 16,
   DRAPE_NODE_MOTION = 32
 };
-const drape_outputs* drape_outputs_of(drape_cloth*, int what);
+const drape_outputs* drape_get_outputs(drape_cloth*, int what);
 
 /* What pictures and reports show of the present state; made anew each time, valid until the next call of the
  * same. A limit below 0 is the last tested elongation of the direction, infinite where it has no law. */
 const drape_fields* drape_fields_at(drape_cloth*);
-drape_elongation drape_elongation_of(drape_cloth*, int piece, drape_thread along, double limit);
+drape_elongation drape_elongation_of(drape_cloth*, int piece, drape_yarn_direction along, double limit);
 drape_seam_lines drape_seam_lines_at(drape_cloth*, int seam);
 drape_surface drape_surface_at(drape_cloth*, int body);
 

@@ -22,7 +22,7 @@ ReportTable elongations(drape_cloth* cloth, double limit) {
                      {"beyond the limit", "% of area"},
                      {"largest tension", "N/m"}},
                     {}};
-  const std::pair<drape_thread, const char*> directions[] = {
+  const std::pair<drape_yarn_direction, const char*> directions[] = {
       {DRAPE_WARP, "warp"}, {DRAPE_WEFT, "weft"}, {DRAPE_BIAS, "bias"}};
   for (int p = 0; p < drape_piece_count(cloth); ++p)
     for (const auto& [along, name] : directions) {
@@ -124,7 +124,7 @@ std::string table_text(const ReportTable& t) {
 
 std::vector<ReportTable> report_of(drape_cloth* cloth, double limit) {
   std::vector<ReportTable> report{elongations(cloth, limit)};
-  const drape_outputs& o = *drape_outputs_of(cloth, DRAPE_PLACES | DRAPE_MOTION | DRAPE_STRAIN);
+  const drape_outputs& o = *drape_get_outputs(cloth, DRAPE_PLACES | DRAPE_MOTION | DRAPE_STRAIN);
   if (o.seam_count > 0) report.push_back(seams(cloth, o));
   if (o.body_count > 0) {
     report.push_back(contact(cloth, o));

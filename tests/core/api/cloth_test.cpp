@@ -220,7 +220,7 @@ TEST_F(ClothTest, EndsARunThatNoStepCanFollowAtItsLastGoodState) {
   EXPECT_EQ(heard.errors[0].find('%'), std::string::npos);
   EXPECT_EQ(drape_time(c.get()), 0.01);
   EXPECT_EQ(drape_outputs_at(c.get(), 0)->probe[0].position[1], before);
-  EXPECT_FALSE(drape_stuck(c.get()));
+  EXPECT_FALSE(drape_step_above_limit(c.get()));
   drape_parameters_of(c.get())->gravity[1] = 0;
   EXPECT_EQ(drape_advance(c.get(), 0.01), DRAPE_OK);
 }
@@ -296,7 +296,7 @@ TEST_F(ClothTest, RefusesAFabricThatAGivenStepCannotFollow) {
   EXPECT_NE(heard.errors[0].find(" s; allowed: above 0, at most the step limit "), std::string::npos);
   EXPECT_NE(heard.errors[0].find(" of piece 'sheet', column "), std::string::npos);
   EXPECT_EQ(drape_time(c.get()), 0.01);
-  EXPECT_FALSE(drape_stuck(c.get()));
+  EXPECT_FALSE(drape_step_above_limit(c.get()));
   EXPECT_EQ(p.fabric[0].areal_density, 0.15);
   EXPECT_EQ(p.fabric[0].compression, 1);
   EXPECT_EQ(p.damping, 2);
@@ -318,12 +318,12 @@ TEST_F(ClothTest, IsStuckWhereTheLimitFallsBelowAGivenStep) {
   ASSERT_EQ(status, DRAPE_DISCARD);
   EXPECT_NE(heard.errors[0].find("is above the step limit, which fell to"), std::string::npos)
       << heard.errors[0];
-  EXPECT_TRUE(drape_stuck(c.get()));
+  EXPECT_TRUE(drape_step_above_limit(c.get()));
   EXPECT_EQ(drape_advance(c.get(), 0.001), DRAPE_DISCARD);
-  EXPECT_TRUE(drape_stuck(c.get()));
+  EXPECT_TRUE(drape_step_above_limit(c.get()));
   p.fabric[0].warp.force[1] = 0.3;  // softer again
   EXPECT_EQ(drape_advance(c.get(), 0.001), DRAPE_OK) << heard.errors.back();
-  EXPECT_FALSE(drape_stuck(c.get()));
+  EXPECT_FALSE(drape_step_above_limit(c.get()));
 }
 
 TEST_F(ClothTest, ASnapshotIsTheWholeTruth) {
