@@ -75,7 +75,7 @@ int step_fabric(const drape_cloth& c) {
   return fabric;
 }
 
-void threads_take(drape_cloth& c, int threads) {
+void threads_apply(drape_cloth& c, int threads) {
   if (threads == c.system.threads) return;
   c.system.threads = threads;
   dynamics::Workspace& w = c.motion.workspace;
@@ -88,7 +88,7 @@ void threads_take(drape_cloth& c, int threads) {
 
 // Takes the numbers of c.parameters into the system. The masses and the limit may have changed: look again at
 // once.
-void parameters_take(drape_cloth& c, std::vector<Problem>& problems) {
+void parameters_apply(drape_cloth& c, std::vector<Problem>& problems) {
   assembly::system_retune(c.system, parameters_fabrics(c.parameters, c.scene), problems);
   if (!problems.empty()) return;
   const drape_parameters& p = c.parameters.c_view;
@@ -99,16 +99,16 @@ void parameters_take(drape_cloth& c, std::vector<Problem>& problems) {
   c.system.step_max = p.step_max;
   constraint::constraints_refactor(c.motion.constraints, c.system.inverse_mass);
   for (int k = 0; k < p.seam_count; ++k) c.system.seams.seam[std::size_t(k)].close = p.seam[k].close != 0;
-  threads_take(c, int(p.threads));
+  threads_apply(c, int(p.threads));
   c.tuning.in_force = parameters_read(c.parameters);
 }
 
 // The same of other values; what is shown stays.
-void values_take(drape_cloth& c, const ParameterValues& values, std::vector<Problem>& problems) {
+void values_apply(drape_cloth& c, const ParameterValues& values, std::vector<Problem>& problems) {
   if (values == c.tuning.in_force) return;
   const ParameterValues shown = parameters_read(c.parameters);
   parameters_write(c.parameters, values);
-  parameters_take(c, problems);
+  parameters_apply(c, problems);
   parameters_write(c.parameters, shown);
 }
 
@@ -121,7 +121,7 @@ bool parameters_try(drape_cloth& c, const ParameterValues& before, std::vector<P
     return true;
   };
   std::vector<Problem> found;
-  parameters_take(c, found);
+  parameters_apply(c, found);
   if (!found.empty()) return put_back(found[0].place, found[0].place, found[0].message);
   step_check(c, found);
   if (found.empty()) return false;
@@ -141,8 +141,8 @@ void tuning_changed(drape_cloth& c, double error_before) {
 }
 
 // What is fixed once the cloth has moved.
-void fixed_mend(const drape_cloth& c, const char* name, const char* unit, double& value, double fixed,
-                std::vector<Problem>& problems) {
+void fixed_validate(const drape_cloth& c, const char* name, const char* unit, double& value, double fixed,
+                    std::vector<Problem>& problems) {
   if (c.state.steps == 0 || value == fixed) return;
   problems.push_back({name, "= " + number(value) + unit + "; it is fixed once the cloth has moved, at " +
                                 number(fixed) + unit});
@@ -153,8 +153,8 @@ void fixed_mend(const drape_cloth& c, const char* name, const char* unit, double
 void parameters_commit(drape_cloth& c, const ParameterValues& before, std::vector<Problem>& problems) {
   parameters_validate(c.parameters, c.scene, before, problems);
   drape_parameters& p = c.parameters.c_view;
-  fixed_mend(c, "step.max", " s", p.step_max, c.system.step_max, problems);
-  fixed_mend(c, "threads", "", p.threads, c.system.threads, problems);
+  fixed_validate(c, "step.max", " s", p.step_max, c.system.step_max, problems);
+  fixed_validate(c, "threads", "", p.threads, c.system.threads, problems);
   if (parameters_read(c.parameters) == before) return;
   const ParameterValues in_force = c.tuning.in_force;
   const State untouched = c.state;
@@ -166,7 +166,7 @@ void parameters_commit(drape_cloth& c, const ParameterValues& before, std::vecto
   ramp_set_target(c.tuning.ramp, in_force, parameters_read(c.parameters), ramp / c.system.communication,
                   parameters_groups(c.parameters));
   std::vector<Problem> none;
-  values_take(c, ramp_values(c.tuning.ramp), none);
+  values_apply(c, ramp_values(c.tuning.ramp), none);
   if (parameters_move_otherwise(c.parameters, in_force, c.tuning.in_force)) tuning_changed(c, error_before);
   else c.state = untouched;
 }
@@ -193,7 +193,7 @@ bool tuning_advance(drape_cloth& c, double intervals) {
   if (moves) dynamics::leapfrog_complete(c.system, c.motion, c.state);
   const double error_before = moves ? balance_error(c) : 0;
   std::vector<Problem> problems;
-  values_take(c, values, problems);
+  values_apply(c, values, problems);
   // Both ends of the way make laws, but a law in between may not: the values wait for the next interval.
   for (const Problem& p : problems)
     log_message(c, DRAPE_LOG_WARNING, "on its way, " + scene::problem_text(p));
@@ -207,7 +207,7 @@ bool tuning_advance(drape_cloth& c, double intervals) {
 
 void tuning_restore(drape_cloth& c, const Tuning& tuning) {
   std::vector<Problem> problems;  // none: these values were in force once
-  values_take(c, tuning.in_force, problems);
+  values_apply(c, tuning.in_force, problems);
   c.tuning = tuning;
 }
 

@@ -18,7 +18,7 @@ Vec3 posed(const math::RigidMotion& frame, const Vec3& x) {
 }
 
 // The triangles of a file, scaled; a body that stays is put in its place.
-bool mesh_take(const scene::BodySpec& spec, const math::RigidMotion& frame,
+bool mesh_load(const scene::BodySpec& spec, const math::RigidMotion& frame,
                const drape_contact_library& library, std::vector<Vec3>& point,
                std::vector<std::array<int, 3>>& corner, std::string& trouble) {
   char text[512];
@@ -35,8 +35,8 @@ bool mesh_take(const scene::BodySpec& spec, const math::RigidMotion& frame,
   return true;
 }
 
-void findings_tell(const std::string& path, const body::BodySurface& surface,
-                   const body::SurfaceFindings& found, std::vector<std::string>& remarks) {
+void findings_report(const std::string& path, const body::BodySurface& surface,
+                     const body::SurfaceFindings& found, std::vector<std::string>& remarks) {
   const auto tell = [&](std::size_t count, const char* what) {
     if (count > 0) remarks.push_back(path + ".mesh has " + std::to_string(count) + what);
   };
@@ -76,14 +76,14 @@ std::vector<model::Body> bodies_make(const Scene& scene, std::vector<Problem>& p
     std::vector<Vec3> point;
     std::vector<std::array<int, 3>> corner;
     body::SurfaceFindings findings;
-    if (mesh_take(spec, body.start, *library, point, corner, trouble))
+    if (mesh_load(spec, body.start, *library, point, corner, trouble))
       body.mesh.surface = body::surface_make(point, corner, findings, trouble);
     if (!trouble.empty()) {
       problems.push_back({path + ".mesh", "= " + scene::in_quotes(spec.mesh) + " " + trouble});
       continue;
     }
     const body::BodySurface& s = body.mesh.surface;
-    findings_tell(path, s, findings, body.remarks);
+    findings_report(path, s, findings, body.remarks);
     body.mesh.library = library;
     body.mesh.query = {
         library->query_make(s.point[0].data(), s.point.size(), s.corner[0].data(), s.corner.size()),

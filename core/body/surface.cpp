@@ -28,8 +28,8 @@ std::string corners_trouble(const std::vector<Vec3>& point, const std::vector<st
   return "";
 }
 
-void triangles_take(BodySurface& s, const std::vector<std::array<int, 3>>& corner,
-                    SurfaceFindings& findings) {
+void triangles_collect(BodySurface& s, const std::vector<std::array<int, 3>>& corner,
+                       SurfaceFindings& findings) {
   for (const std::array<int, 3>& c : corner) {
     const Vec3 &p = s.point[place(c[0])], &q = s.point[place(c[1])], &r = s.point[place(c[2])];
     const Vec3 area = cross(q - p, r - p);
@@ -67,7 +67,7 @@ void edges_find(BodySurface& s) {
     }
 }
 
-void edges_judge(BodySurface& s, SurfaceFindings& findings) {
+void edges_classify(BodySurface& s, SurfaceFindings& findings) {
   for (SurfaceEdge& e : s.edges) {
     if (e.triangle.size() == 1) ++findings.open;
     if (e.triangle.size() > 2) ++findings.crowded;
@@ -139,10 +139,10 @@ BodySurface surface_make(const std::vector<Vec3>& point, const std::vector<std::
   trouble = corners_trouble(point, corner);
   if (!trouble.empty()) return s;
   s.point = point;
-  triangles_take(s, corner, findings);
+  triangles_collect(s, corner, findings);
   if (s.corner.empty()) return trouble = "has no triangle with an area", s;
   edges_find(s);
-  edges_judge(s, findings);
+  edges_classify(s, findings);
   if (s.solid && volume(s) < 0) {  // its faces look inwards
     for (Facet& f : s.facet) f.normal = -1.0 * f.normal;
   }

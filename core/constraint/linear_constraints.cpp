@@ -55,8 +55,8 @@ void row_reduce(OpenRow& row, const Fixed& fixed) {
 }
 
 // Tells where a target that must vanish does not: at the start, or for some poses of the driven pins.
-void contradiction_tell(const std::vector<PinBase>& pins, int pin, const std::vector<TargetPart>& rest,
-                        std::vector<Problem>& problems) {
+void contradiction_report(const std::vector<PinBase>& pins, int pin, const std::vector<TargetPart>& rest,
+                          std::vector<Problem>& problems) {
   if (pin < 0) return;
   const std::string& name = pins[std::size_t(pin)].name;
   Vec3 off{0, 0, 0};
@@ -124,7 +124,7 @@ std::vector<OpenRow> rows_independent(std::vector<OpenRow> rows, const Array& in
       by_node[kept[r].on.node[k]].push_back({r, kept[r].on.weight[k]});
   const math::CholeskyFactor factor = math::cholesky_factorise(pointers_to(kept), inverse_mass, 0);
   for (const OpenRow& row : dependent)
-    contradiction_tell(pins, row.pin, rest_of(row, kept, by_node, factor, inverse_mass), problems);
+    contradiction_report(pins, row.pin, rest_of(row, kept, by_node, factor, inverse_mass), problems);
   return kept;
 }
 
@@ -149,7 +149,7 @@ std::vector<OpenRow> nodes_fix(Constraints& c, std::vector<OpenRow> rows, std::v
     for (OpenRow& row : rows) {
       row_reduce(row, fixed);
       if (row.on.node.empty()) {
-        contradiction_tell(c.pins, row.pin, row.parts, problems);
+        contradiction_report(c.pins, row.pin, row.parts, problems);
       } else if (row.on.node.size() == 1) {
         std::vector<TargetPart> parts;
         parts_add(parts, row.parts, 1 / row.on.weight[0]);
@@ -184,7 +184,7 @@ std::vector<std::size_t> parts_of(const std::vector<OpenRow>& rows) {
 }
 
 // The rows part by part.
-void rows_take(Constraints& c, std::vector<OpenRow> rows) {
+void rows_collect(Constraints& c, std::vector<OpenRow> rows) {
   const std::vector<std::size_t> part = parts_of(rows);
   std::vector<std::size_t> order(rows.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
@@ -218,7 +218,7 @@ Constraints constraints_make(const std::vector<ConstraintRow>& rows, const Array
         {row.pin,
          {row.node, row.weight},
          row.pin < 0 ? std::vector<TargetPart>{} : std::vector{TargetPart{row.pin, 1, row.target}}});
-  rows_take(c, rows_independent(nodes_fix(c, std::move(open), problems), inverse_mass, c.pins, problems));
+  rows_collect(c, rows_independent(nodes_fix(c, std::move(open), problems), inverse_mass, c.pins, problems));
   constraints_refactor(c, inverse_mass);
   c.rigid = rigid_make(c.rows, c.fixed, links);
   return c;

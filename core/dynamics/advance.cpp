@@ -91,8 +91,8 @@ void steps_relax(const System& system, State& s, std::string& event) {
 
 // Looks at the step limit after `done` of the n steps that fill `length`; where it has fallen, n doubles, in
 // a fit the inertia grows.
-Advance watch(const System& system, Motion& motion, State& s, double length, std::int64_t& n,
-              std::int64_t& done, std::string& event) {
+Advance limit_check(const System& system, Motion& motion, State& s, double length, std::int64_t& n,
+                    std::int64_t& done, std::string& event) {
   if (!all_finite(system, s)) return Advance::kNotFinite;
   const auto h = [&] { return length / double(n); };
   if (system.fit) {
@@ -119,7 +119,7 @@ Advance interval_run(const System& system, Motion& motion, State& s, double leng
                      std::string& event) {
   for (std::int64_t done = 0; done < n && !s.relaxation.at_rest; ++done) {
     if (s.steps_to_limit_check-- <= 0) {
-      if (const Advance how = watch(system, motion, s, length, n, done, event); how != Advance::kDone)
+      if (const Advance how = limit_check(system, motion, s, length, n, done, event); how != Advance::kDone)
         return how;
       --s.steps_to_limit_check;
     }
@@ -145,7 +145,7 @@ double kinetic_energy(const System& system, const State& s) {
 
 // Links on ridges share nodes with each other and with particles that touch, so that what bodies have been
 // told of the half step before this advance is found as it was then, and taken out of the first step of it.
-void ridges_told(const System& system, Motion& motion, State& s) {
+void edge_half_kick_report(const System& system, Motion& motion, State& s) {
   motion.contact.half_kick_reported = contact::edge_any(s) && last_half(system, s) > 0 && !system.fit;
   if (!motion.contact.half_kick_reported) return;
   std::vector<math::Wrench> pins;
@@ -164,7 +164,7 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   if (system.fit && path_moves(motion.path)) relaxation_resume(s);
   const bool jumps = path_jumps(motion.path, s) && system.integrator == scene::Integrator::kLeapfrog;
   if (jumps) leapfrog_complete(system, motion, s);
-  ridges_told(system, motion, s);
+  edge_half_kick_report(system, motion, s);
   path_follow(motion.path, 0, s);
   bodies_follow(motion.path, 0, s);
   held_refresh(motion.constraints, s, motion.held);

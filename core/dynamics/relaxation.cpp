@@ -11,17 +11,17 @@
 namespace drape::dynamics {
 namespace {
 
-constexpr int kScaleEvery = 16;         // steps, at most
-constexpr double kScaleWithin = 0.02;   // of a cell, by which no particle moves until then
-constexpr int kJudgeEvery = 8;          // intervals
-constexpr double kResidualRest = 1e-5;  // of the load
-constexpr double kKineticRest = 1e-9;   // of that times the size of the largest piece
-constexpr int kMeasureEvery = 64;       // steps, at least; the first after a change takes
-constexpr int kMeasureFirst = 16;       // and each one twice as many as the one before
-constexpr double kShrink = 0.01;        // of itself, by which an inertia shrinks from look to look at most
-constexpr double kSettleMost = 1;       // s, for which what has been sewn settles without friction
-constexpr double kSettled = 0.1;        // of the load: then it has settled
-constexpr double kFaded = 1e-4;         // of the most there was, where nothing weighs or pulls
+constexpr int kScaleEvery = 16;            // steps, at most
+constexpr double kScaleWithin = 0.02;      // of a cell, by which no particle moves until then
+constexpr int kConvergenceCheckEvery = 8;  // intervals
+constexpr double kResidualRest = 1e-5;     // of the load
+constexpr double kKineticRest = 1e-9;      // of that times the size of the largest piece
+constexpr int kMeasureEvery = 64;          // steps, at least; the first after a change takes
+constexpr int kMeasureFirst = 16;          // and each one twice as many as the one before
+constexpr double kShrink = 0.01;           // of itself, by which an inertia shrinks from look to look at most
+constexpr double kSettleMost = 1;          // s, for which what has been sewn settles without friction
+constexpr double kSettled = 0.1;           // of the load: then it has settled
+constexpr double kFaded = 1e-4;            // of the most there was, where nothing weighs or pulls
 
 // True where that changes one.
 template <class Nodes>
@@ -181,7 +181,7 @@ double rounding(const System& system, const State& s) {
 
 void check_convergence(const System& system, Motion& motion, State& s) {
   if (s.relaxation.intervals_to_convergence_check-- > 0) return;
-  s.relaxation.intervals_to_convergence_check = kJudgeEvery - 1;
+  s.relaxation.intervals_to_convergence_check = kConvergenceCheckEvery - 1;
   const Left left = forces_left(system, motion, s);
   double weight = 0, size = 0;
   for (std::size_t n : system.particle) weight += system.mass[n] * norm(system.gravity);

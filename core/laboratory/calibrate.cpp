@@ -85,7 +85,7 @@ void bias_correct(Anderson& mixing, scene::DiagramSpec& d, const StripPull& pull
   corrections_end(d.correction, pull.force.size());
 }
 
-double difference_most(const scene::DiagramSpec& d, const StripPull& pull) {
+double max_difference(const scene::DiagramSpec& d, const StripPull& pull) {
   double largest = 0;
   for (std::size_t k = 0; k < pull.force.size(); ++k)
     if (const double f = d.force[k + 1]; f > 0) largest = std::max(largest, std::abs(pull.force[k] / f - 1));
@@ -125,7 +125,7 @@ bool sweep(scene::FabricSpec& f, bool placing, Anderson& mixing, Calibration& c,
                 percent(elongation[pull.force.size()]);
       return false;
     }
-    residual = std::max(residual, difference_most(d, pull));
+    residual = std::max(residual, max_difference(d, pull));
     if (along != model::YarnDirection::kBias) warp_correct(diagram_of(next, along), pull);
     else {
       if (placing) bias_place(f, next.bias, pull), mixing = {};

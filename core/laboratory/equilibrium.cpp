@@ -56,7 +56,7 @@ void held_place(const EquilibriumSearch& search, const dynamics::HeldMotion& hel
 }
 
 // F + m g, in motion.now_x, now_y, now_z.
-void forces_take(const System& system, dynamics::Motion& motion, const State& s) {
+void forces_collect(const System& system, dynamics::Motion& motion, const State& s) {
   dynamics::kernel_forces(*motion.kernel, system, s, motion.workspace, motion.now_x.data(),
                           motion.now_y.data(), motion.now_z.data());
   Array* f[] = {&motion.now_x, &motion.now_y, &motion.now_z};
@@ -104,9 +104,9 @@ std::vector<Vec3> pin_forces(const EquilibriumSearch& search, const System& syst
 
 // What is left of the forces, over the load; true where that is rest, or all that rounding of the coordinates
 // allows: the last step was below it.
-bool rest_judge(const EquilibriumSearch& search, const System& system, dynamics::Motion& motion,
-                const State& s, Equilibrium& found) {
-  forces_take(system, motion, s);
+bool equilibrium_check(const EquilibriumSearch& search, const System& system, dynamics::Motion& motion,
+                       const State& s, Equilibrium& found) {
+  forces_collect(system, motion, s);
   const VectorXd left = search.basis.z.transpose() * forces_of(search, system, motion);
   double sum = 0, weight = 0, pulled = 0, far = 0;
   const int dimension = search.basis.all.dimension;
@@ -123,8 +123,8 @@ bool rest_judge(const EquilibriumSearch& search, const System& system, dynamics:
 }
 
 // Z^T (K + shift 1) Z, factorised; the shift over the largest entry of K. False where it is not positive.
-bool factor_take(EquilibriumSearch& search, const System& system, const State& s, Stiffness which,
-                 double shift) {
+bool factor_update(EquilibriumSearch& search, const System& system, const State& s, Stiffness which,
+                   double shift) {
   Triplets triplets;
   const NullSpaceBasis& basis = search.basis;
   stiffness_add(system, s, which, basis.all, triplets);
@@ -149,8 +149,8 @@ void state_move(const EquilibriumSearch& search, const System& system, const Vec
 }
 
 // Along `way`, which promises a fall of the energy by `slope` a whole way; false where none is found.
-bool way_go(const EquilibriumSearch& search, const System& system, const VectorXd& way, double slope,
-            State& s) {
+bool travel_step(const EquilibriumSearch& search, const System& system, const VectorXd& way, double slope,
+                 State& s) {
   double cell = system.lattices[0].cell;
   for (const model::Lattice& l : system.lattices) cell = std::min(cell, l.cell);
   double share = std::min(1.0, kFarthest * cell / way.lpNorm<Eigen::Infinity>());
@@ -166,20 +166,20 @@ bool way_go(const EquilibriumSearch& search, const System& system, const VectorX
 }
 
 // The tangent, or the nearest to it that is positive.
-bool positive_take(EquilibriumSearch& search, const System& system, const State& s) {
-  if (factor_take(search, system, s, Stiffness::kTangent, 0)) return true;
+bool positive_factor(EquilibriumSearch& search, const System& system, const State& s) {
+  if (factor_update(search, system, s, Stiffness::kTangent, 0)) return true;
   for (double shift : kShifts)
-    if (factor_take(search, system, s, Stiffness::kBlunt, shift)) return true;
+    if (factor_update(search, system, s, Stiffness::kBlunt, shift)) return true;
   return false;
 }
 
 // One step; false where there is none.
-bool step_take(EquilibriumSearch& search, const System& system, dynamics::Motion& motion, State& s) {
-  if (!positive_take(search, system, s)) return false;
+bool step_apply(EquilibriumSearch& search, const System& system, dynamics::Motion& motion, State& s) {
+  if (!positive_factor(search, system, s)) return false;
   const VectorXd b = search.basis.z.transpose() * forces_of(search, system, motion);
   const VectorXd free = search.factor.solve(b), way = search.basis.z * free;
   search.way = way.lpNorm<Eigen::Infinity>();
-  if (!way_go(search, system, way, b.dot(free), s)) return false;
+  if (!travel_step(search, system, way, b.dot(free), s)) return false;
   held_place(search, motion.held, s);
   return true;
 }
@@ -201,8 +201,8 @@ Equilibrium equilibrium_find(EquilibriumSearch& search, const System& system, dy
   held_place(search, motion.held, s);
   search.way = std::numeric_limits<double>::infinity();
   for (found.steps = 0; found.steps < kStepsMost; ++found.steps) {
-    if ((found.found = rest_judge(search, system, motion, s, found))) break;
-    if (!step_take(search, system, motion, s)) break;
+    if ((found.found = equilibrium_check(search, system, motion, s, found))) break;
+    if (!step_apply(search, system, motion, s)) break;
   }
   return found;
 }

@@ -99,13 +99,13 @@ bool wishes_check(const Options& options, const scene::FabricSpec& f) {
   return problems.empty();
 }
 
-bool problems_tell(const std::vector<Problem>& problems) {
+bool problems_report(const std::vector<Problem>& problems) {
   for (const Problem& p : problems) fail(kBadInput, scene::problem_text(p));
   return problems.empty();
 }
 
 // A bias strip on other cells too: the largest difference, and the order by which it changes.
-void cells_tell(const scene::FabricSpec& f, double cell, const std::vector<double>& elongation) {
+void cells_report(const scene::FabricSpec& f, double cell, const std::vector<double>& elongation) {
   std::vector<Problem> problems;
   const laboratory::StripOrder o = laboratory::strip_order(f, cell, elongation, problems);
   if (!o.has_order) return;
@@ -124,7 +124,7 @@ int strip_test(const Options& options, const scene::FabricSpec& f, model::YarnDi
   const std::vector<double> elongation = laboratory::strip_elongations(f, along, pull);
   std::vector<Problem> problems;
   const laboratory::StripPull strip = laboratory::strip_pull(f, along, cell, elongation, problems);
-  if (!problems_tell(problems)) return kBadInput;
+  if (!problems_report(problems)) return kBadInput;
   const bool free = along == model::YarnDirection::kBias && !f.bias.jaws;
   std::printf("%s, %s, cells of %.6g mm, %s\n", name, free ? "a trellis without jaws" : "between jaws",
               1e3 * laboratory::strip_cell(f, along, cell),
@@ -139,7 +139,7 @@ int strip_test(const Options& options, const scene::FabricSpec& f, model::YarnDi
     panel.input.push_back(input);
   }
   if (strip.force.size() == elongation.size() && along == model::YarnDirection::kBias && !free)
-    cells_tell(f, cell, elongation);
+    cells_report(f, cell, elongation);
   std::printf("\n");
   panels.push_back(panel);
   if (strip.force.size() < elongation.size())
@@ -157,7 +157,7 @@ int bending_test(const scene::FabricSpec& f, bool warp) {
   std::vector<Problem> problems;
   const laboratory::BendingTest drop = laboratory::pt2_test(f, warp, kBendingCell, problems),
                                 length = laboratory::overhang_test(f, warp, kOverhangCells, problems);
-  if (!problems_tell(problems)) return kBadInput;
+  if (!problems_report(problems)) return kBadInput;
   const auto row = [&](const char* test, const char* what, const laboratory::BendingTest& t) {
     if (!t.found) return fail(kFailedRun, std::string(test) + " of the " + name + " finds no rest");
     std::printf("  %-5s %-24s %9.6g %9.4f %9.4f %12.6g %+10.3f\n", name, what, rigidity * plate * si,
@@ -190,7 +190,7 @@ std::string target_problem(const std::string& option, const std::string& file, c
 int test(const Options& options) {
   std::vector<Problem> problems;
   const scene::FabricSpec f = validation::fabric_load(options.fabric_file, problems);
-  if (!problems_tell(problems)) return kBadInput;
+  if (!problems_report(problems)) return kBadInput;
   if (!wishes_check(options, f)) return kBadInput;
   if (options.picture)
     if (const std::string problem = target_problem("--picture", *options.picture, options.fabric_file, "");
@@ -257,9 +257,9 @@ int calibrate_fabric(const Options& options) {
   std::vector<Problem> problems;
   const scene::FabricSpec f =
       validation::fabric_load(options.fabric_file, problems, scene::Corrections::kDropped);
-  if (!problems_tell(problems) || !wishes_check(options, f)) return kBadInput;
+  if (!problems_report(problems) || !wishes_check(options, f)) return kBadInput;
   const laboratory::Calibration c = laboratory::calibrate(f, {.cell = options.cell}, problems);
-  if (!problems_tell(problems)) return kBadInput;
+  if (!problems_report(problems)) return kBadInput;
   for (std::size_t k = 0; k < c.residuals.size(); ++k)
     std::printf("sweep %zu: strips at most %.4f %% off their diagrams\n", k + 1, 100 * c.residuals[k]);
   if (!c.converged) {
@@ -273,7 +273,7 @@ int calibrate_fabric(const Options& options) {
   std::ifstream in(options.fabric_file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   const std::string stored = laboratory::write_calibration(text, c, today(), problems);
-  if (!problems_tell(problems)) return kBadInput;
+  if (!problems_report(problems)) return kBadInput;
   const std::string file = options.has_output ? options.output : options.fabric_file;
   if (const int code = text_replace(file, stored); code != kDone) return code;
   std::printf("%s: corrections for cells of %.6g mm, within %.4f %%\n", file.c_str(), 1e3 * c.cell,

@@ -34,7 +34,7 @@ void log_write(Instance& s, drape_status status, drape_log_kind kind, const std:
   if (s.log && log_passes(s.filter, kind)) s.log(s.log_user, status, kind, message);
 }
 
-void core_heard(void* user, drape_log_kind kind, const char* message) {
+void core_logged(void* user, drape_log_kind kind, const char* message) {
   static_cast<Instance*>(user)->heard.emplace_back(kind, message);
 }
 
@@ -86,7 +86,7 @@ Instance* instance_open(const std::string& scene_file, const std::string& guid, 
   s->log = log;
   s->log_user = user;
   s->filter = filter;
-  s->cloth = drape_open(scene_file.c_str(), core_heard, s.get());
+  s->cloth = drape_open(scene_file.c_str(), core_logged, s.get());
   log_flush(*s, s->cloth ? DRAPE_OK : DRAPE_ERROR);
   if (!s->cloth) return nullptr;
   description::Nodes nodes = description::Nodes::kNone;

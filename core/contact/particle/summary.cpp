@@ -57,7 +57,7 @@ bool is_deep(double contact_distance, double depth) {
 
 double stop_of(const std::vector<double>& stops, std::size_t k) { return stops.empty() ? 0 : stops[k]; }
 
-double layer_of(const System& system, const EdgeContactPair& t) {
+double contact_distance_of(const System& system, const EdgeContactPair& t) {
   return system.lattices[std::size_t(t.element->lattice)].contact_law.distance;
 }
 
@@ -67,7 +67,7 @@ bool any_stopped(const System& system, const State& s) {
   bool deep = false;
   each_touching(system, s, [&](const Touching& t) { deep = deep || is_deep(t.law->distance, t.depth()); });
   edge_pairs_visit(system, s, [&](const EdgeContactPair& t, std::size_t, double depth, double) {
-    deep = deep || is_deep(layer_of(system, t), depth);
+    deep = deep || is_deep(contact_distance_of(system, t), depth);
   });
   return deep;
 }
@@ -114,7 +114,8 @@ model::ContactSummary contact_summary(const System& system, const State& s, cons
     sum.pressure = std::max(sum.pressure, pressure_of(system, s, t, stop_of(stops.particle, k++)));
   });
   edge_pairs_visit(system, s, [&](const EdgeContactPair& t, std::size_t pair, double depth, double force) {
-    if (t.gap.share == 0 && !is_deep(layer_of(system, t), depth)) return;  // only a stop would touch it
+    if (t.gap.share == 0 && !is_deep(contact_distance_of(system, t), depth))
+      return;  // only a stop would touch it
     double area = INFINITY;
     for (int i = 0; i < t.element->weights(); ++i) area = std::min(area, system.area[t.element->node[i]]);
     ++sum.count;
@@ -145,7 +146,7 @@ double contact_energy(const System& system, const State& s) {
            math::smooth_ramp_integral(kContactBlend * t.law->distance, t.depth());
   });
   edge_pairs_visit(system, s, [&](const EdgeContactPair& t, std::size_t, double depth, double) {
-    const double contact_distance = layer_of(system, t);
+    const double contact_distance = contact_distance_of(system, t);
     sum += t.stiffness *
            math::smooth_ramp_integral(kContactBlend * contact_distance, std::min(depth, contact_distance));
   });

@@ -126,8 +126,8 @@ double search_reach(const body::BodySurface& surface, double contact_distance) {
 namespace {
 
 // How far a node may go until it must be looked at for ridges again; notes whether one is near.
-double ridge_way(const SharpRange& of, model::EdgeContact& c, std::size_t n, const Vec3& x, double clearance,
-                 double step) {
+double edge_travel(const SharpRange& of, model::EdgeContact& c, std::size_t n, const Vec3& x,
+                   double clearance, double step) {
   if (of.sharp.feature.empty()) return INFINITY;
   const double within = of.within + 2 * kAhead * step;
   double distance = clearance;
@@ -160,7 +160,7 @@ void update_neighbours(const body::BodySurface& surface, body::DistanceGrid& vox
           std::min(std::max(kKeptDistances * contact_distance, contact_distance + kAhead * norm(step[i])),
                    voxels.reach),
           voxels.reach, near.listed, side_known(c.blocks, name, i, side) ? &side : nullptr, found);
-    const double way = ridge_way(features, c.edges, n, x[i], near.clearance, norm(step[i]));
+    const double way = edge_travel(features, c.edges, n, x[i], near.clearance, norm(step[i]));
     const double budget = std::max(std::min(found.budget, way), kMin * contact_distance);
     c.x[n] = x[i][0], c.y[n] = x[i][1], c.z[n] = x[i][2];
     c.free_distance2[n] = budget * budget;

@@ -12,10 +12,10 @@
 namespace drape::contact {
 namespace {
 
-constexpr int kApart = 1;            // cells along the cloth, at least
-constexpr double kApartThick = 2;    // thicknesses along the cloth, at least
-constexpr double kSamePlace = 1e-3;  // cells: sewn points nearer than that are one
-constexpr double kTooNear = 1e-3;    // of the thickness: what starts nearer never touches
+constexpr int kExclusionCells = 1;         // cells along the cloth, at least
+constexpr double kExclusionThickness = 2;  // thicknesses along the cloth, at least
+constexpr double kSamePlace = 1e-3;        // cells: sewn points nearer than that are one
+constexpr double kTooNear = 1e-3;          // of the thickness: what starts nearer never touches
 
 void cells_lay(const System& system, model::SelfMesh& mesh) {
   for (const model::Lattice& l : system.lattices)
@@ -114,7 +114,7 @@ void seams_near(const System& system, model::SelfMesh& mesh) {
 }
 
 // Where layers start too near to each other their distance then is their layer.
-void layers_ease(const System& system, const State& start, model::SelfMesh& mesh) {
+void contact_distances_relax(const System& system, const State& start, model::SelfMesh& mesh) {
   mesh.max_contact_distance.assign(system.nodes, INFINITY);
   const model::SelfPairs pairs = self_search(system, mesh, start, 0);
   Array largest = mesh.max_contact_distance;
@@ -157,10 +157,10 @@ model::SelfMesh self_mesh_make(const System& system, const State& start) {
     mesh.min_cell = std::min(mesh.min_cell, l.cell);
     mesh.min_protrusion_sine.push_back(l.contact_law.distance / (4 * l.cell));
     mesh.exclusion_cells.push_back(
-        std::max(kApart, int(std::ceil(kApartThick * 2 * l.contact_law.distance / l.cell))));
+        std::max(kExclusionCells, int(std::ceil(kExclusionThickness * 2 * l.contact_law.distance / l.cell))));
   }
   seams_near(system, mesh);
-  layers_ease(system, start, mesh);
+  contact_distances_relax(system, start, mesh);
   return mesh;
 }
 

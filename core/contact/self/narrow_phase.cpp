@@ -136,7 +136,7 @@ double cross_narrow_phase(const NarrowPhase& l, const model::SelfCross& p) {
   return 0;
 }
 
-void places_take(const model::SelfMesh& mesh, const State& s, std::vector<Vec3>& place) {
+void places_copy(const model::SelfMesh& mesh, const State& s, std::vector<Vec3>& place) {
   place.resize(s.x.size());
   for (const model::NodeSpan& span : mesh.span)
     for (std::size_t n = span.begin; n < span.end; ++n) place[n] = {s.x[n], s.y[n], s.z[n]};
@@ -152,7 +152,7 @@ void self_narrow_phase(const System& system, const State& s, double reach, SelfC
   if (std::none_of(blocks.begin(), blocks.end(), [&](double b) { return b <= now + reach; })) return;
   const model::SelfPairs& pairs = *s.self.pairs;
   const std::size_t points = pairs.point.size(), size = pairs.size();
-  places_take(system.self, s, all.place);
+  places_copy(system.self, s, all.place);
   all.protrudes.assign(system.self.edge.size(), 0);
   const NarrowPhase narrow_phase{system, all.place.data(), reach, all};
   std::size_t first = 0;  // of the touches of the present particle

@@ -97,7 +97,7 @@ struct Search {
   double margin;
 };
 
-double layer_of(const Search& s, model::NodeIndex a, model::NodeIndex b) {
+double contact_distance_of(const Search& s, model::NodeIndex a, model::NodeIndex b) {
   return self_contact_distance(s.system, s.mesh.lattice_of[a], s.mesh.lattice_of[b]);
 }
 
@@ -110,7 +110,7 @@ void points_find(const Search& s, const model::SelfCell& of, const model::SelfCe
     for (const auto& t :
          {std::array{on.node[0], on.node[1], on.node[3]}, std::array{on.node[0], on.node[3], on.node[2]}}) {
       const model::SelfPoint pair{{n, t[0], t[1], t[2]},
-                                  std::min(layer_of(s, n, t[0]), s.mesh.max_contact_distance[n])};
+                                  std::min(contact_distance_of(s, n, t[0]), s.mesh.max_contact_distance[n])};
       const double reach = pair.contact_distance + s.margin;
       const math::TriangleClosest foot =
           math::triangle_closest(at, place(s.state, t[0]), place(s.state, t[1]), place(s.state, t[2]));
@@ -126,7 +126,7 @@ void crosses_find(const Search& s, const model::SelfCell& a, const model::SelfCe
       model::NodeIndex e = model::NodeIndex(i), f = model::NodeIndex(j);
       if (s.mesh.edge[f].node[0] < s.mesh.edge[e].node[0]) std::swap(e, f);
       const model::NodeIndex *from = s.mesh.edge[e].node, *to = s.mesh.edge[f].node;
-      model::SelfCross pair{{from[0], from[1], to[0], to[1]}, {e, f}, layer_of(s, from[0], to[0])};
+      model::SelfCross pair{{from[0], from[1], to[0], to[1]}, {e, f}, contact_distance_of(s, from[0], to[0])};
       for (model::NodeIndex n : pair.node)
         pair.contact_distance = std::min(pair.contact_distance, s.mesh.max_contact_distance[n]);
       const double reach = pair.contact_distance + s.margin;
@@ -140,8 +140,8 @@ void crosses_find(const Search& s, const model::SelfCell& a, const model::SelfCe
 }
 
 // Whether a slab across the line of centres, wider than `reach`, has one cell on either side.
-bool are_apart(const State& s, const model::SelfCell& a, const model::SelfCell& b, const Vec3& between,
-               double reach) {
+bool are_excluded(const State& s, const model::SelfCell& a, const model::SelfCell& b, const Vec3& between,
+                  double reach) {
   double end = -INFINITY, begin = INFINITY;
   for (model::NodeIndex n : a.node) end = std::max(end, dot(place(s, n), between));
   for (model::NodeIndex n : b.node) begin = std::min(begin, dot(place(s, n), between));
@@ -164,7 +164,7 @@ void each_pair(const model::SelfMesh& mesh, const State& state, double reach, Vi
     const std::size_t a = std::min(p, q), b = std::max(p, q);
     const Vec3 between = balls[b].centre - balls[a].centre;
     const double far = balls[a].radius + balls[b].radius + reach;
-    if (dot(between, between) > far * far || are_apart(state, mesh.cell[a], mesh.cell[b], between, reach))
+    if (dot(between, between) > far * far || are_excluded(state, mesh.cell[a], mesh.cell[b], between, reach))
       return;
     if (!self_cells_adjoin(mesh, mesh.cell[a], mesh.cell[b])) visit(mesh.cell[a], mesh.cell[b]);
   });

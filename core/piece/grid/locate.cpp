@@ -17,7 +17,7 @@ struct Nearest {
   bool merged = false;         // the cell is that of another place
 };
 
-void nearest_take(Nearest& best, const Grid& grid, int cell, double distance, int i, int j) {
+void nearest_update(Nearest& best, const Grid& grid, int cell, double distance, int i, int j) {
   const GridCell& c = grid.cells[std::size_t(cell)];
   const Nearest next{cell, distance <= kOn ? 0 : distance, c.i != i || c.j != j};
   if (next.distance < best.distance || (next.distance == best.distance && best.merged && !next.merged))
@@ -34,13 +34,13 @@ void place_search(Nearest& best, const Grid& grid, int i, int j, Vec2 at, Vec2 p
   if (!grid.paper) {
     auto part = place_parts(grid, i, j);
     for (; part != grid.parts.end() && part->i == i && part->j == j; ++part, cut = true)
-      nearest_take(best, grid, part->cell, polygons_distance(part->loops, point) / grid.cell, i, j);
+      nearest_update(best, grid, part->cell, polygons_distance(part->loops, point) / grid.cell, i, j);
   }
   if (cut) return;
   if (const int cell = grid_cell_at(grid, i, j); cell >= 0) {
     const double dx = std::max({i - at[0], at[0] - (i + 1), 0.0}),
                  dy = std::max({j - at[1], at[1] - (j + 1), 0.0});
-    nearest_take(best, grid, cell, std::hypot(dx, dy), i, j);
+    nearest_update(best, grid, cell, std::hypot(dx, dy), i, j);
   }
 }
 

@@ -100,8 +100,8 @@ bool curves_check(const scene::PieceSpec& piece, const std::string& path, Proble
 }
 
 // An edge of a later loop is named first: a hole crosses the outline.
-void crossings_tell(const std::vector<OutlineCrossing>& found, const std::vector<std::string>& name,
-                    const std::string& path, Problems& problems) {
+void crossings_report(const std::vector<OutlineCrossing>& found, const std::vector<std::string>& name,
+                      const std::string& path, Problems& problems) {
   for (const OutlineCrossing& c : found) {
     const auto first = std::size_t(c.loop[0]), last = std::size_t(c.loop[1]);
     std::string what = "edge " + std::to_string(c.edge[first == last ? 0 : 1]);
@@ -168,7 +168,7 @@ void polygon_problems(const std::vector<Vec2>& polygon, const std::string& path,
   const double contact = outline_touch(piece);
   if (!points_check(polygon, path, contact, problems) || !area_check(polygon, path, contact, problems))
     return;
-  crossings_tell(outline_crossings(outline_flatten(piece), contact, kMaxCrossings), {""}, path, problems);
+  crossings_report(outline_crossings(outline_flatten(piece), contact, kMaxCrossings), {""}, path, problems);
 }
 
 void outline_problems(const scene::PieceSpec& piece, const std::string& path, Problems& problems) {
@@ -193,7 +193,7 @@ void outline_problems(const scene::PieceSpec& piece, const std::string& path, Pr
   for (std::size_t l = 0; l < loops.size(); ++l) name.push_back(loop_name(l));
   const std::vector<OutlineCrossing> found =
       outline_crossings(loops, contact + 2e-9 * drawn.cell, kMaxCrossings);
-  crossings_tell(found, name, path + ".", problems);
+  crossings_report(found, name, path + ".", problems);
   if (!found.empty()) return;
   if (is_flat(loops[0].points, contact)) problems.push_back({path + ".outline", "encloses no area"});
   nesting_check(loops, path, problems);

@@ -143,7 +143,7 @@ void fast_settle(const Conversion& s, FabricText& t, std::size_t k) {
 }
 
 // Keys of a diagram that stand over a sheet without one; told, and left to the sheet.
-bool stray_tell(const Conversion& s, const std::string& name, const std::vector<std::string>& sheets) {
+bool stray_report(const Conversion& s, const std::string& name, const std::vector<std::string>& sheets) {
   const toml::node* node = stated(s, name);
   const auto sheet =
       std::find_if(sheets.begin(), sheets.end(), [&](const auto& key) { return stated(s, key); });
@@ -177,7 +177,7 @@ void tensile_convert(const Conversion& s, FabricText& t) {
   companions_check(s, t);
   for (std::size_t k = 0; k < 2; ++k) {
     const std::string name = kDiagrams[k];
-    if (stray_tell(s, name, {"kes.EMT", "fast.E100"})) continue;
+    if (stray_report(s, name, {"kes.EMT", "fast.E100"})) continue;
     const std::string way = property_source(s, name + " tension", {name, "kes.EMT", "fast.E100"});
     if (way == name) lists_settle(s, t, k);
     else if (way == "kes.EMT") kes_settle(s, t, k);
@@ -186,7 +186,7 @@ void tensile_convert(const Conversion& s, FabricText& t) {
 }
 
 void shear_convert(const Conversion& s, FabricText& t) {
-  if (stray_tell(s, "bias", {"kes.G", "fast.EB5"})) return;
+  if (stray_report(s, "bias", {"kes.G", "fast.EB5"})) return;
   const std::string way = property_source(s, "shear", {"bias", "kes.G", "fast.EB5"});
   if (way == "bias") return lists_settle(s, t, 2);
   if (!valid(s, way)) return;
