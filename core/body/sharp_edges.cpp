@@ -11,7 +11,7 @@ namespace {
 
 using namespace math::vector3;
 
-constexpr double kBucketsMost = 2e5;    // along all ridges
+constexpr double kMaxBuckets = 2e5;     // along all ridges
 constexpr double kBucketFar = 1 << 20;  // buckets from the origin, beyond which places share names
 
 // Sets `out` and `sharp`; where a solid's `normal` points the other way, the ridge is a groove.
@@ -133,7 +133,7 @@ SharpFeatures sharp_features_make(const BodySurface& surface, double sine, doubl
       for (std::size_t k = 0; k < 3; ++k)
         to.low[k] = std::min(to.low[k], p[k]), to.high[k] = std::max(to.high[k], p[k]);
   }
-  to.bucket = std::max(bucket, length / kBucketsMost);
+  to.bucket = std::max(bucket, length / kMaxBuckets);
   buckets_fill(to);
   return to;
 }

@@ -19,8 +19,8 @@ constexpr double kKineticRest = 1e-9;      // of that times the size of the larg
 constexpr int kMeasureEvery = 64;          // steps, at least; the first after a change takes
 constexpr int kMeasureFirst = 16;          // and each one twice as many as the one before
 constexpr double kShrink = 0.01;           // of itself, by which an inertia shrinks from look to look at most
-constexpr double kSettleMost = 1;          // s, for which what has been sewn settles without friction
-constexpr double kSettled = 0.1;           // of the load: then it has settled
+constexpr double kMaxSettling = 1;         // s, for which what has been sewn settles without friction
+constexpr double kConverged = 0.1;         // of the load: then it has settled
 constexpr double kFaded = 1e-4;            // of the most there was, where nothing weighs or pulls
 
 // True where that changes one.
@@ -135,7 +135,7 @@ double omega_moved(const System& system, Motion& motion, State& s) {
 void relaxation_update(const System& system, Motion& motion, State& s, double h) {
   s.relaxation.sewing = seams_to_close(system, s);
   relaxation_scale_masses(system, motion.constraints, s, h);
-  if (s.relaxation.sewing) s.relaxation.settling = kSettleMost;
+  if (s.relaxation.sewing) s.relaxation.settling = kMaxSettling;
   else s.relaxation.settling -= s.steps_to_limit_check * h;
   const bool kept = s.relaxation.measure_every > 0;
   if (kept && s.steps < s.relaxation.measured + s.relaxation.measure_every) return;
@@ -193,7 +193,7 @@ void check_convergence(const System& system, Motion& motion, State& s) {
         std::max({s.relaxation.load, kFaded * s.relaxation.max_force, rounding(system, s) / kResidualRest});
   s.relaxation.residual = left.sum / s.relaxation.load;
   const bool sewn = !seams_to_close(system, s);
-  if (sewn && s.relaxation.residual <= kSettled) s.relaxation.settling = 0;
+  if (sewn && s.relaxation.residual <= kConverged) s.relaxation.settling = 0;
   s.relaxation.at_rest = sewn && s.relaxation.settling <= 0 && s.relaxation.residual <= kResidualRest &&
                          kinetic(system, s) <= kKineticRest * s.relaxation.load * size;
   if (s.relaxation.at_rest) stop(system, s);

@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kShapePoints = 512;
 constexpr int kSecants = 12;
-constexpr double kSettled = 1e-7;  // of the overhang
-constexpr double kLimpest = 1e5;   // beta of a wing; limper cloth hangs straight down
+constexpr double kConverged = 1e-7;  // of the overhang
+constexpr double kLimpest = 1e5;     // beta of a wing; limper cloth hangs straight down
 
 double weight_of(const scene::FabricSpec& f) { return f.areal_density * standards::kStandardGravity; }  // Pa
 
@@ -143,7 +143,7 @@ BendingTest overhang_test(const scene::FabricSpec& fabric, bool warp, int cells,
     before = length;
     off_before = off;
     length = next;
-    if (std::abs(length - before) <= kSettled * length) break;
+    if (std::abs(length - before) <= kConverged * length) break;
   }
   test.found = test.found && std::abs(length - before) <= 1e-3 * length;
   test.reading = length;

@@ -27,12 +27,12 @@ using namespace math::vector3;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr int kStepsMost = 300;
+constexpr int kMaxSteps = 300;
 constexpr double kResidualRest = 1e-7;  // of the load
-constexpr double kLeastLoad = 1e-2;     // N, of slack cloth, which carries nothing
+constexpr double kMinLoad = 1e-2;       // N, of slack cloth, which carries nothing
 constexpr double kFarthest = 4;         // cells, the longest way of a particle in one step
 constexpr double kArmijo = 1e-4;        // of the promised fall
-constexpr int kCutsMost = 20;
+constexpr int kMaxCuts = 20;
 constexpr double kRounding = 1e-13;  // of an energy
 constexpr double kShifts[] = {0, 1e-6, 1e-4, 1e-2};
 
@@ -117,7 +117,7 @@ bool equilibrium_check(const EquilibriumSearch& search, const System& system, dy
   }
   found.force = pin_forces(search, system, motion);
   for (const Vec3& f : found.force) pulled += norm(f);
-  found.residual = sum / std::max({weight, pulled, kLeastLoad});
+  found.residual = sum / std::max({weight, pulled, kMinLoad});
   const bool rounded = search.way <= std::numeric_limits<double>::epsilon() * far;
   return found.residual <= kResidualRest || rounded;
 }
@@ -158,7 +158,7 @@ bool travel_step(const EquilibriumSearch& search, const System& system, const Ve
   const double before = energy();
   const double rounding = kRounding * std::abs(before);
   state_move(search, system, way, share, s);
-  for (int cut = 0; cut < kCutsMost; ++cut, share /= 2) {
+  for (int cut = 0; cut < kMaxCuts; ++cut, share /= 2) {
     if (energy() <= before - kArmijo * share * slope + rounding) return true;
     state_move(search, system, way, -share / 2, s);
   }
@@ -200,7 +200,7 @@ Equilibrium equilibrium_find(EquilibriumSearch& search, const System& system, dy
   dynamics::held_refresh(system.constraints, s, motion.held);
   held_place(search, motion.held, s);
   search.way = std::numeric_limits<double>::infinity();
-  for (found.steps = 0; found.steps < kStepsMost; ++found.steps) {
+  for (found.steps = 0; found.steps < kMaxSteps; ++found.steps) {
     if ((found.found = equilibrium_check(search, system, motion, s, found))) break;
     if (!step_apply(search, system, motion, s)) break;
   }

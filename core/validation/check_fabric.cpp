@@ -8,7 +8,7 @@ namespace drape::validation {
 
 namespace {
 
-constexpr double kLeastRise = 1e-8;   // of a diagram's elongation from point to point
+constexpr double kMinRise = 1e-8;     // of a diagram's elongation from point to point
 constexpr double kLocking = 0.41421;  // below sqrt(2) - 1, where the trellis of a bias strip locks
 
 void diagram_check(const scene::DiagramSpec& d, const std::string& path, Problems& problems) {
@@ -37,10 +37,10 @@ void diagram_check(const scene::DiagramSpec& d, const std::string& path, Problem
     problems.push_back(
         {scene::entry(force, 0), "= " + pull(d.force[0]) + "; a diagram starts at " + pull(0)});
   for (std::size_t i = 1; i < d.elongation.size(); ++i)
-    if (!(d.elongation[i] - d.elongation[i - 1] >= kLeastRise))
+    if (!(d.elongation[i] - d.elongation[i - 1] >= kMinRise))
       problems.push_back({scene::entry(elongation, i),
                           "= " + stretch(d.elongation[i]) + " after " + stretch(d.elongation[i - 1]) +
-                              "; wanted: a rise of at least " + stretch(kLeastRise)});
+                              "; wanted: a rise of at least " + stretch(kMinRise)});
   for (std::size_t i = 1; i < d.force.size(); ++i)
     if (!(d.force[i] >= d.force[i - 1]))
       problems.push_back({scene::entry(force, i), "= " + pull(d.force[i]) + " after " + pull(d.force[i - 1]) +
@@ -52,7 +52,7 @@ void diagram_check(const scene::DiagramSpec& d, const std::string& path, Problem
     for (std::size_t i = 1; i < d.elongation.size(); ++i)
       if (const double law = d.elongation[i] * d.correction_elongation[i],
           last = d.elongation[i - 1] * d.correction_elongation[i - 1];
-          !(law - last >= kLeastRise) && d.elongation[i] - d.elongation[i - 1] >= kLeastRise)
+          !(law - last >= kMinRise) && d.elongation[i] - d.elongation[i - 1] >= kMinRise)
         problems.push_back({scene::entry(path + ".correction_elongation", i),
                             "= " + scene::number_text(d.correction_elongation[i]) + " gives " + stretch(law) +
                                 " after " + stretch(last) +

@@ -26,7 +26,7 @@ namespace {
 constexpr double kMicroNcm2 = 1e10;       // uN cm^2 per N m^2
 constexpr double kBendingCell = 1.25e-3;  // m, of the PT-2 specimen
 constexpr int kOverhangCells = 40;
-constexpr int kMostCells = 200;  // across a strip
+constexpr int kMaxCells = 200;  // across a strip
 constexpr model::YarnDirection kThreads[] = {model::YarnDirection::kWarp, model::YarnDirection::kWeft,
                                              model::YarnDirection::kBias};
 
@@ -72,9 +72,9 @@ bool wishes_check(const Options& options, const scene::FabricSpec& f) {
   std::vector<std::string> problems;
   const double cell = cell_of(options, f),
                smallest = std::min(f.strip_width, f.strip_gauge) / laboratory::kMinCells;
-  if (cell > smallest * (1 + 1e-9) || cell < f.strip_width / kMostCells)
+  if (cell > smallest * (1 + 1e-9) || cell < f.strip_width / kMaxCells)
     problems.push_back((options.cell > 0 ? "--cell" : "strip: the cell") + (" = " + text_of(cell)) +
-                       " m; allowed: from " + text_of(f.strip_width / kMostCells) + " to " +
+                       " m; allowed: from " + text_of(f.strip_width / kMaxCells) + " to " +
                        text_of(smallest) + " m, four cells across and along a strip of " +
                        text_of(f.strip_width) + " x " + text_of(f.strip_gauge) + " m");
   if (problems.empty() && f.strip_gauge > laboratory::kMaxCells * cell)

@@ -30,8 +30,8 @@ using math::vector3::operator-;
 using math::vector3::operator+=;
 using forces::Lane = simd::ScalarLane<false>;
 
-constexpr double kSoft = 0.5;      // of W^2 of a particle
-constexpr double kSettled = 1e-3;  // of the first change of a velocity: sweeps end
+constexpr double kSoft = 0.5;        // of W^2 of a particle
+constexpr double kConverged = 1e-3;  // of the first change of a velocity: sweeps end
 constexpr int kSweeps = 10;
 constexpr double kAsleep = 1e-9;  // m
 
@@ -243,7 +243,7 @@ void edge_respond(const System& system, const State& s, const std::vector<EdgeCo
       largest = std::max(largest, pair_respond(s, touches[k], laws[k], c, f, given[k]));
       if (sweep == 0) first = std::max(first, laws[k].inverse_effective_mass * norm(given[k].impulse));
     }
-    if (!(largest > kSettled * first)) break;
+    if (!(largest > kConverged * first)) break;
   }
   sums.stop.assign(touches.size(), 0.0);
   for (std::size_t k = 0; k < touches.size(); ++k) {

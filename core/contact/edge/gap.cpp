@@ -11,12 +11,12 @@ namespace {
 
 using namespace math::vector3;
 
-constexpr double kThin = 1e-12;     // of the square of a length: no direction is left
-constexpr double kBeyond = 1e-9;    // of a ridge: what meets two of them where they join counts
-constexpr double kPast = 0.5;       // of a side of the cloth: how far beyond it a foot may be
-constexpr double kSteep = 0.01;     // sine between a cell and the way out of a tip
-constexpr int kNewton = 12;         // iterations, at most
-constexpr double kSettled = 1e-13;  // of a cell's side
+constexpr double kThin = 1e-12;       // of the square of a length: no direction is left
+constexpr double kBeyond = 1e-9;      // of a ridge: what meets two of them where they join counts
+constexpr double kPast = 0.5;         // of a side of the cloth: how far beyond it a foot may be
+constexpr double kSteep = 0.01;       // sine between a cell and the way out of a tip
+constexpr int kNewton = 12;           // iterations, at most
+constexpr double kConverged = 1e-13;  // of a cell's side
 
 // Turns n, of length 1, to the side from which the body falls away in all directions; the least sine of
 // these, or 0 where there is none.
@@ -125,7 +125,7 @@ BilinearFoot bilinear_foot(const Vec3& p, const Vec3* c) {
     const double det = uu * vv - uv * uv;
     if (!(det > kThin * uu * vv)) return f;
     const double du = (uv * rv - vv * ru) / det, dv = (uv * ru - uu * rv) / det;
-    if (std::abs(du) < kSettled && std::abs(dv) < kSettled) break;
+    if (std::abs(du) < kConverged && std::abs(dv) < kConverged) break;
     f.u = std::clamp(f.u + du, -1.0, 2.0);
     f.v = std::clamp(f.v + dv, -1.0, 2.0);
   }
@@ -147,7 +147,7 @@ bool axis_meets(const Vec3& p, const Vec3& out, const Vec3* c, double& u, double
     const double du = (av * rb - bv * ra) / det, dv = (bu * ra - au * rb) / det;
     u = std::clamp(u + du, -1.0, 2.0);
     v = std::clamp(v + dv, -1.0, 2.0);
-    if (std::abs(du) < kSettled && std::abs(dv) < kSettled) break;
+    if (std::abs(du) < kConverged && std::abs(dv) < kConverged) break;
   }
   return u >= 0 && u <= 1 && v >= 0 && v <= 1;
 }

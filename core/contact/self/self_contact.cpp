@@ -17,11 +17,11 @@ using namespace math::vector3;
 constexpr double kReachSteps = 2;    // at the present speed, for which pairs are looked at before they touch
 constexpr double kReachLayer = 0.1;  // of the layer, likewise
 constexpr double kSearchSteps = 48;  // at the present speed, which a search is to last
-constexpr double kMarginLeast = 0.25, kMarginMost = 0.5;  // cells, of a search
-constexpr double kMarginReach = 4;                        // reaches, at least
-constexpr double kSettled = 1e-3;                         // of the first change of a velocity: sweeps end
-constexpr int kSweeps = 10;                               // of a step
-constexpr double kSettledRest = 1e-9;
+constexpr double kMinMargin = 0.25, kMaxMargin = 0.5;  // cells, of a search
+constexpr double kMarginReach = 4;                     // reaches, at least
+constexpr double kConverged = 1e-3;                    // of the first change of a velocity: sweeps end
+constexpr int kSweeps = 10;                            // of a step
+constexpr double kConvergedRest = 1e-9;
 constexpr int kSweepsRest = 1000;  // of the forces at rest
 
 // What any two particles move against each other, at most: the diagonal of the box of all velocities.
@@ -55,7 +55,7 @@ void search(const System& system, State& s, double h) {
   const double cell = system.self.min_cell;
   model::SelfState& self = s.self;
   self.margin = std::max(kMarginReach * reach_of(system, s, h),
-                         std::clamp(kSearchSteps * self.speed * h, kMarginLeast * cell, kMarginMost * cell));
+                         std::clamp(kSearchSteps * self.speed * h, kMinMargin * cell, kMaxMargin * cell));
   self.searched = self.travel;
   self.pairs = std::make_shared<const model::SelfPairs>(self_search(system, system.self, s, self.margin));
   self.active_after_travel.assign(self.pairs->size(), self.travel);
@@ -117,7 +117,7 @@ void self_apply(const System& system, SelfContactWorkspace& workspace, const Con
   }
   const ContactCoefficients c = kick_coefficients(step);
   for (SelfNode& n : all.node) n.v = n.fixed ? n.old : Vec3{s.vx[n.node], s.vy[n.node], s.vz[n.node]};
-  self_respond(c, kSettled, kSweeps, all);
+  self_respond(c, kConverged, kSweeps, all);
   for (const SelfNode& n : all.node) {
     const double over = n.fixed ? 1 / n.mass : n.inverse;  // what a held node gets its pin is told
     const Vec3 dv = over * n.impulse;
@@ -145,7 +145,7 @@ void self_synchronous(const System& system, SelfContactWorkspace& workspace, con
     n.v = {vx[n.node], vy[n.node], vz[n.node]};
     if (n.fixed) n.v = half > 0 ? n.old : Vec3{0, 0, 0};
   }
-  self_respond(c, half > 0 ? kSettled : kSettledRest, half > 0 ? kSweeps : kSweepsRest, all);
+  self_respond(c, half > 0 ? kConverged : kConvergedRest, half > 0 ? kSweeps : kSweepsRest, all);
   for (const SelfNode& n : all.node) {
     const Vec3 dv = (n.fixed ? 1 / n.mass : n.inverse) * n.impulse;
     vx[n.node] += dv[0], vy[n.node] += dv[1], vz[n.node] += dv[2];
