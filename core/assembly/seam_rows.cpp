@@ -28,12 +28,12 @@ constexpr double kInside = 1e-6;    // cells: how far off the outline the cell o
 constexpr double kEase = 1e-6;      // of R: sides that differ by more are gathered
 
 // A particle of its own, on the outline.
-model::SeamPoint particle_tie(const piece::Grid& grid, const model::Lattice& l, Vec2 p) {
+model::SeamPoint particle_lay(const piece::Grid& grid, const model::Lattice& l, Vec2 p) {
   const std::size_t n = l.node_of(seam::seam_particle(grid, p));
   return {{n, n, n, n}, {1, 0, 0, 0}};
 }
 
-model::SeamPoint point_tie(const piece::Grid& grid, const model::Lattice& l, Vec2 p, Vec2 looked_up) {
+model::SeamPoint point_lay(const piece::Grid& grid, const model::Lattice& l, Vec2 p, Vec2 looked_up) {
   const piece::GridPoint at =
       piece::grid_point(grid, piece::grid_cell_of(grid, looked_up), piece::grid_coordinates(grid, p));
   model::SeamPoint point;
@@ -47,7 +47,7 @@ model::SeamPoint point_tie(const piece::Grid& grid, const model::Lattice& l, Vec
 Vec2 inside(Vec2 p, Vec2 inward, double d) { return {p[0] + d * inward[0], p[1] + d * inward[1]}; }
 
 // The pairs of a seam and the hinges across them.
-void pairs_tie(const std::vector<piece::Grid>& grids, const seam::SeamLayout& layout, const model::Seam& seam,
+void pairs_lay(const std::vector<piece::Grid>& grids, const seam::SeamLayout& layout, const model::Seam& seam,
                System& system) {
   for (std::size_t n = 0; n < seam.count; ++n) {
     model::SeamPair pair;
@@ -60,9 +60,9 @@ void pairs_tie(const std::vector<piece::Grid>& grids, const seam::SeamLayout& la
       const piece::Grid& grid = grids[piece];
       const Vec2 p = layout.point[k][n], in = layout.inward[k][n], deep = inside(p, in, grid.cell);
       pair.side[k] = grid.paper
-                         ? particle_tie(grid, system.lattices[piece], p)
-                         : point_tie(grid, system.lattices[piece], p, inside(p, in, kInside * grid.cell));
-      inner[k] = point_tie(grid, system.lattices[piece], deep, deep);
+                         ? particle_lay(grid, system.lattices[piece], p)
+                         : point_lay(grid, system.lattices[piece], p, inside(p, in, kInside * grid.cell));
+      inner[k] = point_lay(grid, system.lattices[piece], deep, deep);
       model::sum_add(pair.gap, pair.side[k], k == 0 ? -1 : 1);
       const double warp = in[1] * grid.cosine - in[0] * grid.sine,
                    weft = in[0] * grid.cosine + in[1] * grid.sine;
@@ -82,7 +82,7 @@ void pairs_tie(const std::vector<piece::Grid>& grids, const seam::SeamLayout& la
   }
 }
 
-void links_tie(bool paper, model::Seam& seam, System& system) {
+void links_lay(bool paper, model::Seam& seam, System& system) {
   seam.link_first = system.seams.link.size();
   const bool gathered = std::abs(seam.spacing[0] - seam.spacing[1]) > kEase * seam.rest;
   if (!paper && !gathered && seam.tape == 0) return;
@@ -187,8 +187,8 @@ void seams_lay(const Scene& scene, const std::vector<piece::Grid>& grids, System
     seam.along_warp = std::abs(chord[1] * grid.cosine - chord[0] * grid.sine) >=
                       std::abs(chord[0] * grid.cosine + chord[1] * grid.sine);
     seam.link_width = grid.cell;
-    pairs_tie(grids, layout, seam, system);
-    links_tie(grid.paper, seam, system);
+    pairs_lay(grids, layout, seam, system);
+    links_lay(grid.paper, seam, system);
     system.seams.seam.push_back(seam);
   }
 }

@@ -24,10 +24,10 @@ struct Span {
   double clamps = 0;               // sum of y
 };
 
-using Odd = std::vector<char>;  // [nodes of Grid]
+using Irregular = std::vector<char>;  // [nodes of Grid]
 
-Odd odd_nodes(const piece::Grid& grid, const std::vector<ClampSlopes>& clamps) {
-  Odd odd(std::size_t(grid.nodes()), false);
+Irregular irregular_nodes(const piece::Grid& grid, const std::vector<ClampSlopes>& clamps) {
+  Irregular odd(std::size_t(grid.nodes()), false);
   for (std::size_t c = std::size_t(grid.regular); c < grid.cells.size(); ++c)
     for (int n : grid.cells[c].node) odd[std::size_t(n)] = true;
   for (const ClampSlopes& clamp : clamps)
@@ -37,7 +37,7 @@ Odd odd_nodes(const piece::Grid& grid, const std::vector<ClampSlopes>& clamps) {
 }
 
 // Of the links with an odd end.
-std::vector<Span> spans_of(const piece::Grid& grid, const Odd& odd, bool warp) {
+std::vector<Span> spans_of(const piece::Grid& grid, const Irregular& odd, bool warp) {
   std::vector<Span> all;
   for (int c = 0; c < int(grid.cells.size()); ++c) {
     const piece::GridCell& cell = grid.cells[std::size_t(c)];
@@ -116,7 +116,7 @@ void clamps_lay(System& system, int lattice, std::vector<Span>& spans, bool warp
 }
 
 // Of all nodes that are not odd.
-void hinges_fill(System& system, int lattice, const Odd& odd, bool warp) {
+void hinges_fill(System& system, int lattice, const Irregular& odd, bool warp) {
   const model::Lattice& l = system.lattices[std::size_t(lattice)];
   const std::ptrdiff_t along = warp ? l.stride : 1, across = warp ? 1 : l.stride;
   Array& rows = warp ? system.hinge_warp : system.hinge_weft;
@@ -133,7 +133,8 @@ void hinges_fill(System& system, int lattice, const Odd& odd, bool warp) {
 }
 
 // Of the odd nodes.
-void hinges_lay(System& system, int lattice, const std::vector<Span>& spans, const Odd& odd, bool warp) {
+void hinges_lay(System& system, int lattice, const std::vector<Span>& spans, const Irregular& odd,
+                bool warp) {
   const model::Lattice& l = system.lattices[std::size_t(lattice)];
   std::vector<const Span*> ending;  // by their upper node
   for (const Span& s : spans)
@@ -198,7 +199,7 @@ void cells_lay(System& system, int lattice, const piece::Grid& grid) {
 
 void weave_lay(System& system, int lattice, const piece::Grid& grid, const std::vector<ClampSlopes>& clamps,
                const State& start) {
-  const Odd odd = odd_nodes(grid, clamps);
+  const Irregular odd = irregular_nodes(grid, clamps);
   for (bool warp : {true, false}) {
     hinges_fill(system, lattice, odd, warp);
     std::vector<Span> spans = spans_of(grid, odd, warp);
