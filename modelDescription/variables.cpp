@@ -266,25 +266,25 @@ void add_outputs(Table& table, drape_outputs& o) {
 
 // Particles that have a variable: all, or those at fewer than four cells.
 std::vector<int> nodes_wanted(drape_cloth* cloth, Nodes nodes, int node_count) {
-  std::vector<int> wanted;
+  std::vector<int> expected;
   if (nodes == Nodes::kAll) {
-    wanted.resize(std::size_t(node_count));
-    std::iota(wanted.begin(), wanted.end(), 0);
+    expected.resize(std::size_t(node_count));
+    std::iota(expected.begin(), expected.end(), 0);
   }
-  if (nodes != Nodes::kOutline) return wanted;
+  if (nodes != Nodes::kOutline) return expected;
   std::vector<int> cells_at(std::size_t(node_count), 0);
   for (int p = 0; p < drape_piece_count(cloth); ++p) {
     const drape_piece piece = drape_piece_at(cloth, p);
     for (int k = 0; k < 4 * piece.cell_count; ++k) ++cells_at[std::size_t(piece.corner[k])];
   }
   for (int n = 0; n < node_count; ++n)
-    if (cells_at[std::size_t(n)] < 4) wanted.push_back(n);
-  return wanted;
+    if (cells_at[std::size_t(n)] < 4) expected.push_back(n);
+  return expected;
 }
 
-void add_nodes(Table& table, const std::vector<int>& wanted, const char* name, double* value,
+void add_nodes(Table& table, const std::vector<int>& expected, const char* name, double* value,
                const char* unit, int needs, const char* description) {
-  for (const int n : wanted)
+  for (const int n : expected)
     for (int k = 0; k < 3; ++k) {
       add(table, name, value + 3 * std::size_t(n) + k, output(needs, unit), description);
       table.back().index = "[" + std::to_string(n + 1) + "," + std::to_string(k + 1) + "]";
@@ -303,10 +303,10 @@ std::vector<Variable> variables_of(drape_cloth* cloth, Nodes nodes) {
   add_inputs(table, *drape_inputs_of(cloth), *drape_input_rates_of(cloth));
   add_bodies(table, *drape_inputs_of(cloth), *drape_input_rates_of(cloth));
   add_outputs(table, outputs);
-  const std::vector<int> wanted = nodes_wanted(cloth, nodes, outputs.node_count);
-  add_nodes(table, wanted, "node.position", outputs.node_position, "m", DRAPE_NODE_PLACES,
+  const std::vector<int> expected = nodes_wanted(cloth, nodes, outputs.node_count);
+  add_nodes(table, expected, "node.position", outputs.node_position, "m", DRAPE_NODE_PLACES,
             "where a particle is");
-  add_nodes(table, wanted, "node.velocity", outputs.node_velocity, "m/s", DRAPE_NODE_MOTION,
+  add_nodes(table, expected, "node.velocity", outputs.node_velocity, "m/s", DRAPE_NODE_MOTION,
             "how fast a particle moves");
   return table;
 }

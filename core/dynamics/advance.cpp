@@ -80,13 +80,13 @@ void describe_step(std::string& event, const char* verb, double time, double h, 
 void steps_relax(const System& system, State& s, std::string& event) {
   if (s.intervals_since_change < kIntervalsBeforeGrowth || system.fit) return;
   const double q = system.communication;
-  const std::int64_t wanted = steps_for(q, step_now(system, s, s.max_omega2));
+  const std::int64_t expected = steps_for(q, step_now(system, s, s.max_omega2));
   s.intervals_since_change = 0;
   s.max_omega2 = s.omega2;
-  if (wanted >= s.steps_per_interval) return;
-  s.steps_per_interval = wanted;
+  if (expected >= s.steps_per_interval) return;
+  s.steps_per_interval = expected;
   s.steps_to_limit_check = 0;
-  describe_step(event, "grows", model::state_time(s, q), q / double(wanted), s);
+  describe_step(event, "grows", model::state_time(s, q), q / double(expected), s);
 }
 
 // Looks at the step limit after `done` of the n steps that fill `length`; where it has fallen, n doubles, in

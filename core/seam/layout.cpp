@@ -106,8 +106,8 @@ SeamLayout seam_layout(const Scene& scene, const scene::SeamSpec& seam) {
     cell = std::min(cell, piece.cell);
     layout.closed = layout.closed && seam.side[k].edges.size() == piece.outline.size();
   }
-  const double wanted = std::max(layout.length[0], layout.length[1]) / cell;
-  const int n = std::max(1, int(std::ceil(wanted - kWhole)));
+  const double expected = std::max(layout.length[0], layout.length[1]) / cell;
+  const int n = std::max(1, int(std::ceil(expected - kWhole)));
   for (std::size_t k = 0; k < 2; ++k) {
     layout.spacing[k] = layout.length[k] / n;
     points_along(line[k], layout.length[k], n, layout.point[k], layout.inward[k]);

@@ -60,9 +60,9 @@ int run_bench(const Options& options) {
   if (!valid) return kBadInput;
   std::vector<bench::Row> rows;
   for (const bench::Group& group : bench::groups()) {
-    bool wanted = options.groups.empty() && group.by_default;
-    for (const std::string& name : options.groups) wanted = wanted || name == group.name;
-    if (!wanted) continue;
+    bool expected = options.groups.empty() && group.by_default;
+    for (const std::string& name : options.groups) expected = expected || name == group.name;
+    if (!expected) continue;
     std::printf("%s: %s\n%-34s %9s  %-9s %9s  %s\n", group.name, group.description, "", "particles", "kernel",
                 "million/s", "ratio");
     for (const bench::Row& row : group.rows(patience)) {

@@ -58,8 +58,8 @@ struct ContactLanes {
     const L stored = kick * stiff * omega2 * phi, drag = nu * slope;
     const L after = (w + stored - drag * old_time * before) / fma(drag, new_time, L(1.0));
     const L workspace = distance - least;
-    const L wanted = L(0.0) - workspace * select(ge(workspace, L(0.0)), stop_rate, push_rate);
-    const L soft = max(after - w, L(0.0)), all = max(soft, wanted - w);
+    const L expected = L(0.0) - workspace * select(ge(workspace, L(0.0)), stop_rate, push_rate);
+    const L soft = max(after - w, L(0.0)), all = max(soft, expected - w);
     return {all, all - soft, stored};
   }
 };

@@ -35,13 +35,13 @@ SelfContactPair touch_of(const model::NodeIndex* node, bool cross, const Vec3& a
 // Every node at which the foot of `a` has weight is one of b's triangle, and b is nearer.
 bool nearer_there(const SelfContactPair& b, const SelfContactPair& a, bool b_first) {
   if (!(b.distance < a.distance || (b.distance == a.distance && b_first))) return false;
-  int shared = 0, wanted = 0;
+  int shared = 0, expected = 0;
   for (int k = 1; k < 4; ++k) {
     if (a.weight[k] == 0) continue;
-    ++wanted;
+    ++expected;
     for (int m = 1; m < 4; ++m) shared += a.node[std::size_t(k)] == b.node[std::size_t(m)];
   }
-  return wanted < 3 && shared == wanted;
+  return expected < 3 && shared == expected;
 }
 
 // Keeps the local minima among those of one particle, from `first` on.

@@ -143,8 +143,8 @@ double normal_sweep(const ContactCoefficients& c, SelfContactPairs& all, SelfCon
 double stop_sweep(const ContactCoefficients& c, SelfContactPairs& all, SelfContactPair& t) {
   const double w = dot(t.n, gap_rate(all, t, &SelfNode::v)),
                workspace = t.distance - kMin * t.contact_distance;
-  const double wanted = -workspace * (workspace >= 0 ? c.stop_rate : c.push_rate);
-  const double stop = std::max(t.stop + (wanted - w) / t.inverse_effective_mass, 0.0), more = stop - t.stop;
+  const double expected = -workspace * (workspace >= 0 ? c.stop_rate : c.push_rate);
+  const double stop = std::max(t.stop + (expected - w) / t.inverse_effective_mass, 0.0), more = stop - t.stop;
   if (more == 0) return 0;
   t.stop = stop;
   normal_push(all, t, more);
@@ -159,8 +159,8 @@ Vec3 friction_bounded(SelfContactPair& t, const Vec3& j) {
   return size > 0 ? (t.slide * pressed / size) * j : j;
 }
 
-double friction_change(SelfContactPairs& all, SelfContactPair& t, const Vec3& wanted) {
-  const Vec3 j = friction_bounded(t, wanted), more = j - t.friction;
+double friction_change(SelfContactPairs& all, SelfContactPair& t, const Vec3& expected) {
+  const Vec3 j = friction_bounded(t, expected), more = j - t.friction;
   const double size = norm(more);
   if (size == 0) return 0;
   t.friction = j;

@@ -69,8 +69,8 @@ const Kernel* kernel_named(const char* name) {
 }
 
 const Kernel& kernel_pick() {
-  if (const char* wanted = std::getenv("DRAPE_SIMD"))
-    if (const Kernel* k = kernel_named(wanted)) return *k;
+  if (const char* expected = std::getenv("DRAPE_SIMD"))
+    if (const Kernel* k = kernel_named(expected)) return *k;
   for (const Kernel* k : kByChoice)
     if (runs_here(*k)) return *k;
   return kKernelPortable;

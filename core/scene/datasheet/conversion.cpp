@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kMicroNcm2 = 1e10;  // uN cm^2 per N m^2
 
-void weight_settle(const Conversion& s, FabricText& t) {
+void weight_convert(const Conversion& s, FabricText& t) {
   const std::string way = property_source(s, "areal density", {"areal_density", "kes.W", "fast.W"});
   if (way.empty()) missing(s, t, "areal_density");
   if (!valid(s, way)) return;
@@ -23,7 +23,7 @@ void weight_settle(const Conversion& s, FabricText& t) {
   if (way == "fast.W") t.datasheet.plain.insert("areal_density", t.datasheet.fast.W / 1e3);
 }
 
-void thickness_settle(const Conversion& s, FabricText& t) {
+void thickness_convert(const Conversion& s, FabricText& t) {
   const FastText& fast = t.datasheet.fast;
   if (stated(s, "fast.T100") && !stated(s, "fast.T2")) missing(s, t, "fast.T2");
   if (valid(s, "fast.T2") && valid(s, "fast.T100") && fast.T100 > fast.T2)
@@ -56,7 +56,7 @@ double bending_of(const std::string& way, const FabricText& t, std::size_t k) {
   return standards::gost_10550_rigidity(sheet.gost_mass[k], sheet.gost_deflection[k]) / standards::kGostWidth;
 }
 
-void bending_settle(const Conversion& s, FabricText& t) {
+void bending_convert(const Conversion& s, FabricText& t) {
   const std::string plain = "bending.rigidity_uN_cm2";
   const std::string way = property_source(
       s, "bending rigidity",
@@ -82,14 +82,14 @@ void missing(const Conversion& s, FabricText& t, const std::string& key) {
 
 void datasheet_convert(Faults& faults, const toml::table& table, const std::string& path, FabricText& text) {
   const Conversion s{faults, table, path};
-  weight_settle(s, text);
-  thickness_settle(s, text);
+  weight_convert(s, text);
+  thickness_convert(s, text);
   if (text.datasheet.strip_by_name)
     text.datasheet.plain.insert(
         "strip", toml::table{{"width", text.spec.strip_width}, {"gauge", text.spec.strip_gauge}});
   tensile_convert(s, text);
   shear_convert(s, text);
-  bending_settle(s, text);
+  bending_convert(s, text);
 }
 
 FabricText fabric_read(Faults& faults, const toml::table& table, const std::string& path) {

@@ -62,7 +62,7 @@ bool extension_fits(const Conversion& s, const std::string& key, const GivenAs& 
 }
 
 // The diagram's own lists, in whatever unit they are.
-void lists_settle(const Conversion& s, FabricText& t, std::size_t k) {
+void lists_convert(const Conversion& s, FabricText& t, std::size_t k) {
   const std::string name = kDiagrams[k];
   if (const toml::node* table = stated(s, name); !table || !table->is_table()) return;
   std::vector<std::string> ways_e{name + ".elongation_percent"}, ways_f{name + ".force"};
@@ -114,7 +114,7 @@ double kes_energy_of(const Conversion& s, const KesText& kes, std::size_t k) {
   return wt;
 }
 
-void kes_settle(const Conversion& s, FabricText& t, std::size_t k) {
+void kes_convert(const Conversion& s, FabricText& t, std::size_t k) {
   for (const char* key : {"kes.EMT", "kes.WT", "kes.LT", "kes.Fm"})
     if (stated(s, key) && !valid(s, key)) return;
   if (!stated(s, "kes.WT") && !stated(s, "kes.LT")) return;
@@ -123,7 +123,7 @@ void kes_settle(const Conversion& s, FabricText& t, std::size_t k) {
   if (!std::isnan(wt)) diagram_insert(t, k, standards::kes_tension(kes.EMT[k], wt, kes.Fm), true);
 }
 
-void fast_settle(const Conversion& s, FabricText& t, std::size_t k) {
+void fast_convert(const Conversion& s, FabricText& t, std::size_t k) {
   for (const char* key : {"fast.E5", "fast.E20", "fast.E100"})
     if (!valid(s, key)) return;
   const FastText& fast = t.datasheet.fast;
@@ -179,16 +179,16 @@ void tensile_convert(const Conversion& s, FabricText& t) {
     const std::string name = kDiagrams[k];
     if (stray_report(s, name, {"kes.EMT", "fast.E100"})) continue;
     const std::string way = property_source(s, name + " tension", {name, "kes.EMT", "fast.E100"});
-    if (way == name) lists_settle(s, t, k);
-    else if (way == "kes.EMT") kes_settle(s, t, k);
-    else if (way == "fast.E100") fast_settle(s, t, k);
+    if (way == name) lists_convert(s, t, k);
+    else if (way == "kes.EMT") kes_convert(s, t, k);
+    else if (way == "fast.E100") fast_convert(s, t, k);
   }
 }
 
 void shear_convert(const Conversion& s, FabricText& t) {
   if (stray_report(s, "bias", {"kes.G", "fast.EB5"})) return;
   const std::string way = property_source(s, "shear", {"bias", "kes.G", "fast.EB5"});
-  if (way == "bias") return lists_settle(s, t, 2);
+  if (way == "bias") return lists_convert(s, t, 2);
   if (!valid(s, way)) return;
   const Vec2& g = t.datasheet.kes.G;
   const double shear =

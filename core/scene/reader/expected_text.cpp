@@ -7,7 +7,7 @@ namespace drape::scene {
 
 namespace {
 
-struct Wanted {
+struct Expected {
   const Key& key;
   std::string of(const char* what) const { return *key.unit ? std::string(what) + " in " + key.unit : what; }
 
@@ -57,9 +57,9 @@ std::string words_text(const std::vector<std::string>& words) {
   return text;
 }
 
-std::string key_number_expected(const Key& key) { return Wanted{key}.of("a number"); }
+std::string key_number_expected(const Key& key) { return Expected{key}.of("a number"); }
 
-std::string key_expected(const Key& key) { return std::visit(Wanted{key}, key.destination); }
+std::string key_expected(const Key& key) { return std::visit(Expected{key}, key.destination); }
 
 const char* node_kind(const toml::node& node) {
   switch (node.type()) {

@@ -35,7 +35,7 @@ void length_check(Faults& faults, const Vec3& a, const std::string& path) {
 }
 
 // Within the tolerance axes are made exactly orthonormal: x keeps its direction.
-void axes_settle(Faults& faults, const toml::table& table, const std::string& path, PlaceSpec& place) {
+void axes_normalize(Faults& faults, const toml::table& table, const std::string& path, PlaceSpec& place) {
   const bool x_given(table["place"]["axis_x"]), y_given(table["place"]["axis_y"]);
   if (x_given != y_given)
     return fault_add(faults, path, "has only one of axis_x and axis_y; wanted: both or neither");
@@ -52,7 +52,7 @@ void axes_settle(Faults& faults, const toml::table& table, const std::string& pa
 }
 
 // Likewise the cylinder's axis becomes exactly parallel to the plane.
-void cylinder_settle(Faults& faults, const std::string& path, PlaceSpec& place) {
+void cylinder_normalize(Faults& faults, const std::string& path, PlaceSpec& place) {
   length_check(faults, place.axis, path + ".axis");
   const Vec3 normal = cross(place.axis_x, place.axis_y);
   const double out = dot(place.axis, normal);
@@ -70,7 +70,7 @@ void cylinder_settle(Faults& faults, const std::string& path, PlaceSpec& place) 
                   number_text(kFlattest) + " times the other");
 }
 
-void curves_settle(Faults& faults, const toml::table& table, const std::string& path) {
+void curves_normalize(Faults& faults, const toml::table& table, const std::string& path) {
   const toml::array* curves = table["curves"].as_array();
   for (std::size_t i = 0; curves && i < curves->size(); ++i) {
     const toml::table* curve = (*curves)[i].as_table();
@@ -92,10 +92,10 @@ void curves_settle(Faults& faults, const toml::table& table, const std::string& 
 void piece_normalize(Faults& faults, const toml::table& table, const std::string& path, PieceSpec& piece) {
   const std::string place = path + ".place";
   const auto valid = [&](const std::string& key) { return !fault_within(faults, path + "." + key); };
-  if (valid("place.axis_x") && valid("place.axis_y")) axes_settle(faults, table, place, piece.place);
+  if (valid("place.axis_x") && valid("place.axis_y")) axes_normalize(faults, table, place, piece.place);
   if (table["place"]["cylinder"].is_table() && valid("place"))
-    cylinder_settle(faults, place + ".cylinder", piece.place);
-  curves_settle(faults, table, path);
+    cylinder_normalize(faults, place + ".cylinder", piece.place);
+  curves_normalize(faults, table, path);
   if (!valid("curves") || !valid("holes")) piece.outline.clear();
 }
 

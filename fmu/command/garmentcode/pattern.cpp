@@ -64,11 +64,11 @@ bool side_read(const JsonFaults& faults, const Json& side, const std::string& pa
   const auto number = side.find("edge");
   if (number == side.end()) json_fault(faults, path + ".edge", "is missing; wanted: a whole number");
   if (!name) return false;
-  const std::string wanted = name->get<std::string>();
+  const std::string expected = name->get<std::string>();
   const auto found = std::find_if(pattern.panels.begin(), pattern.panels.end(),
-                                  [&](const Panel& p) { return p.name == wanted; });
+                                  [&](const Panel& p) { return p.name == expected; });
   if (found == pattern.panels.end()) {
-    json_fault(faults, path + ".panel", "= " + scene::in_quotes(wanted) + " is no panel of the pattern");
+    json_fault(faults, path + ".panel", "= " + scene::in_quotes(expected) + " is no panel of the pattern");
     return false;
   }
   if (number == side.end()) return false;

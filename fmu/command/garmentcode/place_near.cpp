@@ -124,8 +124,8 @@ double lift_wanted(const Scene& scene, const scene::SeamSpec& seam, const std::v
     const double t = dot(d, way);
     if (t > 0 && t < level && std::abs(dot(d, across)) < half) top = std::max(top, v[1]);
   }
-  const double wanted = top + kOver - low;
-  return top - low < kShoulder && wanted > 0 ? wanted : 0;  // more body above: a crotch, not a shoulder
+  const double expected = top + kOver - low;
+  return top - low < kShoulder && expected > 0 ? expected : 0;  // more body above: a crotch, not a shoulder
 }
 
 }  // namespace

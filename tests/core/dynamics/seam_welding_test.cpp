@@ -233,9 +233,9 @@ TEST(Sewing, BondsAsTheJudgeSays) {
   };
   EXPECT_NEAR(energy(1) - energy(-1), -2 * bonds.dot(step), 1e-5 * bonds.norm() * step.norm());
   const forces::SeamEnergy reported = forces::seams_energy(a.system, a.state);
-  const reference::BondEnergy wanted = reference::bond_energy(motion.lattice, motion.sewing, r);
-  EXPECT_NEAR(reported.bending, wanted.bending, 1e-12 * wanted.bending);
-  EXPECT_NEAR(reported.stretch, wanted.stretch, 1e-12 * wanted.stretch);
+  const reference::BondEnergy expected = reference::bond_energy(motion.lattice, motion.sewing, r);
+  EXPECT_NEAR(reported.bending, expected.bending, 1e-12 * expected.bending);
+  EXPECT_NEAR(reported.stretch, expected.stretch, 1e-12 * expected.stretch);
 }
 
 // Pins hold both edges 5e-5 m apart, off the grid: their rows leave the welds next to nothing, and the welds

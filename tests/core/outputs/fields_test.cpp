@@ -63,17 +63,17 @@ TEST(Fields, PressureAtRestIsWeightOverArea) {
       EXPECT_EQ(stops.particle.empty(), slope > 1) << "the penalty holds it";
       Fields fields;
       fields_fill(fields, a.system, a.state, stops);
-      const double wanted = 0.2 * 9.81;
+      const double expected = 0.2 * 9.81;
       double force = 0, weight = 0;
       for (std::size_t k = 0; k < fields.pressure.size(); ++k) {
-        EXPECT_NEAR(fields.pressure[k], wanted, 1e-4 * wanted) << slope;
+        EXPECT_NEAR(fields.pressure[k], expected, 1e-4 * expected) << slope;
         force += fields.pressure[k] * fields.area[k];
       }
       for (std::size_t n : a.system.particle) weight += 9.81 * a.system.mass[n];
       EXPECT_NEAR(force, weight, 2e-5 * weight);
       EXPECT_NEAR(-body_force(a)[2], mode == scene::Mode::kFit ? force : force * a.state.h_old / 2,
                   2e-5 * weight);
-      EXPECT_NEAR(contact::contact_summary(a.system, a.state, stops).pressure, wanted, 1e-4 * wanted);
+      EXPECT_NEAR(contact::contact_summary(a.system, a.state, stops).pressure, expected, 1e-4 * expected);
     }
 }
 

@@ -131,10 +131,10 @@ TEST(Ridge, TensionGrowsOverItAsRoundACapstan) {
       angle[0] += std::acos(dot(s.along(i - 1), s.along(i))) / measured;
       angle[1] += std::acos(dot(s.along(i), s.along(i + 1))) / measured;
     }
-    const double wanted =
+    const double expected =
         (std::cos(angle[0]) + mu * std::sin(angle[0])) / (std::cos(angle[1]) - mu * std::sin(angle[1]));
-    EXPECT_NEAR(strain[1] / strain[0], wanted, 1e-3) << "mu " << mu;
-    std::printf("mu = %.1f: T2/T1 = %.5f, wanted %.5f, D = %.4f\n", mu, strain[1] / strain[0], wanted,
+    EXPECT_NEAR(strain[1] / strain[0], expected, 1e-3) << "mu " << mu;
+    std::printf("mu = %.1f: T2/T1 = %.5f, wanted %.5f, D = %.4f\n", mu, strain[1] / strain[0], expected,
                 angle[0] + angle[1]);
   }
 }

@@ -54,7 +54,7 @@ TEST(Watch, FindsWhatEveryComparisonWould) {
                                     0,
                                     kNodes};
           const std::size_t count = kernel->contact.update_proximity[0](watch, due.data());
-          std::vector<std::size_t> wanted;
+          std::vector<std::size_t> expected;
           for (std::size_t b = 0; b < kNodes; b += math::kRowUnit) {
             bool is = false;
             for (std::size_t n = b; n < b + math::kRowUnit; ++n) {
@@ -63,12 +63,12 @@ TEST(Watch, FindsWhatEveryComparisonWould) {
                            z = r[2][n] + kStep * v[2][n] - body.z[n];
               is = is || x * x + y * y + z * z >= body.free_distance2[n];
             }
-            if (is) wanted.push_back(b);
+            if (is) expected.push_back(b);
           }
-          ASSERT_EQ(std::vector<std::size_t>(due.begin(), due.begin() + std::ptrdiff_t(count)), wanted)
+          ASSERT_EQ(std::vector<std::size_t>(due.begin(), due.begin() + std::ptrdiff_t(count)), expected)
               << name << ", order " << order << ", step " << step;
-          (wanted.empty() ? asleep : awake) += 1;
-          for (std::size_t b : wanted)
+          (expected.empty() ? asleep : awake) += 1;
+          for (std::size_t b : expected)
             for (std::size_t n = b; n < b + math::kRowUnit; ++n) {
               body.x[n] = r[0][n], body.y[n] = r[1][n], body.z[n] = r[2][n];
               body.free_distance2[n] = budget(random) * budget(random) * 10;

@@ -89,10 +89,10 @@ class Import : public Command {
   // Refused with these sentences, in this order.
   void expect_faults(const std::string& json, const std::vector<std::string>& sentences) const {
     const Done done = import(json);
-    std::string wanted;
-    for (const std::string& s : sentences) wanted += "error: tunic.json: " + s + "\n";
+    std::string expected;
+    for (const std::string& s : sentences) expected += "error: tunic.json: " + s + "\n";
     EXPECT_EQ(done.code, 1);
-    EXPECT_EQ(done.text, wanted);
+    EXPECT_EQ(done.text, expected);
     EXPECT_FALSE(fs::exists(folder / "tunic.toml"));
   }
 };
