@@ -21,13 +21,13 @@ constexpr const char* kDiagram[] = {"warp", "weft", "bias"};
 // Visits every number in a fixed order.
 template <class P, class Visit>
 void each_value(P& p, Visit visit) {
-  visit(p.shown.damping);
-  for (auto& g : p.shown.gravity) visit(g);
-  visit(p.shown.air_normal);
-  visit(p.shown.air_tangential);
-  visit(p.shown.ramp);
-  visit(p.shown.step_max);
-  visit(p.shown.threads);
+  visit(p.c_view.damping);
+  for (auto& g : p.c_view.gravity) visit(g);
+  visit(p.c_view.air_normal);
+  visit(p.c_view.air_tangential);
+  visit(p.c_view.ramp);
+  visit(p.c_view.step_max);
+  visit(p.c_view.threads);
   for (auto& s : p.seams) visit(s.close);
   for (auto& f : p.fabrics)
     for (auto* v : {&f.areal_density, &f.bending_warp, &f.bending_weft, &f.poisson, &f.compression,

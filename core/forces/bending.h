@@ -64,7 +64,7 @@ struct HingeForces {
 template <class L>
 DRAPE_INLINE HingeForces<L> bending_hinge(simd::Vec<L> u, L inverse_a, simd::Vec<L> v, L inverse_c, L kappa) {
   const L y =
-      select(gt(kappa, L(0.0)), simd::dot(u, v), L(1.0));  // where there is no hinge nothing is folded
+      select(gt(kappa, L(0.0)), dot(u, v), L(1.0));  // where there is no hinge nothing is folded
   const L moment = kappa * bending_psi(y);
   const auto turned = [&](L a, L b) DRAPE_INLINE_LAMBDA { return fms(a, y, b); };
   const simd::Vec<L> first{turned(u.x, v.x), turned(u.y, v.y), turned(u.z, v.z)},
@@ -94,10 +94,10 @@ struct WeftHinges {
 };
 template <class L>
 DRAPE_INLINE simd::Vec<L> bending_weft(const HingeLink<L>& next, L kappa, WeftHinges<L>& w) {
-  const auto f = bending_hinge(w.links.unit, w.links.inverse, simd::ahead(w.links.unit, next.unit),
-                               simd::ahead(w.links.inverse, next.inverse), kappa);
-  const simd::Vec<L> passed = f.first + (f.last - simd::shifted(w.last, f.last));
-  const simd::Vec<L> force = f.first - simd::shifted(w.passed, passed);
+  const auto f = bending_hinge(w.links.unit, w.links.inverse, ahead(w.links.unit, next.unit),
+                               ahead(w.links.inverse, next.inverse), kappa);
+  const simd::Vec<L> passed = f.first + (f.last - shifted(w.last, f.last));
+  const simd::Vec<L> force = f.first - shifted(w.passed, passed);
   w = {next, f.last, passed};
   return force;
 }

@@ -11,7 +11,7 @@ void hinges_bend(HingeBatch& b) {
   for (int i = 0; i < math::kRowUnit; i += L::kWidth) {
     const simd::Vec<L> a{L::load(b.a[0] + i), L::load(b.a[1] + i), L::load(b.a[2] + i)},
         c{L::load(b.c[0] + i), L::load(b.c[1] + i), L::load(b.c[2] + i)};
-    const L inverse_a = L(1.0) / sqrt(simd::dot(a, a)), inverse_c = L(1.0) / sqrt(simd::dot(c, c));
+    const L inverse_a = L(1.0) / sqrt(dot(a, a)), inverse_c = L(1.0) / sqrt(dot(c, c));
     const HingeForces<L> f =
         bending_hinge(a * inverse_a, inverse_a, c * inverse_c, inverse_c, L::load(b.stiffness + i));
     simd::vec_store(simd::Row{b.a[0], b.a[1], b.a[2]}, i, f.first);

@@ -21,13 +21,13 @@ void links_add(const System& system, const State& s, bool rates, double extrapol
     const math::Curve& curve = model::law_curve(law, link.along);
     if (curve.segments == 0) continue;
     const NodeEdge edge = node_edge(s, link.node[0], link.node[1]);
-    const NodeLane inverse_rest = 1 / link.rest, e = simd::fma(edge.length, inverse_rest, NodeLane(-1.0));
+    const NodeLane inverse_rest = 1 / link.rest, e = fma(edge.length, inverse_rest, NodeLane(-1.0));
     const CurveTension tension{&curve};
     NodeLane pull = tension(e);
     if (rates && law.damping > 0) {
       const NodeVec du =
           node_speed(s, link.node[1], extrapolation) - node_speed(s, link.node[0], extrapolation);
-      pull = damped_tension(tension, e, simd::dot(du, edge.unit) * inverse_rest, law.damping);
+      pull = damped_tension(tension, e, dot(du, edge.unit) * inverse_rest, law.damping);
     }
     const NodeVec force = edge.unit * (NodeLane(link.width) * pull);
     force_add(f, std::size_t(link.slot[0]), force);
@@ -100,7 +100,7 @@ void clamp_torques(const System& system, const State& s, std::vector<Vec3>& torq
     const double rigidity = model::law_bending(system.lattices[std::size_t(c.lattice)].law, c.warp);
     const NodeVec held = clamp_turned(c, s), v = node_edge(s, c.node[0], c.node[1]).unit;
     const NodeVec moment =
-        simd::cross(held, v) * (NodeLane(rigidity * c.share) * bending_psi(simd::dot(held, v)));
+        cross(held, v) * (NodeLane(rigidity * c.share) * bending_psi(dot(held, v)));
     Vec3& sum = torque[std::size_t(c.pin)];
     sum[0] += moment.x.v;
     sum[1] += moment.y.v;

@@ -41,7 +41,7 @@ struct NodeEdge {
 };
 inline NodeEdge node_edge(const State& s, std::size_t from, std::size_t to) {
   const NodeVec d = node_at(s, to) - node_at(s, from);
-  const NodeLane length = simd::sqrt(simd::dot(d, d)), inverse = NodeLane(1.0) / length;
+  const NodeLane length = sqrt(dot(d, d)), inverse = NodeLane(1.0) / length;
   return {d * inverse, inverse, length};
 }
 

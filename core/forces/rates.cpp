@@ -13,9 +13,9 @@ void damping_add(const model::Lattice& l, const model::Link& link, const State& 
   const math::Curve& curve = model::law_curve(l.law, link.along);
   if (curve.segments == 0 || !(l.law.damping > 0)) return;
   const NodeEdge edge = node_edge(s, link.from, link.to);
-  const NodeLane inverse_rest = 1 / link.rest, e = simd::fma(edge.length, inverse_rest, NodeLane(-1.0));
+  const NodeLane inverse_rest = 1 / link.rest, e = fma(edge.length, inverse_rest, NodeLane(-1.0));
   const NodeLane rate =
-      simd::dot(node_speed(s, link.to, extrapolation) - node_speed(s, link.from, extrapolation), edge.unit) *
+      dot(node_speed(s, link.to, extrapolation) - node_speed(s, link.from, extrapolation), edge.unit) *
       inverse_rest;
   const NodeLane slope = CurveTension{&curve}.slope(e);
   const NodeVec force = edge.unit * (NodeLane(link.width * l.law.damping) * (slope * rate));

@@ -45,7 +45,7 @@ struct ContactLaw {
 // Eight neighbouring nodes of a lattice and a surface near each: lanes without one have side = 0 and
 // offset = -kFar.
 inline constexpr double kFar = 1e300;
-struct alignas(kLine) ContactBlock {
+struct alignas(math::kLine) ContactBlock {
   double side[3][math::kRowUnit];        // unit vector out of the surface, in the body's frame
   double offset[math::kRowUnit];         // m, side . point
   double point[3][math::kRowUnit];       // m

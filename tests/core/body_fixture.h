@@ -12,12 +12,12 @@
 
 namespace drape::tests {
 
-struct command::Mesh {
+struct Mesh {
   std::vector<Vec3> point;
   std::vector<std::array<int, 3>> corner;
 };
 
-inline std::string obj_text(const command::Mesh& mesh) {
+inline std::string obj_text(const Mesh& mesh) {
   std::string text;
   char line[120];
   for (const Vec3& p : mesh.point) {
@@ -32,8 +32,8 @@ inline std::string obj_text(const command::Mesh& mesh) {
 }
 
 // A box about the origin.
-inline command::Mesh box(double a, double b, double c) {
-  command::Mesh m;
+inline Mesh box(double a, double b, double c) {
+  Mesh m;
   for (int k = 0; k < 8; ++k)
     m.point.push_back({(k & 4 ? a : -a) / 2, (k & 2 ? b : -b) / 2, (k & 1 ? c : -c) / 2});
   const int side[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
@@ -45,8 +45,8 @@ inline command::Mesh box(double a, double b, double c) {
 }
 
 // A ball about the origin: 2 n (n - 1) triangles.
-inline command::Mesh ball(double radius, int n) {
-  command::Mesh m;
+inline Mesh ball(double radius, int n) {
+  Mesh m;
   const double pi = std::numbers::pi;
   m.point.push_back({0, 0, radius});
   for (int i = 1; i < n; ++i)
@@ -70,8 +70,8 @@ inline command::Mesh ball(double radius, int n) {
 }
 
 // A cylinder about the y axis, with ends.
-inline command::Mesh cylinder(double radius, double length, int n) {
-  command::Mesh m;
+inline Mesh cylinder(double radius, double length, int n) {
+  Mesh m;
   for (int j = 0; j < n; ++j) {
     const double f = 2 * std::numbers::pi * j / n;
     for (double y : {-length / 2, length / 2})
@@ -90,18 +90,18 @@ inline command::Mesh cylinder(double radius, double length, int n) {
 }
 
 // A prism along y whose ridge at x = z = 0 falls by the angle on both sides, 0.2 m to either.
-inline command::Mesh roof(double angle) {
+inline Mesh roof(double angle) {
   const double x = 0.2 * std::cos(angle), z = -0.2 * std::sin(angle);
-  command::Mesh m;
+  Mesh m;
   m.point = {{0, -0.3, 0}, {0, 0.3, 0}, {x, 0.3, z}, {x, -0.3, z}, {-x, 0.3, z}, {-x, -0.3, z}};
   m.corner = {{0, 3, 2}, {0, 2, 1}, {1, 4, 5}, {1, 5, 0}, {5, 4, 2}, {5, 2, 3}, {0, 5, 3}, {1, 2, 4}};
   return m;
 }
 
 // With its tip at the origin, whose sides fall by the angle.
-inline command::Mesh pyramid(double angle) {
+inline Mesh pyramid(double angle) {
   const double a = 0.2 * std::cos(angle), z = -0.2 * std::sin(angle);
-  command::Mesh m;
+  Mesh m;
   m.point = {{0, 0, 0}, {a, a, z}, {-a, a, z}, {-a, -a, z}, {a, -a, z}};
   m.corner = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}, {1, 3, 2}, {1, 4, 3}};
   return m;
@@ -109,7 +109,7 @@ inline command::Mesh pyramid(double angle) {
 
 // Adds a body to a scene.
 inline scene::BodySpec& body_add(Scene& scene, const SceneFolder& folder, const std::string& name,
-                                 const command::Mesh& mesh) {
+                                 const Mesh& mesh) {
   scene::BodySpec body;
   body.name = name;
   body.mesh = folder.write(name + ".obj", obj_text(mesh)).string();

@@ -28,15 +28,15 @@ using math::vector3::operator*;
 using math::vector3::operator+;
 using math::vector3::operator-;
 using math::vector3::operator+=;
-using forces::Lane = simd::ScalarLane<false>;
+using Lane = simd::ScalarLane<false>;
 
 constexpr double kSoft = 0.5;        // of W^2 of a particle
 constexpr double kConverged = 1e-3;  // of the first change of a velocity: sweeps end
 constexpr int kSweeps = 10;
 constexpr double kAsleep = 1e-9;  // m
 
-simd::Vec<forces::Lane> lanes(const Vec3& v) { return {v[0], v[1], v[2]}; }
-Vec3 vector(const simd::Vec<forces::Lane>& v) { return {v.x.v, v.y.v, v.z.v}; }
+simd::Vec<Lane> lanes(const Vec3& v) { return {v[0], v[1], v[2]}; }
+Vec3 vector(const simd::Vec<Lane>& v) { return {v.x.v, v.y.v, v.z.v}; }
 
 // What is past a ridge is cut by it where it is in the solid; else it is beyond, as below a plate. Of a sheet
 // only what was out of it before: the rest is in the groove behind a fold.
@@ -118,7 +118,7 @@ double find(const System& system, const State& s, State* moves, std::vector<Edge
 struct PairLaw {
   std::array<double, 4> over;     // W_k/m_k, 1/kg, of inertia
   double inverse_effective_mass;  // K
-  ContactLanes<forces::Lane> lanes;
+  ContactLanes<Lane> lanes;
 };
 
 std::array<double, 4> pair_over(const System& system, const EdgeContactPair& t, const EdgeField& f) {
@@ -139,7 +139,7 @@ PairLaw pair_law(const System& system, const State& s, const EdgeContactPair& t,
   const model::Body& body = system.bodies[t.body];
   model::ContactLaw law = current_law(system, s, body, system.lattices[std::size_t(t.element->lattice)]);
   law.omega2 = t.stiffness * inverse_mass_scale;
-  return {over, inverse_mass_scale, ContactLanes<forces::Lane>(law, c, body.damping)};
+  return {over, inverse_mass_scale, ContactLanes<Lane>(law, c, body.damping)};
 }
 
 // Adds what an impulse J on the gap does.
@@ -201,10 +201,10 @@ double pair_respond(const State& s, const EdgeContactPair& t, const PairLaw& law
   const double k = law.inverse_effective_mass;
   push(t, law.over, c, f, -1.0 * given.impulse);
   const Vec3 free = gap_velocity(t, f), old = c.old_time > 0 || c.new_time > 0 ? t.old : free;
-  const ContactHit<forces::Lane> hit =
-      contact_hit(law.lanes, lanes(t.gap.n), forces::Lane(std::max(t.gap.distance, 0.0)),
+  const ContactHit<Lane> hit =
+      contact_hit(law.lanes, lanes(t.gap.n), Lane(std::max(t.gap.distance, 0.0)),
                   lanes(free - t.body_velocity), lanes(old - t.body_velocity),
-                  forces::Lane(s.body[t.body].edges.pair[t.pair].sticking), forces::Lane(1.0));
+                  Lane(s.body[t.body].edges.pair[t.pair].sticking), Lane(1.0));
   const Vec3 impulse = (1 / k) * vector(hit.dv);
   const double change = k * norm(impulse - given.impulse);
   given = {impulse, hit.stored.v / k, hit.stop.v / k, hit.sticking.v};

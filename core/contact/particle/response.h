@@ -73,11 +73,11 @@ struct ContactHit {
 template <class L>
 DRAPE_INLINE ContactHit<L> contact_hit(const ContactLanes<L>& k, const simd::Vec<L>& n, L distance,
                                        const simd::Vec<L>& w, const simd::Vec<L>& before, L grip, L stiff) {
-  const L wn = simd::dot(w, n);
-  const typename ContactLanes<L>::Normal normal = k.normal(distance, wn, simd::dot(before, n), stiff);
+  const L wn = dot(w, n);
+  const typename ContactLanes<L>::Normal normal = k.normal(distance, wn, dot(before, n), stiff);
   const L p = normal.impulse;
   const simd::Vec<L> wt = w - n * wn;
-  const L speed = sqrt(simd::dot(wt, wt));
+  const L speed = sqrt(dot(wt, wt));
   const auto touches = gt(p, L(0.0));
   const L hold = select(gt(grip, L(0.0)), k.stick, k.slide) * p;
   const auto sticks = ge(hold, speed);
@@ -120,7 +120,7 @@ struct PoseLanes {
   }
   DRAPE_INLINE simd::Vec<L> velocity_at(const simd::Vec<L>& arm) const {  // V + w x (r - o)
     if constexpr (!kMoves) return {L(0.0), L(0.0), L(0.0)};
-    return velocity + simd::cross(spin, arm);
+    return velocity + cross(spin, arm);
   }
 };
 
@@ -139,7 +139,7 @@ DRAPE_INLINE Gap<L> contact_gap(const model::ContactBlock& b, int i, const simd:
           yz = at(b.shape[4]), zz = at(b.shape[5]);
   const simd::Vec<L> u{fma(xx, e.x, fma(xy, e.y, xz * e.z)), fma(xy, e.x, fma(yy, e.y, yz * e.z)),
                        fma(xz, e.x, fma(yz, e.y, zz * e.z))};
-  const L length = sqrt(simd::dot(u, u)), sign = select(ge(s, L(0.0)), L(1.0), L(-1.0));
+  const L length = sqrt(dot(u, u)), sign = select(ge(s, L(0.0)), L(1.0), L(-1.0));
   const L inverse = sign / max(length, L(1e-300));
   const auto clear = gt(length, L(1e-12));      // on the surface itself only the side is known
   const auto none = gt(s, L(model::kFar / 2));  // a lane without a surface
@@ -172,12 +172,12 @@ struct ContactSums {
       for (L& v : row) v = L(0.0);
   }
   DRAPE_INLINE void add(int part, const simd::Vec<L>& impulse, const simd::Vec<L>& arm) {
-    const simd::Vec<L> torque = simd::cross(arm, impulse);
+    const simd::Vec<L> torque = cross(arm, impulse);
     const L v[6] = {impulse.x, impulse.y, impulse.z, torque.x, torque.y, torque.z};
     for (int k = 0; k < 6; ++k) sum[k][part] = sum[k][part] + v[k];
   }
   void give(double* to) const {
-    alignas(kLine) double lane[math::kRowUnit];
+    alignas(math::kLine) double lane[math::kRowUnit];
     for (int k = 0; k < 8; ++k) {
       for (int p = 0; p < kParts; ++p) L::store(lane + p * L::kWidth, sum[k][p]);
       for (double v : lane) to[k] += v;
@@ -251,7 +251,7 @@ void contact_run(const ContactPass& pass) {
       const ContactHit<L> hit = contact_hit(law, normal, gap.distance, w, old - carried, grip, stiff);
       const L inertia = select(gt(light, L(0.0)), L::load(pass.mass + n) / light, L(0.0)) * L(c.impulse);
       simd::Vec<L> impulse = hit.dv * (L(0.0) - inertia);
-      if (pass.moves) L::store(b.sticking + i, hit.grip);
+      if (pass.moves) L::store(b.sticking + i, hit.sticking);
       const simd::Vec<L> now = free + hit.dv;
       simd::vec_store(v, 0, now);
       if (pass.moves) simd::vec_store(r, 0, moved + hit.dv * L(c.drift));
@@ -264,9 +264,9 @@ void contact_run(const ContactPass& pass) {
       if (pass.energy) {
         // J of the rest moves against v_mid - v_b, all of J with v_b
         const simd::Vec<L> middle = (old + now) * L(0.5) - carried;
-        const L rest = simd::dot(impulse, middle) + inertia * hit.stored * simd::dot(normal, middle);
+        const L rest = dot(impulse, middle) + inertia * hit.stored * dot(normal, middle);
         sums.sum[6][part] = sums.sum[6][part] + rest;
-        sums.sum[7][part] = sums.sum[7][part] - simd::dot(impulse, carried);
+        sums.sum[7][part] = sums.sum[7][part] - dot(impulse, carried);
       }
       if (pass.begins) {
         // the advance before has been told what turned its last half kick into v_n
@@ -284,13 +284,13 @@ void contact_run(const ContactPass& pass) {
 // Over the lanes.
 template <class L>
 double largest(L a) {
-  alignas(kLine) double lane[L::kWidth];
+  alignas(math::kLine) double lane[L::kWidth];
   L::store(lane, a);
   return *std::max_element(lane, lane + L::kWidth);
 }
 template <class L>
 double smallest(L a) {
-  alignas(kLine) double lane[L::kWidth];
+  alignas(math::kLine) double lane[L::kWidth];
   L::store(lane, a);
   return *std::min_element(lane, lane + L::kWidth);
 }
@@ -332,8 +332,8 @@ std::size_t update_proximity_lanes(const ProximityPass& pass, std::size_t* due) 
         const simd::Vec<L> along = v - pose.velocity_at(at - pose.origin);
         const simd::Vec<L> d = pose.inward(at + along * L(pass.ahead)) - from;
         const L budget2 = L::load(b.free_distance2.data() + i);
-        moved = moved || any(ge(simd::dot(d, d), budget2));
-        if constexpr (!kMoves) left = min(left, sqrt(budget2) - sqrt(simd::dot(at - from, at - from)));
+        moved = moved || any(ge(dot(d, d), budget2));
+        if constexpr (!kMoves) left = min(left, sqrt(budget2) - sqrt(dot(at - from, at - from)));
       }
       if (moved) due[count++] = n, left = L(0.0);
     }

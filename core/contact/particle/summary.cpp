@@ -11,7 +11,7 @@
 namespace drape::contact {
 namespace {
 
-using forces::Lane = simd::ScalarLane<false>;
+using Lane = simd::ScalarLane<false>;
 
 constexpr double kNearStop = 0.999;  // of how deep what a stop holds is
 
@@ -20,7 +20,7 @@ struct Touching {
   const model::ContactBlock* block;
   int lane;
   const model::ContactLaw* law;
-  Gap<forces::Lane> gap;
+  Gap<Lane> gap;
   double depth() const { return law->distance - gap.distance.v; }
 };
 
@@ -37,7 +37,7 @@ void each_touching(const System& system, const State& s, Visit visit) {
         const Vec3 x = model::pose_inward(system.bodies[k], s.body[k], {s.x[n], s.y[n], s.z[n]});
         const double height =
             math::vector3::dot(Vec3{b.side[0][i], b.side[1][i], b.side[2][i]}, x) - b.offset[i];
-        const Touching t{k, n, &b, i, &law, contact_gap<forces::Lane>(b, i, {x[0], x[1], x[2]}, height)};
+        const Touching t{k, n, &b, i, &law, contact_gap<Lane>(b, i, {x[0], x[1], x[2]}, height)};
         if (t.depth() > 0) visit(t);
       }
     }
@@ -79,18 +79,18 @@ ContactStops stop_forces(const System& system, const State& s, const std::vector
   each_touching(system, s, [&](const Touching& t) {
     const model::Body& body = system.bodies[t.body];
     const std::size_t n = t.node;
-    const ContactLanes<forces::Lane> law(
+    const ContactLanes<Lane> law(
         current_law(system, s, body, system.lattices[std::size_t(t.block->lattice)]), c, body.damping);
     const Vec3 out = model::pose_outward(body, s.body[t.body], {t.gap.n.x.v, t.gap.n.y.v, t.gap.n.z.v});
     const Vec3 carried = model::pose_acceleration(body, s.body[t.body], {s.x[n], s.y[n], s.z[n]});
-    simd::Vec<forces::Lane> free;  // against the body
-    forces::Lane* to[] = {&free.x, &free.y, &free.z};
+    simd::Vec<Lane> free;  // against the body
+    Lane* to[] = {&free.x, &free.y, &free.z};
     for (std::size_t k = 0; k < 3; ++k) *to[k] = a[k][n] - t.block->warm_start[k][t.lane] - carried[k];
-    const ContactHit<forces::Lane> hit =
-        contact_hit(law, simd::Vec<forces::Lane>{out[0], out[1], out[2]}, t.gap.distance, free, free,
-                    forces::Lane(t.block->sticking[t.lane]),
-                    forces::Lane(s.inverse_mass_scale.empty() ? 1 : 1 / s.inverse_mass_scale[n]));
-    const forces::Lane dv[] = {hit.dv.x, hit.dv.y, hit.dv.z};
+    const ContactHit<Lane> hit =
+        contact_hit(law, simd::Vec<Lane>{out[0], out[1], out[2]}, t.gap.distance, free, free,
+                    Lane(t.block->sticking[t.lane]),
+                    Lane(s.inverse_mass_scale.empty() ? 1 : 1 / s.inverse_mass_scale[n]));
+    const Lane dv[] = {hit.dv.x, hit.dv.y, hit.dv.z};
     for (std::size_t k = 0; k < 3; ++k) a[k][n] = (*to[k] + dv[k]).v + carried[k];
     stops.particle.push_back(system.mass[n] * hit.stop.v);
   });

@@ -141,7 +141,7 @@ DRAPE_INLINE void slab_hinges(const PassRun& run, const SlabRows& in, int j) {
   const auto weft_link = [&](int i) DRAPE_INLINE_LAMBDA {
     const int beyond = simd::lane_after<L>(i, end);
     const simd::Vec<L> at = simd::vec_load<L>(in.here, i);
-    return forces::hinge_link(at, simd::ahead(at, simd::vec_load<L>(in.here, beyond)), L::load(p.weft + i));
+    return forces::hinge_link(at, ahead(at, simd::vec_load<L>(in.here, beyond)), L::load(p.weft + i));
   };
   const simd::Vec<L> none{L(0.0), L(0.0), L(0.0)};
   forces::WeftHinges<L> weft{weft_link(begin), none, none};

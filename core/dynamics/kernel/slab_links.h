@@ -28,11 +28,11 @@ struct SlabRows {
 template <class L, int kFamilies>
 DRAPE_INLINE void slab_edges(const double* here, const double* above, int end, int i, L* edge) {
   const int beyond = simd::lane_after<L>(i, end);
-  const L a = kept(L::load(here + i)), b = simd::ahead(a, L::load(here + beyond)),
+  const L a = kept(L::load(here + i)), b = ahead(a, L::load(here + beyond)),
           c = kept(L::load(above + i));
   forces::stretch_edges(a, b, c, edge);
   if constexpr (kFamilies == 4)
-    forces::shear_edges(a, b, c, simd::ahead(c, L::load(above + beyond)), edge + kRising);
+    forces::shear_edges(a, b, c, ahead(c, L::load(above + beyond)), edge + kRising);
 }
 
 template <class Tension>
@@ -101,7 +101,7 @@ struct SlabStages {
   }
   DRAPE_INLINE Pulls pulls(int i, const Lengths& from) {
     const L share = L::load(in.share + i);
-    const L below = L::load(in.share_below + i), left = simd::shifted(share_before, share);
+    const L below = L::load(in.share_below + i), left = shifted(share_before, share);
     const L w[4] = {width * (below + share), width * (left + share), width_diagonal * share,
                     width_diagonal * share};
     share_before = share;
@@ -148,10 +148,10 @@ DRAPE_INLINE void slab_links(const model::Lattice& l, const SlabRows& in, simd::
       if constexpr (kFamilies == 4) {
         here = here + f[kRising];
         right = f[kFalling] - f[kWeft];
-        up = (up + f[kFalling]) + simd::shifted(rising_before[k], f[kRising]);
+        up = (up + f[kFalling]) + shifted(rising_before[k], f[kRising]);
         rising_before[k] = f[kRising];
       }
-      sink.take(i, k, (here + simd::shifted(right_before[k], right)) - L::load(force.at<L>(i, k)));
+      sink.take(i, k, (here + shifted(right_before[k], right)) - L::load(force.at<L>(i, k)));
       L::store(force_above.at<L>(i, k), up);
       right_before[k] = right;
     }

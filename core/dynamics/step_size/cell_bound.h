@@ -40,15 +40,15 @@ template <class L>
 DRAPE_INLINE L edges_bound(simd::Vec<L> a, simd::Vec<L> b, simd::Vec<L> c, simd::Vec<L> d,
                            const model::Lattice& l) {
   const simd::Vec<L> bottom = b - a, top = d - c, left = c - a, right = d - b;
-  const L lb = sqrt(simd::dot(bottom, bottom)), lt = sqrt(simd::dot(top, top)),
-          ll = sqrt(simd::dot(left, left)), lr = sqrt(simd::dot(right, right));
+  const L lb = sqrt(dot(bottom, bottom)), lt = sqrt(dot(top, top)),
+          ll = sqrt(dot(left, left)), lr = sqrt(dot(right, right));
   const L inverse_rest = 1 / l.cell;
   const forces::CurveTension warp{&l.law.warp}, weft{&l.law.weft};
   const auto f = link_bound_max(link_bound(lb, inverse_rest, weft), link_bound(lt, inverse_rest, weft));
   const auto w = link_bound_max(link_bound(ll, inverse_rest, warp), link_bound(lr, inverse_rest, warp));
   const L cosine =
-      max(max(abs(simd::dot(bottom, left) / (lb * ll)), abs(simd::dot(bottom, right) / (lb * lr))),
-          max(abs(simd::dot(top, left) / (lt * ll)), abs(simd::dot(top, right) / (lt * lr))));
+      max(max(abs(dot(bottom, left) / (lb * ll)), abs(dot(bottom, right) / (lb * lr))),
+          max(abs(dot(top, left) / (lt * ll)), abs(dot(top, right) / (lt * lr))));
   const L beta = L(16 * l.law.bending_warp) / (w.shortest * w.shortest) +
                  L(16 * l.law.bending_weft) / (f.shortest * f.shortest);
   return L(4.0) * (L(1.0) + cosine) * max(w.along, f.along) + L(8.0) * max(w.across, f.across) + beta;
@@ -58,7 +58,7 @@ DRAPE_INLINE L edges_bound(simd::Vec<L> a, simd::Vec<L> b, simd::Vec<L> c, simd:
 template <class L>
 DRAPE_INLINE L diagonal_bound(simd::Vec<L> from, simd::Vec<L> to, L inverse_rest, const math::Curve& curve) {
   const simd::Vec<L> edge = to - from;
-  const L ratio = sqrt(simd::dot(edge, edge)) * inverse_rest;
+  const L ratio = sqrt(dot(edge, edge)) * inverse_rest;
   const forces::CurveTension bias{&curve};
   const L e = ratio - L(1.0);
   return L(4.0) * max(bias.slope(e), max(bias(e) / ratio, L(0.0)));
@@ -78,7 +78,7 @@ double cells_omega2(const System& system, const model::Lattice& l, const State& 
   const simd::ConstRow r{s.x.data() + first, s.y.data() + first, s.z.data() + first};
   const simd::ConstRow v{s.vx.data() + first, s.vy.data() + first, s.vz.data() + first};
   const L inverse_diagonal = 1 / (__builtin_sqrt(2.0) * l.cell);
-  alignas(kLine) double worst[L::kWidth] = {};
+  alignas(math::kLine) double worst[L::kWidth] = {};
   for (int i = 0; i < l.stride; i += L::kWidth) {
     const long up = i + l.stride;
     const auto a = corner_ahead<L>(r, v, i, ahead), b = corner_ahead<L>(r, v, i + 1, ahead),

@@ -24,26 +24,26 @@ namespace {
 // The larger; what is no number stays.
 double most_of(double a, double b) { return a > b || std::isnan(a) ? a : b; }
 
-using forces::Lane = simd::ScalarLane<false>;
+using Lane = simd::ScalarLane<false>;
 
-simd::Vec<forces::Lane> node_ahead(const State& s, std::size_t n, double ahead) {
+simd::Vec<Lane> node_ahead(const State& s, std::size_t n, double ahead) {
   return {s.x[n] + ahead * s.vx[n], s.y[n] + ahead * s.vy[n], s.z[n] + ahead * s.vz[n]};
 }
 
 double distance(const State& s, std::size_t a, std::size_t b, double ahead) {
-  const simd::Vec<forces::Lane> d = node_ahead(s, b, ahead) - node_ahead(s, a, ahead);
-  return std::sqrt(simd::dot(d, d).v);
+  const simd::Vec<Lane> d = node_ahead(s, b, ahead) - node_ahead(s, a, ahead);
+  return std::sqrt(dot(d, d).v);
 }
 
 // rho b^2 omega^2 of a cell.
 double cell_bound(const model::Lattice& l, const State& s, const std::size_t* corner, double ahead) {
   const double inverse_diagonal = 1 / (std::sqrt(2.0) * l.cell);
-  simd::Vec<forces::Lane> r[4];
+  simd::Vec<Lane> r[4];
   for (int k = 0; k < 4; ++k) r[k] = node_ahead(s, corner[k], ahead);
-  forces::Lane bound = edges_bound(r[0], r[1], r[2], r[3], l);
+  Lane bound = edges_bound(r[0], r[1], r[2], r[3], l);
   if (l.law.bias.segments)
-    bound = bound + simd::max(diagonal_bound(r[0], r[3], forces::Lane(inverse_diagonal), l.law.bias),
-                              diagonal_bound(r[1], r[2], forces::Lane(inverse_diagonal), l.law.bias));
+    bound = bound + max(diagonal_bound(r[0], r[3], Lane(inverse_diagonal), l.law.bias),
+                              diagonal_bound(r[1], r[2], Lane(inverse_diagonal), l.law.bias));
   return bound.v;
 }
 

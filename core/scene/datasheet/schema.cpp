@@ -11,7 +11,7 @@ namespace drape::scene {
 namespace {
 
 constexpr const char* kPair = "[warp, weft]";
-constexpr description::Range kPercents{0.01, 1e3}, kMillimetres{1e-3, 100};
+constexpr Range kPercents{0.01, 1e3}, kMillimetres{1e-3, 100};
 
 Key strip_key(FabricText& t) {
   Choice choice;

@@ -10,18 +10,18 @@ namespace drape::scene {
 
 namespace {
 
-namespace command::fs = std::filesystem;
+namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLargestFile = 64 << 20;  // bytes
 
 // The text of a file, or what hinders reading it.
-std::string file_text(const command::fs::path& file, std::string& hindrance) {
+std::string file_text(const fs::path& file, std::string& hindrance) {
   std::error_code error;
-  const command::fs::file_status status = command::fs::status(file, error);
-  if (!command::fs::exists(status)) return hindrance = "there is no such file", "";
-  if (command::fs::is_directory(status)) return hindrance = "is a folder, not a file", "";
-  if (!command::fs::is_regular_file(status)) return hindrance = "is not a regular file", "";
-  if (command::fs::file_size(file, error) > kLargestFile || error)
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::exists(status)) return hindrance = "there is no such file", "";
+  if (fs::is_directory(status)) return hindrance = "is a folder, not a file", "";
+  if (!fs::is_regular_file(status)) return hindrance = "is not a regular file", "";
+  if (fs::file_size(file, error) > kLargestFile || error)
     return hindrance = "is larger than 64 MB", "";
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return hindrance = "cannot be opened", "";
@@ -83,15 +83,15 @@ void strip_spell(const toml::table& own, toml::table& base) {
 }
 
 // Folds the file that a fabric names into its table; false if that cannot be done.
-bool fabric_fold(toml::table& fabric, const std::string& path, const command::fs::path& folder,
-                 Faults& faults, std::vector<command::fs::path>& files) {
+bool fabric_fold(toml::table& fabric, const std::string& path, const fs::path& folder,
+                 Faults& faults, std::vector<fs::path>& files) {
   const toml::node* named = fabric.get("file");
   if (!named || !named->is_string()) return true;
   const std::string& name = named->as_string()->get();
   const std::string key = path + ".file";
   faults.locations[key] = {faults.file, named->source().begin.line};
 
-  const command::fs::path file = (folder / name).lexically_normal();
+  const fs::path file = (folder / name).lexically_normal();
   files.push_back(file);
   std::string hindrance;
   const std::string text = file_text(file, hindrance);

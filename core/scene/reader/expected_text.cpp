@@ -46,7 +46,7 @@ std::string key_number(const Key& key, double value) {
 }
 
 std::string key_range(const Key& key) {
-  const description::Range& r = key.range;
+  const Range& r = key.range;
   return r.above ? "above " + number_text(r.low) + ", at most " + key_number(key, r.high)
                  : "from " + number_text(r.low) + " to " + key_number(key, r.high);
 }

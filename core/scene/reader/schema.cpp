@@ -10,11 +10,11 @@ namespace {
 
 constexpr double kPercent = 100;     // per 1
 constexpr double kMicroNcm2 = 1e10;  // uN cm^2 per N m^2
-constexpr description::Range kPosition{-1e4, 1e4};
-constexpr description::Range kWhole{-2147483647, 2147483647};  // judged against the outline later
+constexpr Range kPosition{-1e4, 1e4};
+constexpr Range kWhole{-2147483647, 2147483647};  // judged against the outline later
 
 // In the unit of the key.
-constexpr description::Range range_of(const Quantity& q, double per_si = 1) {
+constexpr Range range_of(const Quantity& q, double per_si = 1) {
   return {q.low * per_si, q.high * per_si, q.above};
 }
 

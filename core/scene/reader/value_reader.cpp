@@ -26,7 +26,7 @@ struct ValueReader {
     if (const auto* floating = n.as_floating_point()) value = floating->get();
     else if (const auto* whole = n.as_integer()) value = static_cast<double>(whole->get());
     else return misfit(at, n, key_number_expected(key)), std::nullopt;
-    const description::Range& r = key.range;
+    const Range& r = key.range;
     if (value >= r.low && value <= r.high && !(r.above && value == r.low)) return value / key.per_si;
     place_note(faults, at, n);
     fault_add(faults, at, "= " + key_number(key, value) + "; allowed: " + key_range(key));

@@ -19,7 +19,7 @@ struct Key;
 constexpr bool kRequired = true, kOptional = false;
 constexpr bool kAbove = true;  // the low end itself is not allowed
 
-struct description::Range {
+struct Range {
   double low = 0, high = 0;  // in the key's unit
   bool above = false;
 };
@@ -67,7 +67,7 @@ struct Key {
   std::string name;  // within its table; "strip.width" is `width` in the table `strip`
   Destination destination;
   bool required = kOptional;  // in a table within the table: where that table is there
-  description::Range range{};
+  Range range{};
   const char* unit = "";
   double per_si = 1;  // key units in one SI unit: value lands as number / per_si
 };

@@ -13,7 +13,7 @@ constexpr double kUnits[] = {1, 0.01, 0.001};
 
 }  // namespace
 
-std::optional<model::BodyMesh> body_measure(const std::filesystem::path& file,
+std::optional<BodyMesh> body_measure(const std::filesystem::path& file,
                                             std::vector<Problem>& problems) {
   const std::size_t before = problems.size();
   const auto fault = [&](std::size_t line, const std::string& message) {
@@ -45,7 +45,7 @@ std::optional<model::BodyMesh> body_measure(const std::filesystem::path& file,
     if (const double height = unit * (high - low); height >= kMin && height <= kMost) {
       for (Vec3& v : vertex)
         for (double& x : v) x *= unit;
-      return model::BodyMesh{file.string(), unit, height, std::move(vertex)};
+      return BodyMesh{file.string(), unit, height, std::move(vertex)};
     }
   fault(0, "is " + scene::number_text(high - low) + " high along y; allowed: " + scene::number_text(kMin) +
                " to " + scene::number_text(kMost) + " m, in metres, centimetres or millimetres");

@@ -7,7 +7,7 @@
 namespace drape::command {
 
 // A body as its OBJ file has it; `scale` times its coordinates are metres.
-struct model::BodyMesh {
+struct BodyMesh {
   std::string file;  // as the scene names it
   double scale = 1;
   double height = 0;           // m
@@ -15,7 +15,7 @@ struct model::BodyMesh {
 };
 
 // Of the units in which bodies are usual (m, cm, mm) the one that makes it 0.3 to 3 m high.
-std::optional<model::BodyMesh> body_measure(const std::filesystem::path& file,
+std::optional<BodyMesh> body_measure(const std::filesystem::path& file,
                                             std::vector<Problem>& problems);
 
 struct Garment {
@@ -24,7 +24,7 @@ struct Garment {
   double cell = 0.01;                   // m
   std::string fabric;                   // name of the fabric
   std::string fabric_file;              // as the scene names it
-  std::optional<model::BodyMesh> body;  // without one the garment is sewn weightless
+  std::optional<BodyMesh> body;  // without one the garment is sewn weightless
 };
 
 // The pieces and seams of a pattern, named as scenes allow; fabric 0 for all.

@@ -17,7 +17,7 @@ namespace {
 
 using namespace math::vector3;
 
-model::Body body_of(const SceneFolder& folder, const command::Mesh& mesh) {
+model::Body body_of(const SceneFolder& folder, const Mesh& mesh) {
   Scene scene;
   body_add(scene, folder, "body", mesh);
   std::vector<Problem> problems;
@@ -49,7 +49,7 @@ TEST(Nearest, IsTheNearestOfAllTrianglesAndItsBudgetIsKept) {
   const SceneFolder folder;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> shift(-1, 1);
-  for (const command::Mesh& mesh : {ball(0.1, 16), box(0.2, 0.1, 0.01), cylinder(0.05, 0.2, 12)}) {
+  for (const Mesh& mesh : {ball(0.1, 16), box(0.2, 0.1, 0.01), cylinder(0.05, 0.2, 12)}) {
     const model::Body body = body_of(folder, mesh);
     const double contact = 0.001, reach = contact::search_reach(body.mesh.surface, contact);
     DistanceGrid voxels = distance_grid_make(*body.mesh.library, *body.mesh.query, body.mesh.surface, reach);
@@ -102,7 +102,7 @@ TEST(Nearest, IsTheNearestOfAllTrianglesAndItsBudgetIsKept) {
 // A fin on a ball, of one triangle that no other backs, makes no inside behind it.
 TEST(Nearest, AFewBadEdgesMakeNoInside) {
   const SceneFolder folder;
-  command::Mesh mesh = ball(0.1, 16);
+  Mesh mesh = ball(0.1, 16);
   const int tip = int(mesh.point.size()), a = mesh.corner[200][0], b = mesh.corner[200][1];
   mesh.point.push_back(1.6 * mesh.point[std::size_t(a)]);
   mesh.corner.push_back({a, b, tip});
@@ -120,7 +120,7 @@ TEST(Nearest, AFewBadEdgesMakeNoInside) {
 // One minimum over a convex edge, two in a groove, one sign for each side.
 TEST(Nearest, CountsLocalMinima) {
   const SceneFolder folder;
-  command::Mesh groove;  // two planes that meet at a right angle along x, open upwards; a sheet
+  Mesh groove;  // two planes that meet at a right angle along x, open upwards; a sheet
   groove.point = {{-1, 0, 0}, {1, 0, 0}, {1, 1, 1}, {-1, 1, 1}, {1, -1, 1}, {-1, -1, 1}};
   groove.corner = {{0, 1, 2}, {0, 2, 3}, {1, 0, 5}, {1, 5, 4}};
   const model::Body body = body_of(folder, groove);

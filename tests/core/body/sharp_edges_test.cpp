@@ -16,13 +16,13 @@ namespace {
 
 using namespace math::vector3;
 
-BodySurface surface_of(const command::Mesh& mesh) {
+BodySurface surface_of(const Mesh& mesh) {
   SurfaceFindings findings;
   std::string trouble;
   return surface_make(mesh.point, mesh.corner, findings, trouble);
 }
 
-std::array<int, 2> edges_and_tips(const command::Mesh& mesh) {
+std::array<int, 2> edges_and_tips(const Mesh& mesh) {
   std::array<int, 2> count{};
   for (const SharpFeature& r : sharp_features_make(surface_of(mesh), kSharpSine, 0.01).feature)
     ++count[r.tip];
@@ -33,12 +33,12 @@ TEST(Ridge, AreTheSharpEdgesAndTipsOfABody) {
   EXPECT_EQ(edges_and_tips(box(1, 2, 3)), (std::array<int, 2>{12, 8}));
   EXPECT_EQ(edges_and_tips(ball(0.05, 100)), (std::array<int, 2>{0, 0}));
   EXPECT_EQ(edges_and_tips(cylinder(0.05, 0.1, 720)), (std::array<int, 2>{1440, 0}));  // its rims
-  const command::Mesh sheet{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  const Mesh sheet{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   EXPECT_EQ(edges_and_tips(sheet), (std::array<int, 2>{4, 4}));
-  const command::Mesh groove{{{-1, 0, 1}, {0, 0, 0}, {1, 0, 1}, {-1, 1, 1}, {0, 1, 0}, {1, 1, 1}},
+  const Mesh groove{{{-1, 0, 1}, {0, 0, 0}, {1, 0, 1}, {-1, 1, 1}, {0, 1, 0}, {1, 1, 1}},
                              {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};  // from below it is a ridge
   EXPECT_EQ(edges_and_tips(groove)[0], 7);
-  command::Mesh dented = box(1, 1, 1);  // a pit in the top is no tip
+  Mesh dented = box(1, 1, 1);  // a pit in the top is no tip
   dented.point.push_back({0, 0, 0});
   std::erase_if(dented.corner, [&](const std::array<int, 3>& c) {
     return dented.point[std::size_t(c[0])][2] > 0 && dented.point[std::size_t(c[1])][2] > 0 &&
@@ -52,7 +52,7 @@ TEST(Ridge, AreTheSharpEdgesAndTipsOfABody) {
 
 // What is found in buckets is what is near: against all of them.
 TEST(Ridge, SearchFindsTheNearest) {
-  const command::Mesh mesh = box(0.3, 0.2, 0.1);
+  const Mesh mesh = box(0.3, 0.2, 0.1);
   const BodySurface surface = surface_of(mesh);
   const SharpFeatures features = sharp_features_make(surface, kSharpSine, 0.02);
   std::mt19937 random(5);

@@ -15,7 +15,7 @@ Assembled held_up(const SceneFolder& folder, bool over_ridge, double height) {
   fabric.friction = {0.3, 0.3};
   Scene scene = reference::rectangle(fabric, 0.01, 0.01, 0.01);
   scene.pieces[0].place.origin = {-0.004, 0, 0.1};
-  const command::Mesh mesh = over_ridge ? roof(1.3) : box(1, 1, 0.1);
+  const Mesh mesh = over_ridge ? roof(1.3) : box(1, 1, 0.1);
   scene::BodySpec& body = body_add(scene, folder, over_ridge ? "roof" : "plate", mesh);
   body.moves = true;
   if (!over_ridge) body.position = {0, 0, -0.05};

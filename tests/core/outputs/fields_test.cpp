@@ -81,7 +81,7 @@ TEST(Fields, PressureAtRestIsWeightOverArea) {
 // two bodies.
 TEST(Fields, AParticleCountsOnceByHoweverManySurfaces) {
   const SceneFolder folder;
-  const command::Mesh groove{
+  const Mesh groove{
       {{-0.2, -1, 0.2}, {0, -1, 0}, {0.2, -1, 0.2}, {-0.2, 1, 0.2}, {0, 1, 0}, {0.2, 1, 0.2}},
       {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};
   for (const bool halves : {false, true}) {
@@ -90,7 +90,7 @@ TEST(Fields, AParticleCountsOnceByHoweverManySurfaces) {
     scene.pieces[0].place.axis_y = {-1, 0, 0};
     scene.pieces[0].place.origin = {0.01, -0.02, 0.05};
     if (halves) {
-      command::Mesh left = groove, right = groove;
+      Mesh left = groove, right = groove;
       left.corner.resize(2);
       right.corner.erase(right.corner.begin(), right.corner.begin() + 2);
       body_add(scene, folder, "left", left);

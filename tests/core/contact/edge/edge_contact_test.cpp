@@ -329,8 +329,8 @@ TEST(Ridge, EnergyIsBalanced) {
 }
 
 // A sheet folded along y at x = z = 0, which falls to both sides by 45 degrees.
-command::Mesh fold() {
-  command::Mesh m = roof(kPi / 4);
+Mesh fold() {
+  Mesh m = roof(kPi / 4);
   m.corner.resize(4);
   return m;
 }

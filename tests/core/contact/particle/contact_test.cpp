@@ -196,7 +196,7 @@ TEST(Touch, MomentumIsBalancedOverEveryAdvance) {
 // At 50 m/s against a thin plate and against a sharp ridge, at the automatic step.
 TEST(Touch, NothingGetsThroughAtFiftyMetresPerSecond) {
   const SceneFolder folder;
-  command::Mesh feature;  // a roof of 20 degrees, closed below
+  Mesh feature;  // a roof of 20 degrees, closed below
   feature.point = {{-1, 0, 0},       {1, 0, 0},        {1, 0.1763, -1},
                    {-1, 0.1763, -1}, {1, -0.1763, -1}, {-1, -0.1763, -1}};
   feature.corner = {{0, 1, 2}, {0, 2, 3}, {1, 0, 5}, {1, 5, 4}, {3, 2, 4}, {3, 4, 5}, {1, 4, 2}, {0, 3, 5}};
