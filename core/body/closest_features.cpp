@@ -90,21 +90,21 @@ std::array<double, 6> shape_of(const BodySurface& s, const Foot& foot) {
 }
 
 // Which side the particle is on, and how far.
-ClosestFeature touch_of(const BodySurface& s, const Foot& foot, const Vec3& x, double contact,
+ClosestFeature feature_of(const BodySurface& s, const Foot& foot, const Vec3& x, double contact_distance,
                         const Vec3* side) {
   const Vec3 away = x - foot.point, normal = normal_of(s, foot);
   const double distance = norm(away), out = dot(away, normal);
-  ClosestFeature contact{foot.point, shape_of(s, foot), normal, distance};
+  ClosestFeature feature{foot.point, shape_of(s, foot), normal, distance};
   double sign = out < 0 ? -1 : 1;  // a sheet: the side that the particle is on
   if (s.solid) {
-    if (out < 0) contact.distance = -distance;
-  } else if (side && distance < contact && dot(*side, away) < 0) {  // it has gone through: it belongs back
-    contact.distance = -distance;
+    if (out < 0) feature.distance = -distance;
+  } else if (side && distance < contact_distance && dot(*side, away) < 0) {  // it has gone through: it belongs back
+    feature.distance = -distance;
     sign = -sign;
   }
-  if (distance > 1e-12) contact.side = ((contact.distance < 0 ? -1 : 1) / distance) * away;
-  else contact.side = sign * normal;
-  return contact;
+  if (distance > 1e-12) feature.side = ((feature.distance < 0 ? -1 : 1) / distance) * away;
+  else feature.side = sign * normal;
+  return feature;
 }
 
 // How far x may go along the triangle until a neighbour is nearer by more than `slack`.
@@ -161,9 +161,9 @@ double winding_number(const BodySurface& s, const Vec3& x) {
 }  // namespace
 
 void closest_features_find(const BodySurface& s, const std::vector<int>& triangle, const Vec3& x,
-                           double contact, double within, double reach, double listed, const Vec3* side,
+                           double contact_distance, double within, double reach, double listed, const Vec3* side,
                            ClosestFeatures& found) {
-  found.touch.clear();
+  found.feature.clear();
   double clear = listed;  // of all triangles that are not near
   struct Candidate {
     int triangle;
@@ -209,19 +209,19 @@ void closest_features_find(const BodySurface& s, const std::vector<int>& triangl
     const std::array<int, 2> name{int(c.foot.on), c.foot.which};
     if (std::find(seen.begin(), seen.end(), name) != seen.end()) continue;
     seen.push_back(name);
-    const ClosestFeature contact = touch_of(s, c.foot, x, contact, found.touch.empty() ? side : nullptr);
-    if (!found.touch.empty() && (contact.distance < 0 || found.touch[0].distance < 0)) continue;
-    found.touch.push_back(contact);
+    const ClosestFeature feature = feature_of(s, c.foot, x, contact_distance, found.feature.empty() ? side : nullptr);
+    if (!found.feature.empty() && (feature.distance < 0 || found.feature[0].distance < 0)) continue;
+    found.feature.push_back(feature);
   }
-  found.budget = clear - contact;
-  const bool one_face = found.touch.size() == 1 && seen.size() == 1 && seen[0][0] == int(On::kFace);
+  found.free_distance = clear - contact_distance;
+  const bool one_face = found.feature.size() == 1 && seen.size() == 1 && seen[0][0] == int(On::kFace);
   const int face = one_face ? seen[0][1] : -1;
-  if (one_face) found.budget = std::min(found.budget, inside_by(s, face, x, kSlack * contact));
-  else if (!found.touch.empty()) found.budget = 0;
+  if (one_face) found.free_distance = std::min(found.free_distance, inside_by(s, face, x, kSlack * contact_distance));
+  else if (!found.feature.empty()) found.free_distance = 0;
   for (const Candidate& c : near) {
-    if (c.distance - contact >= found.budget || c.triangle == face) continue;
-    if (one_face && falls_away(s, face, c.triangle, found.touch[0].side)) continue;
-    found.budget = c.distance - contact;
+    if (c.distance - contact_distance >= found.free_distance || c.triangle == face) continue;
+    if (one_face && falls_away(s, face, c.triangle, found.feature[0].side)) continue;
+    found.free_distance = c.distance - contact_distance;
   }
 }
 

@@ -23,15 +23,15 @@ struct ClosestFeature {
 };
 
 struct ClosestFeatures {
-  std::vector<ClosestFeature> touch;  // those within `within`, the nearest first
-  double budget = 0;  // m that the particle may move before any of this must be looked at again
+  std::vector<ClosestFeature> feature;  // those within `within`, the nearest first
+  double free_distance = 0;  // m that the particle may move before any of this must be looked at again
 };
 
-// For a particle at x; `triangle` lists all triangles within `listed` of x. Beyond `contact` nothing touches;
+// For a particle at x; `triangle` lists all triangles within `listed` of x. Beyond `contact_distance` nothing touches;
 // what is farther than `reach`, at least `within`, is measured by the planes of triangles and the balls
-// around them. `side`: the side of the nearest touch so far, or null.
+// around them. `side`: the side of the nearest feature so far, or null.
 void closest_features_find(const BodySurface& surface, const std::vector<int>& triangle, const Vec3& x,
-                           double contact, double within, double reach, double listed, const Vec3* side,
+                           double contact_distance, double within, double reach, double listed, const Vec3* side,
                            ClosestFeatures& found);
 
 // The distance to a triangle.

@@ -11,7 +11,7 @@ namespace {
 
 struct Category {
   const char* name;
-  bool LogFilter::* filter;  // null: always on
+  bool instance::LogFilter::*filter;  // null: always on
 };
 constexpr Category kCategories[] = {
     // in the order of drape_log_kind

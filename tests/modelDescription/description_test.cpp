@@ -18,8 +18,8 @@ namespace {
 
 const std::string kScene = DRAPE_SAMPLES "/swatch.toml", kFlag = DRAPE_SAMPLES "/flag.toml";
 
-using package::Cloth = std::unique_ptr<drape_cloth, void (*)(drape_cloth*)>;
-package::Cloth open_swatch() { return {drape_open(kScene.c_str(), nullptr, nullptr), drape_close}; }
+using Cloth = std::unique_ptr<drape_cloth, void (*)(drape_cloth*)>;
+Cloth open_swatch() { return {drape_open(kScene.c_str(), nullptr, nullptr), drape_close}; }
 
 std::vector<std::string> lines_of(std::istream&& text) {
   std::vector<std::string> lines;
@@ -29,7 +29,7 @@ std::vector<std::string> lines_of(std::istream&& text) {
 
 // Compared line by line, so that a difference reads as one line.
 void expect_sample(const std::string& scene) {
-  const package::Cloth cloth(drape_open(scene.c_str(), nullptr, nullptr), drape_close);
+  const Cloth cloth(drape_open(scene.c_str(), nullptr, nullptr), drape_close);
   ASSERT_TRUE(cloth);
   const std::string sample_file = scene.substr(0, scene.rfind('.')) + ".xml";
   SCOPED_TRACE("if the change is meant: drape variables " + scene + " --xml > " + sample_file);
@@ -45,7 +45,7 @@ TEST(Description, xml_of_a_driven_cloth_is_the_committed_sample) { expect_sample
 
 // What `drive` names, and turns for clamps; the start is the present pose: the middle of the pole, the point.
 TEST(Description, inputs_start_where_the_cloth_is) {
-  const package::Cloth cloth(drape_open(kFlag.c_str(), nullptr, nullptr), drape_close);
+  const Cloth cloth(drape_open(kFlag.c_str(), nullptr, nullptr), drape_close);
   ASSERT_TRUE(cloth);
   const std::vector<Variable> table = variables_of(cloth.get(), Nodes::kNone);
   std::vector<std::string> inputs;
@@ -76,7 +76,7 @@ TEST(Description, inputs_start_where_the_cloth_is) {
 
 // A saved copy of a scene is the same cloth, so it has the same guid.
 TEST(Description, guid_depends_on_the_scene_and_nothing_else) {
-  const package::Cloth cloth = open_swatch(), again = open_swatch();
+  const Cloth cloth = open_swatch(), again = open_swatch();
   ASSERT_TRUE(cloth && again);
   const std::string text = drape_scene_text(cloth.get());
   const std::string guid = guid_of(text, Nodes::kNone);
@@ -85,13 +85,13 @@ TEST(Description, guid_depends_on_the_scene_and_nothing_else) {
   EXPECT_NE(guid, guid_of(text, Nodes::kAll));
   const std::string copy = testing::TempDir() + "drape_guid_copy.toml";
   std::ofstream(copy) << text;
-  const package::Cloth copied(drape_open(copy.c_str(), nullptr, nullptr), drape_close);
+  const Cloth copied(drape_open(copy.c_str(), nullptr, nullptr), drape_close);
   ASSERT_TRUE(copied);
   EXPECT_EQ(guid, guid_of(drape_scene_text(copied.get()), Nodes::kNone));
 }
 
 TEST(Description, rows_are_complete_and_unique) {
-  const package::Cloth cloth = open_swatch();
+  const Cloth cloth = open_swatch();
   ASSERT_TRUE(cloth);
   std::set<std::string> names;
   for (const Variable& v : variables_of(cloth.get(), Nodes::kAll)) {
@@ -108,7 +108,7 @@ TEST(Description, rows_are_complete_and_unique) {
 
 // The swatch has 6 by 9 particles; 4 by 7 of them have all their neighbours.
 TEST(Description, node_variables_are_those_asked_for) {
-  const package::Cloth cloth = open_swatch();
+  const Cloth cloth = open_swatch();
   ASSERT_TRUE(cloth);
   const std::size_t none = variables_of(cloth.get(), Nodes::kNone).size();
   const std::vector<Variable> outline = variables_of(cloth.get(), Nodes::kOutline);
@@ -121,7 +121,7 @@ TEST(Description, node_variables_are_those_asked_for) {
 
 // At rest on its place, particle (i, j) of the swatch is at (i b, j b, 1) with b = 0.01 m.
 TEST(Description, node_variables_point_at_their_particle) {
-  const package::Cloth cloth = open_swatch();
+  const Cloth cloth = open_swatch();
   ASSERT_TRUE(cloth);
   const std::vector<Variable> table = variables_of(cloth.get(), Nodes::kAll);
   drape_outputs_at(cloth.get(), 1);
@@ -137,7 +137,7 @@ TEST(Description, node_variables_point_at_their_particle) {
 }
 
 TEST(Description, families_and_ranges_as_text) {
-  const package::Cloth cloth = open_swatch();
+  const Cloth cloth = open_swatch();
   ASSERT_TRUE(cloth);
   const std::string text = description_markdown(description_of(cloth.get(), Nodes::kAll));
   for (const char* part :

@@ -283,13 +283,13 @@ void contact_run(const ContactPass& pass) {
 
 // Over the lanes.
 template <class L>
-double largest(L a) {
+double largest_of(L a) {
   alignas(math::kLine) double lane[L::kWidth];
   L::store(lane, a);
   return *std::max_element(lane, lane + L::kWidth);
 }
 template <class L>
-double smallest(L a) {
+double smallest_of(L a) {
   alignas(math::kLine) double lane[L::kWidth];
   L::store(lane, a);
   return *std::min_element(lane, lane + L::kWidth);
@@ -303,7 +303,7 @@ DRAPE_INLINE double contact_speed(const ProximityPass& pass, std::size_t begin, 
     const L x = L::load(pass.v[0] + i), y = L::load(pass.v[1] + i), z = L::load(pass.v[2] + i);
     largest = max(largest, fma(x, x, fma(y, y, z * z)));
   }
-  return __builtin_sqrt(largest(largest));
+  return __builtin_sqrt(largest_of(largest));
 }
 
 // Blocks of nodes of which one has moved as far as it may, or will in the next step. Against a body that
@@ -337,7 +337,7 @@ std::size_t update_proximity_lanes(const ProximityPass& pass, std::size_t* due) 
       }
       if (moved) due[count++] = n, left = L(0.0);
     }
-    if constexpr (!kMoves) b.group_clearance[begin / math::kRowUnit] = kRounding * smallest(left);
+    if constexpr (!kMoves) b.group_clearance[begin / math::kRowUnit] = kRounding * smallest_of(left);
   }
   return count;
 }

@@ -16,7 +16,7 @@ double depth_at(const System& system, ContactWorkspace& workspace, const State& 
     body::ClosestFeatures found;
     body::closest_features_find(body.mesh.surface, *near.triangle, x, l.contact_law.distance, voxels.reach,
                                 voxels.reach, near.listed, nullptr, found);
-    if (!found.touch.empty()) return l.contact_law.distance - found.touch[0].distance;
+    if (!found.feature.empty()) return l.contact_law.distance - found.feature[0].distance;
   }
   const double inside = body::distance_grid_depth(voxels, x);
   return inside > 0 ? l.contact_law.distance + inside : 0;

@@ -151,8 +151,8 @@ void update_neighbours(const body::BodySurface& surface, body::DistanceGrid& vox
     const Vec3 moved = x[i] + step[i] - Vec3{c.x[n], c.y[n], c.z[n]};
     if (!(dot(moved, moved) >= kUsed * kUsed * c.free_distance2[n])) continue;
     const body::Neighbourhood near = body::distance_grid_at(voxels, x[i]);
-    found.touch.clear();
-    found.budget = near.clearance - contact_distance;
+    found.feature.clear();
+    found.free_distance = near.clearance - contact_distance;
     Vec3 side{};
     if (near.triangle)
       body::closest_features_find(
@@ -161,10 +161,10 @@ void update_neighbours(const body::BodySurface& surface, body::DistanceGrid& vox
                    voxels.reach),
           voxels.reach, near.listed, side_known(c.blocks, name, i, side) ? &side : nullptr, found);
     const double way = edge_travel(features, c.edges, n, x[i], near.clearance, norm(step[i]));
-    const double budget = std::max(std::min(found.budget, way), kMin * contact_distance);
+    const double budget = std::max(std::min(found.free_distance, way), kMin * contact_distance);
     c.x[n] = x[i][0], c.y[n] = x[i][1], c.z[n] = x[i][2];
     c.free_distance2[n] = budget * budget;
-    lane_write(c.blocks, name, lattice, i, found.touch, !c.edges.near.empty() && c.edges.near[n]);
+    lane_write(c.blocks, name, lattice, i, found.feature, !c.edges.near.empty() && c.edges.near[n]);
   }
   blocks_prune(c.blocks, name);
 }

@@ -18,7 +18,7 @@ constexpr int kSteps = 32;  // in an interval
 struct Close {
   void operator()(drape_cloth* c) const { drape_close(c); }
 };
-using package::Cloth = std::unique_ptr<drape_cloth, Close>;
+using Cloth = std::unique_ptr<drape_cloth, Close>;
 
 struct Heard {
   std::vector<std::string> errors, events;
@@ -30,7 +30,7 @@ void hear(void* user, drape_log_kind kind, const char* message) {
 }
 
 // A sheet of 0.05 m x 0.05 m, its lowest point 1 m above the origin; free, or held at a corner.
-package::Cloth open_sheet(Heard& heard, bool held, const std::string& step = "0.000030517578125",
+Cloth open_sheet(Heard& heard, bool held, const std::string& step = "0.000030517578125",
                           const std::string& pin_keys = "", int order = 2) {
   const SceneFolder folder;
   const std::string scene = R"(
@@ -58,28 +58,28 @@ name = "low"
 piece = "sheet"
 at = [0.03, 0]
 )" + std::string(held ? "[[pin]]\nname = \"corner\"\npiece = \"sheet\"\nat = [[0, 0.05]]\n" + pin_keys : "");
-  return package::Cloth(drape_open(folder.write("scene.toml", scene).c_str(), hear, &heard));
+  return Cloth(drape_open(folder.write("scene.toml", scene).c_str(), hear, &heard));
 }
 
-void run(const package::Cloth& c, int intervals, int calls = 1) {
+void run(const Cloth& c, int intervals, int calls = 1) {
   for (int k = 0; k < calls; ++k) ASSERT_EQ(drape_advance(c.get(), intervals / calls * kQ), DRAPE_OK);
 }
 
-std::vector<double> nodes(const package::Cloth& c) {
+std::vector<double> nodes(const Cloth& c) {
   const drape_outputs* o = drape_outputs_at(c.get(), 1);
   std::vector<double> values(o->node_position, o->node_position + 3 * o->node_count);
   values.insert(values.end(), o->node_velocity, o->node_velocity + 3 * o->node_count);
   return values;
 }
 
-double height(const package::Cloth& c) { return drape_outputs_at(c.get(), 0)->probe[0].position[2]; }
+double height(const Cloth& c) { return drape_outputs_at(c.get(), 0)->probe[0].position[2]; }
 
 // Free fall with gravity on its way from g to 0 within 10 q: g_k = g (1 - k/10) in the k-th interval, a
 // parabola, on which leapfrog from a synchronous velocity lies: v <- v - g_k q, z <- z + v q - g_k q^2/2.
 // Sums of a few hundred terms of 1e-3 m, to 1e-13.
 TEST(Tuning, gravity_on_its_way_in_free_fall) {
   Heard heard;
-  const package::Cloth c = open_sheet(heard, false);
+  const Cloth c = open_sheet(heard, false);
   ASSERT_TRUE(c) << heard.errors[0];
   run(c, 4);
   drape_parameters_of(c.get())->ramp = 10 * kQ;
@@ -102,7 +102,7 @@ TEST(Tuning, gravity_on_its_way_in_free_fall) {
 // An advance that is no multiple of q is one interval of its own length: the share is that of its end.
 TEST(Tuning, an_advance_off_the_grid_moves_the_values_by_its_length) {
   Heard heard;
-  const package::Cloth c = open_sheet(heard, false), other = open_sheet(heard, false);
+  const Cloth c = open_sheet(heard, false), other = open_sheet(heard, false);
   ASSERT_TRUE(c && other);
   run(c, 1), run(other, 1);
   drape_parameters_of(c.get())->ramp = 10 * kQ;
@@ -113,7 +113,7 @@ TEST(Tuning, an_advance_off_the_grid_moves_the_values_by_its_length) {
   EXPECT_NEAR(height(c), height(other), 1e-15);
 }
 
-void tune_everything(const package::Cloth& c) {
+void tune_everything(const Cloth& c) {
   drape_parameters& p = *drape_parameters_of(c.get());
   p.ramp = 7.5 * kQ;
   p.damping = 3;
@@ -130,7 +130,7 @@ TEST(Tuning, grouping_of_steps_does_not_change_bits) {
   Heard heard;
   std::vector<std::vector<double>> ends;
   for (const int calls : {1, 2, 4, 12}) {
-    const package::Cloth c = open_sheet(heard, true);
+    const Cloth c = open_sheet(heard, true);
     ASSERT_TRUE(c);
     run(c, 12, calls);
     tune_everything(c);
@@ -142,7 +142,7 @@ TEST(Tuning, grouping_of_steps_does_not_change_bits) {
 
 TEST(Tuning, a_saved_state_is_on_its_way_too) {
   Heard heard;
-  const package::Cloth c = open_sheet(heard, true);
+  const Cloth c = open_sheet(heard, true);
   ASSERT_TRUE(c);
   run(c, 2);
   tune_everything(c);
@@ -163,7 +163,7 @@ TEST(Tuning, a_saved_state_is_on_its_way_too) {
 // but for the rounding of the half steps that lead to and from a jump.
 TEST(Tuning, values_arrive_exactly) {
   Heard heard;
-  const package::Cloth c = open_sheet(heard, true);
+  const Cloth c = open_sheet(heard, true);
   ASSERT_TRUE(c);
   run(c, 2);
   tune_everything(c);
@@ -190,9 +190,9 @@ TEST(Tuning, values_arrive_exactly) {
 // Before the first step: the start value, whatever the ramp.
 TEST(Tuning, start_values_are_there_at_once) {
   Heard heard;
-  const package::Cloth c = open_sheet(heard, true), other = open_sheet(heard, true);
+  const Cloth c = open_sheet(heard, true), other = open_sheet(heard, true);
   ASSERT_TRUE(c && other);
-  for (const package::Cloth* cloth : {&c, &other}) {
+  for (const Cloth* cloth : {&c, &other}) {
     tune_everything(*cloth);
     drape_parameters_of(cloth->get())->ramp = cloth == &c ? 1 : 0;
     run(*cloth, 4);
@@ -203,9 +203,9 @@ TEST(Tuning, start_values_are_there_at_once) {
 // The diagram is 1, 9 N; on its way to 3, 9 it is set to 3, 2: that falls, and the target before it stays.
 TEST(Tuning, the_target_is_judged) {
   Heard heard;
-  const package::Cloth c = open_sheet(heard, true), other = open_sheet(heard, true);
+  const Cloth c = open_sheet(heard, true), other = open_sheet(heard, true);
   ASSERT_TRUE(c && other);
-  for (const package::Cloth* cloth : {&c, &other}) {
+  for (const Cloth* cloth : {&c, &other}) {
     run(*cloth, 2);
     drape_parameters_of(cloth->get())->ramp = 10 * kQ;
     drape_parameters_of(cloth->get())->fabric[0].warp.force[0] = 3;
@@ -223,7 +223,7 @@ TEST(Tuning, the_target_is_judged) {
 
 TEST(Tuning, ranges_of_the_new_values) {
   Heard heard;
-  const package::Cloth c = open_sheet(heard, true);
+  const Cloth c = open_sheet(heard, true);
   ASSERT_TRUE(c);
   drape_parameters& p = *drape_parameters_of(c.get());
   p.ramp = -1;
@@ -243,7 +243,7 @@ TEST(Tuning, ranges_of_the_new_values) {
 // that of a cloth where nobody tried.
 TEST(Tuning, no_damping_along_springs_above_order_2) {
   Heard heard;
-  const package::Cloth c = open_sheet(heard, true, "0.000030517578125", "", 4),
+  const Cloth c = open_sheet(heard, true, "0.000030517578125", "", 4),
                        other = open_sheet(heard, true, "0.000030517578125", "", 4);
   ASSERT_TRUE(c && other);
   run(c, 4), run(other, 4);
@@ -263,7 +263,7 @@ TEST(Tuning, no_damping_along_springs_above_order_2) {
 // bits.
 TEST(Tuning, above_order_2_a_change_is_booked_and_a_saved_state_goes_on) {
   Heard heard;
-  const package::Cloth c = open_sheet(heard, true, "0.000030517578125", "", 6);
+  const Cloth c = open_sheet(heard, true, "0.000030517578125", "", 6);
   ASSERT_TRUE(c);
   run(c, 4);
   drape_parameters_of(c.get())->damping = 30;
@@ -286,7 +286,7 @@ TEST(Tuning, above_order_2_a_change_is_booked_and_a_saved_state_goes_on) {
 // One advance tells of both what is wrong with its parameters and what with its inputs.
 TEST(Tuning, faults_of_one_advance_are_told_together) {
   Heard heard;
-  const package::Cloth c = open_sheet(heard, true, "0.000030517578125", "drive = \"position\"\n");
+  const Cloth c = open_sheet(heard, true, "0.000030517578125", "drive = \"position\"\n");
   ASSERT_TRUE(c);
   drape_parameters_of(c.get())->damping = -1;
   drape_inputs_of(c.get())->pin[0].position[2] = NAN;
@@ -299,11 +299,11 @@ TEST(Tuning, faults_of_one_advance_are_told_together) {
 
 double total(const drape_energy& e) { return e.kinetic + e.stretch + e.shear + e.bending + e.gravity; }
 
-drape_energy energy(const package::Cloth& c) { return drape_outputs_at(c.get(), 0)->energy; }
+drape_energy energy(const Cloth& c) { return drape_outputs_at(c.get(), 0)->energy; }
 
 // The energy put in is the work of the change: all energies after it minus those before; the error of the
 // balance does not jump. Sums of 1e2 terms, each rounded.
-void expect_work(const package::Cloth& c) {
+void expect_work(const Cloth& c) {
   const drape_energy before = energy(c);
   ASSERT_EQ(drape_commit(c.get()), DRAPE_OK);
   const drape_energy after = energy(c);
@@ -317,7 +317,7 @@ void expect_work(const package::Cloth& c) {
 // Gravity doubled in free fall doubles the weight's potential energy; the velocity stays what it is.
 TEST(Tuning, work_of_doubling_gravity_in_free_fall) {
   Heard heard;
-  const package::Cloth c = open_sheet(heard, false);
+  const Cloth c = open_sheet(heard, false);
   ASSERT_TRUE(c);
   run(c, 10);
   const double mass = 0.15 * 0.05 * 0.05, work = mass * kG * (height(c) + 0.025);
@@ -328,14 +328,14 @@ TEST(Tuning, work_of_doubling_gravity_in_free_fall) {
   EXPECT_NEAR(energy(c).kinetic, before.kinetic, 1e-14 * before.kinetic);
 }
 
-double pin_force(const package::Cloth& c) { return drape_outputs_at(c.get(), 0)->pin[0].force[2]; }
+double pin_force(const Cloth& c) { return drape_outputs_at(c.get(), 0)->pin[0].force[2]; }
 
 // A damping of 1e-9/s does next to nothing. On its way along a ramp each interval begins with half a kick,
 // and still every impulse is told, once: all of h is 1/64 of an advance. A refused advance leaves the last
 // one's force as it was.
 TEST(Tuning, pins_tell_each_impulse_once) {
   Heard heard;
-  const package::Cloth c = open_sheet(heard, true), untouched = open_sheet(heard, true);
+  const Cloth c = open_sheet(heard, true), untouched = open_sheet(heard, true);
   ASSERT_TRUE(c && untouched);
   run(c, 20), run(untouched, 20);
   drape_parameters_of(c.get())->ramp = 8 * kQ;
@@ -355,7 +355,7 @@ TEST(Tuning, pins_tell_each_impulse_once) {
 // Neither friction, where nothing touches, nor a ramp without anything on its way changes a bit.
 TEST(Tuning, what_moves_nothing_changes_no_bits) {
   Heard heard;
-  const package::Cloth c = open_sheet(heard, true), untouched = open_sheet(heard, true);
+  const Cloth c = open_sheet(heard, true), untouched = open_sheet(heard, true);
   ASSERT_TRUE(c && untouched);
   for (int k = 0; k < 12; ++k) {
     if (k % 3 == 1) drape_parameters_of(c.get())->ramp = k * kQ;
@@ -370,7 +370,7 @@ TEST(Tuning, what_moves_nothing_changes_no_bits) {
 // A diagram doubled under strain doubles its energy; the density times 1.5 the weight's and that of motion.
 TEST(Tuning, work_of_a_stiffer_and_a_heavier_cloth) {
   Heard heard;
-  const package::Cloth c = open_sheet(heard, true);
+  const Cloth c = open_sheet(heard, true);
   ASSERT_TRUE(c);
   run(c, 40);
   const drape_energy before = energy(c);
@@ -392,7 +392,7 @@ TEST(Tuning, balance_along_a_ramp) {
   double errors[2], inputs[2];
   for (int halved = 0; halved < 2; ++halved) {
     Heard heard;
-    const package::Cloth c = open_sheet(heard, true, halved ? "0.0000152587890625" : "0.000030517578125");
+    const Cloth c = open_sheet(heard, true, halved ? "0.0000152587890625" : "0.000030517578125");
     ASSERT_TRUE(c);
     run(c, 20);
     tune_everything(c);

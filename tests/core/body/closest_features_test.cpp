@@ -70,23 +70,23 @@ TEST(Nearest, IsTheNearestOfAllTrianglesAndItsBudgetIsKept) {
       closest_features_find(body.mesh.surface, *near.triangle, x, contact, 3 * contact, reach, near.listed,
                             nullptr, found);
       if (exact > 3 * contact) {
-        EXPECT_TRUE(found.touch.empty());
-        EXPECT_LE(found.budget, exact - contact + 1e-12);
-        EXPECT_GT(found.budget, 0);
+        EXPECT_TRUE(found.feature.empty());
+        EXPECT_LE(found.free_distance, exact - contact + 1e-12);
+        EXPECT_GT(found.free_distance, 0);
       } else {
-        ASSERT_FALSE(found.touch.empty());
+        ASSERT_FALSE(found.feature.empty());
         ++touched;
-        EXPECT_NEAR(std::abs(found.touch[0].distance), exact, 1e-12);
+        EXPECT_NEAR(std::abs(found.feature[0].distance), exact, 1e-12);
       }
-      if (found.touch.size() != 1 || found.touch[0].distance < 0 || found.budget <= 0) continue;
+      if (found.feature.size() != 1 || found.feature[0].distance < 0 || found.free_distance <= 0) continue;
       // Wherever the particle goes within its budget, the same feature tells the distance, if it is within
       // reach.
       for (int m = 0; m < 4; ++m) {
         Vec3 step{shift(random), shift(random), shift(random)};
-        const Vec3 there = x + (0.999 * found.budget * std::abs(shift(random)) / norm(step)) * step;
-        const auto& d = found.touch[0].shape;
-        const Vec3 e = there - found.touch[0].point;
-        if (dot(e, found.touch[0].side) < 0) continue;  // inside: deeper than the response lets it come
+        const Vec3 there = x + (0.999 * found.free_distance * std::abs(shift(random)) / norm(step)) * step;
+        const auto& d = found.feature[0].shape;
+        const Vec3 e = there - found.feature[0].point;
+        if (dot(e, found.feature[0].side) < 0) continue;  // inside: deeper than the response lets it come
         const double reported =
             norm({d[0] * e[0] + d[1] * e[1] + d[2] * e[2], d[1] * e[0] + d[3] * e[1] + d[4] * e[2],
                   d[2] * e[0] + d[4] * e[1] + d[5] * e[2]});
@@ -128,15 +128,15 @@ TEST(Nearest, CountsLocalMinima) {
   const std::vector<int> all{0, 1, 2, 3};
   ClosestFeatures found;
   closest_features_find(body.mesh.surface, all, {0, 0, 0.01}, 0.01, 0.02, 1, 1, nullptr, found);
-  ASSERT_EQ(found.touch.size(), 2u);
-  for (const ClosestFeature& t : found.touch) {
+  ASSERT_EQ(found.feature.size(), 2u);
+  for (const ClosestFeature& t : found.feature) {
     EXPECT_NEAR(t.distance, 0.01 / std::sqrt(2.0), 1e-15);
     EXPECT_GT(t.side[2], 0);
   }
   closest_features_find(body.mesh.surface, all, {0, 0, -0.01}, 0.01, 0.02, 1, 1, nullptr, found);
-  ASSERT_EQ(found.touch.size(), 1u);
-  EXPECT_NEAR(found.touch[0].distance, 0.01, 1e-15);
-  EXPECT_LT(found.touch[0].side[2], 0);
+  ASSERT_EQ(found.feature.size(), 1u);
+  EXPECT_NEAR(found.feature[0].distance, 0.01, 1e-15);
+  EXPECT_LT(found.feature[0].side[2], 0);
 }
 
 }  // namespace
