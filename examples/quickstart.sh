@@ -6,11 +6,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../tests/setup.sh"
 
 install_debian_packages
 install_python_packages
-if [[ -f $build/CMakeCache.txt ]]; then
-  build_drape
-else
-  build_drape -DDRAPE_TESTS=OFF
-fi
+build_drape
 
 say "A woollen cloth as an FMU"
 "$python" "$root/examples/hanging_wool/run.py"

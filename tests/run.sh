@@ -6,7 +6,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 install_debian_packages
 install_python_packages
-build_drape -DDRAPE_TESTS=ON
+build_drape -DDRAPE_TESTS=ON -DDRAPE_REFERENCE=ON -DDRAPE_BENCH=ON
 
 failed=0
 say "C++ tests"

@@ -1,98 +1,40 @@
-#include <cstdio>
-#include <memory>
+// Starts the benchmark, a program of its own, which lies beside this one.
+#include <unistd.h>
 
-#include "bench/bench.h"
-#include "bench/precision/precision.h"
-#include "bench/seams.h"
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
 #include "command/command.h"
 
 namespace drape::command {
 namespace {
 
-constexpr const char *kPrecision = "precision", *kSeams = "seams";  // groups that are not among the others
-
-struct Options {
-  std::vector<std::string> groups, scenes;
-  std::string csv_file;
-  bool quick = false;
-};
-
-void row_print(const bench::Row& row) {
-  std::printf("%-34s %9zu  %-9s %9.1f  %7.3f x %s\n", row.name.c_str(), row.particles, row.contender.c_str(),
-              row.rate, row.ratio, row.against.c_str());
-  std::fflush(stdout);
-}
-
-bool rows_write(const std::string& file, const std::vector<bench::Row>& rows) {
-  std::FILE* out = std::fopen(file.c_str(), "w");
-  if (!out) return false;
-  std::fprintf(out, "group,name,particles,kernel,million_particle_steps_per_s,ratio,against\n");
-  for (const bench::Row& r : rows)
-    std::fprintf(out, "%s,\"%s\",%zu,%s,%.6g,%.6g,\"%s\"\n", r.group.c_str(), r.name.c_str(), r.particles,
-                 r.contender.c_str(), r.rate, r.ratio, r.against.c_str());
-  return std::fclose(out) == 0;
-}
-
-// Rows of its own, and a table per scene.
-int run_precision(const Options& options) {
-  const std::vector<bench::PrecisionRow> rows = bench::precision(options.quick);
-  if (options.csv_file.empty()) return kDone;
-  std::FILE* out = std::fopen(options.csv_file.c_str(), "w");
-  if (!out) return fail(kBadInput, options.csv_file + " cannot be written");
-  bench::precision_write(out, rows);
-  return std::fclose(out) == 0 ? kDone : fail(kBadInput, options.csv_file + " cannot be written");
-}
-
-int run_bench(const Options& options) {
-  if (options.groups == std::vector<std::string>{kPrecision}) return run_precision(options);
-  if (options.groups == std::vector<std::string>{kSeams})
-    return bench::seams_print(options.csv_file, options.quick)
-               ? kDone
-               : fail(kBadInput, options.csv_file + " cannot be written");
-  for (const std::string& name : options.groups)
-    if (name == kPrecision || name == kSeams)
-      return fail(kBadInput, "the group " + name + " has columns of its own; name it alone");
-  bench::Patience patience;
-  if (options.quick) patience = {1, 0.002, {}};
-  patience.scenes = options.scenes;
-  bool valid = true;
-  for (const std::string& file : options.scenes) valid = cloth_open(file) && valid;
-  if (!valid) return kBadInput;
-  std::vector<bench::Row> rows;
-  for (const bench::Group& group : bench::groups()) {
-    bool expected = options.groups.empty() && group.by_default;
-    for (const std::string& name : options.groups) expected = expected || name == group.name;
-    if (!expected) continue;
-    std::printf("%s: %s\n%-34s %9s  %-9s %9s  %s\n", group.name, group.description, "", "particles", "kernel",
-                "million/s", "ratio");
-    for (const bench::Row& row : group.rows(patience)) {
-      row_print(row);
-      rows.push_back(row);
-    }
-  }
-  if (!options.csv_file.empty() && !rows_write(options.csv_file, rows))
-    return fail(kBadInput, options.csv_file + " cannot be written");
-  return kDone;
+// In place of this process: the exit code is the benchmark's. Returns where it cannot be started.
+int run_bench(std::vector<std::string> arguments) {
+  std::error_code error;
+  const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  const std::string program = here / "drape_bench";
+  if (!std::filesystem::exists(program, error))
+    return fail(kBadInput, "this build has no benchmark; configure with -DDRAPE_REFERENCE=ON -DDRAPE_BENCH=ON");
+  arguments.insert(arguments.begin(), program);
+  std::vector<char*> words;
+  for (std::string& argument : arguments) words.push_back(argument.data());
+  words.push_back(nullptr);
+  std::fflush(nullptr);
+  execv(program.c_str(), words.data());
+  return fail(kFailedRun, program + " cannot be started: " + std::strerror(errno));
 }
 
 }  // namespace
 
 void command_bench(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("bench", "measure particle-steps per second; pin it to one core");
-  auto options = std::make_shared<Options>();
-  std::vector<std::string> names;
-  for (const bench::Group& group : bench::groups()) names.push_back(group.name);
-  names.push_back(kPrecision);
-  names.push_back(kSeams);
-  command
-      ->add_option("GROUP", options->groups,
-                   "groups to run; default: all but threads, scenes, precision and seams")
-      ->check(CLI::IsMember(names));
-  command->add_option("--csv", options->csv_file, "also writes the rows to a file")->type_name("FILE.csv");
-  command->add_option("--scene", options->scenes, "of the group `scenes`; may be given again")
-      ->type_name("SCENE");
-  command->add_flag("--quick", options->quick, "seconds in all, no figures to rely on");
-  command->callback([options, &exit_code] { exit_code = run_bench(*options); });
+  command->allow_extras();   // the benchmark reads them,
+  command->set_help_flag();  // --help among them
+  command->callback([command, &exit_code] { exit_code = run_bench(command->remaining()); });
 }
 
 }  // namespace drape::command

@@ -1,5 +1,6 @@
 """The benchmark's scripts run; their figures are not judged here."""
 import csv
+import shutil
 import subprocess
 import sys
 
@@ -28,6 +29,19 @@ def test_scenes(drape, tmp_path):
     drape("bench", "scenes", "--quick", "--scene", scene, "--csv", tmp_path / "scenes.csv")
     assert (tmp_path / "scenes.csv").read_text().count("hanging_wool") == 2
     assert drape("bench", "scenes", "--scene", "nowhere.toml", check=False).returncode == 1
+
+
+def test_absent(tmp_path):
+    """A command without the benchmark beside it says how to get it."""
+    shutil.copy(ROOT / "build" / "drape", tmp_path)
+    done = subprocess.run([tmp_path / "drape", "bench", "--quick", "kernel"], capture_output=True, text=True)
+    assert done.returncode == 1 and done.stderr.count("\n") == 1 and "-DDRAPE_BENCH=ON" in done.stderr
+
+
+def test_help_and_bad_words(drape):
+    assert "Usage: drape bench" in drape("bench", "--help").stdout
+    done = drape("bench", "kernels", check=False)
+    assert done.returncode == 1 and "kernels" in done.stderr
 
 
 def test_precision(drape, tmp_path):

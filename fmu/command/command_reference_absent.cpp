@@ -1,0 +1,15 @@
+// `drape reference` in a build without the reference.
+#include "command/command.h"
+
+namespace drape::command {
+
+void command_reference(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("reference", "not in this build: configure with -DDRAPE_REFERENCE=ON");
+  command->allow_extras();
+  command->set_help_flag();
+  command->callback([&exit_code] {
+    exit_code = fail(kBadInput, "this build has no reference; configure with -DDRAPE_REFERENCE=ON");
+  });
+}
+
+}  // namespace drape::command
