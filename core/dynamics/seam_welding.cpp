@@ -66,7 +66,7 @@ void seams_weld(const System& system, Motion& motion, State& s, const std::vecto
   for (std::size_t p : pairs) s.sewn[p] = model::Sewn::kWelded;
   seams_restore(system, motion, s);
   held_refresh(motion.constraints, s, motion.held);
-  held_rates(motion.constraints, s, Rate::kVelocity, motion.held);
+  held_rates(motion.constraints, s, model::Pass::kSynchronous, motion.held);
   constraints_place(system, motion.constraints, motion.held, {s.x.data(), s.y.data(), s.z.data()});
   constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
                       &s.pin_impulse);

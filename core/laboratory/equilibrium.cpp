@@ -57,8 +57,7 @@ void held_place(const EquilibriumSearch& search, const dynamics::HeldMotion& hel
 
 // F + m g, in motion.now_x, now_y, now_z.
 void forces_collect(const System& system, dynamics::Motion& motion, const State& s) {
-  dynamics::kernel_forces(*motion.kernel, system, s, motion.workspace, motion.now_x.data(),
-                          motion.now_y.data(), motion.now_z.data());
+  dynamics::kernel_forces(*motion.kernel, system, s, motion.workspace, dynamics::motion_field(motion));
   Array* f[] = {&motion.now_x, &motion.now_y, &motion.now_z};
   for (std::size_t n : system.particle)
     for (std::size_t k = 0; k < 3; ++k) (*f[k])[n] += system.mass[n] * system.gravity[k];

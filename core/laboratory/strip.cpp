@@ -67,8 +67,8 @@ StripPull trellis_pull(const scene::FabricSpec& fabric, double cell, const std::
       strip.state.x[n] = l2 * flat.x[n];
       strip.state.y[n] = l1 * flat.y[n];
     }
-    dynamics::kernel_forces(*motion.kernel, strip.system, strip.state, motion.workspace, motion.now_x.data(),
-                            motion.now_y.data(), motion.now_z.data());
+    dynamics::kernel_forces(*motion.kernel, strip.system, strip.state, motion.workspace,
+                            dynamics::motion_field(motion));
     double work = 0;
     for (std::size_t n : strip.system.particle)
       work -= motion.now_y[n] * flat.y[n] - motion.now_x[n] * flat.x[n] * l1 / l2;

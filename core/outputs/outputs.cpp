@@ -109,13 +109,13 @@ void summary_fill(Outputs& o, const System& system, const State& s, const contac
 void energy_fill(Outputs& o, const System& system, dynamics::Motion& motion, const State& s) {
   drape_energy& e = o.c_view.energy;
   e = energy_potential(system, s);
-  e.kinetic = energy_kinetic(system, motion.now_x, motion.now_y, motion.now_z);
+  e.kinetic = energy_kinetic(system, o.velocity[0], o.velocity[1], o.velocity[2]);
   if (!o.c_view.has_balance) return;
   const dynamics::BalanceNow now =
       dynamics::balance_now(system, motion.balance, s, dynamics::velocity_extrapolation(system, s),
-                            motion.now_x, motion.now_y, motion.now_z);
-  e.dissipated = now.dissipated + motion.contact.dissipated + motion.self.dissipated;
-  e.input = now.input + motion.held.work + motion.contact.input;
+                            o.velocity[0], o.velocity[1], o.velocity[2]);
+  e.dissipated = now.dissipated + o.half_kick.dissipated_by_contact + o.half_kick.dissipated_by_self_contact;
+  e.input = now.input + o.half_kick.work_of_pins + o.half_kick.work_of_bodies;
   e.balance_error = energy_sum(e) - s.energy_start - e.input + e.dissipated;
 }
 
@@ -130,6 +130,7 @@ void outputs_make(Outputs& o, const Scene& scene, const System& system) {
         {scene.seams[k].name.c_str(), int(seam.count), {seam.length[0], seam.length[1]}, 0, 0, 0});
   }
   for (const scene::BodySpec& body : scene.bodies) o.bodies.push_back({body.name.c_str(), {}, {}});
+  for (Array& v : o.velocity) v.assign(system.nodes, 0.0);
   o.c_view.has_energy = scene.energy;
   o.c_view.has_balance = system.energy;
   o.c_view.has_self_contact = scene.self_contact;
@@ -149,14 +150,14 @@ void outputs_fill(Outputs& o, const System& system, dynamics::Motion& motion, co
   const contact::ContactStops stops =
       what & DRAPE_STRAIN ? dynamics::leapfrog_stops(system, motion, s) : contact::ContactStops{};
   if (what & (DRAPE_MOTION | DRAPE_ENERGY | DRAPE_NODE_MOTION))
-    dynamics::leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(),
-                                   motion.now_z.data(), o.pin_load);
+    o.half_kick = dynamics::leapfrog_synchronous(
+        system, motion, s, {o.velocity[0].data(), o.velocity[1].data(), o.velocity[2].data()}, o.pin_load);
   if (what & DRAPE_PLACES) {
     probes_fill(o, system, &drape_probe::position, s.x, s.y, s.z);
     seams_fill(o, system, s);
   }
   if (what & DRAPE_MOTION) {
-    probes_fill(o, system, &drape_probe::velocity, motion.now_x, motion.now_y, motion.now_z);
+    probes_fill(o, system, &drape_probe::velocity, o.velocity[0], o.velocity[1], o.velocity[2]);
     pins_fill(o, system, s);
     bodies_fill(o, system, motion, s);
   }
@@ -164,7 +165,7 @@ void outputs_fill(Outputs& o, const System& system, dynamics::Motion& motion, co
   if ((what & DRAPE_ENERGY) && o.c_view.has_energy) energy_fill(o, system, motion, s);
   if (what & DRAPE_NODE_PLACES) o.c_view.node_position = nodes_fill(o.node_position, system, s.x, s.y, s.z);
   if (what & DRAPE_NODE_MOTION)
-    o.c_view.node_velocity = nodes_fill(o.node_velocity, system, motion.now_x, motion.now_y, motion.now_z);
+    o.c_view.node_velocity = nodes_fill(o.node_velocity, system, o.velocity[0], o.velocity[1], o.velocity[2]);
 }
 
 }  // namespace drape::outputs

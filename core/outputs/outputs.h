@@ -14,7 +14,9 @@ struct Outputs {
   std::vector<drape_seam> seams;
   std::vector<drape_body> bodies;
   std::vector<double> node_position, node_velocity;  // empty until they are wanted
+  Array velocity[3];                                 // [nodes] m/s, at the present time
   std::vector<math::Wrench> pin_load;
+  dynamics::HalfKick half_kick;
 };
 
 // Room and names; the scene's names must outlive the result, which must not move afterwards.

@@ -94,7 +94,7 @@ inline drape_energy energies_after(Assembled& a, double length) {
 
 inline Eigen::VectorXd forces_by(const dynamics::Kernel& kernel, Assembled& a) {
   Array fx(a.system.nodes), fy(a.system.nodes), fz(a.system.nodes);
-  dynamics::kernel_forces(kernel, a.system, a.state, a.motion.workspace, fx.data(), fy.data(), fz.data());
+  dynamics::kernel_forces(kernel, a.system, a.state, a.motion.workspace, {fx.data(), fy.data(), fz.data()});
   return gathered(a.system, fx, fy, fz);
 }
 

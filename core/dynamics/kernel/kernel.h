@@ -3,16 +3,11 @@
 #include "contact/particle/contact_pass.h"
 #include "dynamics/kernel/workers.h"
 #include "forces/hinge_batch.h"
+#include "model/field.h"
+#include "model/scheme.h"
 #include "model/system.h"
 
 namespace drape::dynamics {
-
-// v <- keep v + kick (F/m + g),  r <- r + drift v;  F at the velocity v + lead (v - w)
-struct StepCoefficients {
-  double keep, kick, drift;
-  Vec3 gravity;
-  double extrapolation;
-};
 
 // Rows begin .. end - 1 of a lattice, which one thread moves. Rows of its neighbours, which move meanwhile,
 // it reads from copies: two on either side.
@@ -51,12 +46,12 @@ struct PassTarget {
 
 // One pass over a block of rows. What lies beside the rows is taken from the workspace. `rates`: with the
 // forces that depend on velocity, for which a step keeps the old velocity in w.
-using Pass = void (*)(const System&, const RowBlock&, const StepCoefficients&, const Workspace&,
+using LatticePass = void (*)(const System&, const RowBlock&, const model::Scheme&, const Workspace&,
                       double* scratch, const State&, const PassTarget&);
 
 struct Kernel {
   const char* name;
-  Pass plain, rates;
+  LatticePass plain, rates;
   // The largest omega^2 (1/s^2) of the step limit over the row of cells above row j of a lattice, at r +
   // ahead v (s).
   double (*omega2)(const System&, const model::Lattice&, const State&, int j, double ahead);
@@ -65,12 +60,12 @@ struct Kernel {
 };
 
 // One step of all lattices.
-void kernel_step(const Kernel& kernel, const System& system, const StepCoefficients& c, Workspace& workspace,
+void kernel_step(const Kernel& kernel, const System& system, const model::Scheme& c, Workspace& workspace,
                  State& state);
 
-// F (N) at t_n of all particles into fx, fy, fz [nodes].
+// F (N) at t_n of all particles into `force` [nodes].
 void kernel_forces(const Kernel& kernel, const System& system, const State& state, Workspace& workspace,
-                   double* fx, double* fy, double* fz);
+                   model::Field force);
 
 // How far the velocity is led on to t_n: u_n = v + lead (v - w), v = v_{n-1/2}, w = v_{n-3/2}.
 double velocity_extrapolation(const System& system, const State& state);

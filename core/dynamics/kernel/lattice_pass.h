@@ -90,7 +90,7 @@ struct PassRun {
   const System& system;
   const model::Lattice& l;
   const RowBlock& block;
-  const StepCoefficients& c;
+  const model::Scheme& c;
   const Workspace& workspace;
   const State& s;
   const PassTarget& to;
@@ -228,7 +228,7 @@ void pass_sheared(const PassRun& run) {
 }
 
 template <class L, bool kRates>
-void block_pass(const System& system, const RowBlock& block, const StepCoefficients& c, const Workspace& w,
+void block_pass(const System& system, const RowBlock& block, const model::Scheme& c, const Workspace& w,
                 double* scratch, const State& s, const PassTarget& to) {
   const model::Lattice& l = system.lattices[std::size_t(block.lattice)];
   const PassRun run{system, l, block, c, w, s, to, pass_rows(scratch, l.stride)};

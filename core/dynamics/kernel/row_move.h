@@ -39,8 +39,8 @@ struct MoveLanes {
   L keep, kick, drift, gravity[3];
   L inverse_mass, kick_here;  // at the nodes of begin()
 
-  DRAPE_INLINE explicit MoveLanes(const StepCoefficients& c)
-      : keep(c.keep), kick(c.kick), drift(c.drift), gravity{c.gravity[0], c.gravity[1], c.gravity[2]} {}
+  DRAPE_INLINE explicit MoveLanes(const model::Scheme& c)
+      : keep(c.decay), kick(c.kick), drift(c.drift), gravity{c.gravity[0], c.gravity[1], c.gravity[2]} {}
   DRAPE_INLINE void begin(const double* inverse, int i) {
     inverse_mass = L::load(inverse + i);
     kick_here = select(gt(inverse_mass, L(0.0)), kick, L(0.0));

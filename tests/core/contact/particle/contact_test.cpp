@@ -154,7 +154,7 @@ struct Synchronous {
 Synchronous synchronous(Assembled& a) {
   Synchronous s;
   for (Array& v : s.v) v.assign(a.system.nodes, 0.0);
-  dynamics::leapfrog_synchronous(a.system, a.motion, a.state, s.v[0].data(), s.v[1].data(), s.v[2].data(),
+  dynamics::leapfrog_synchronous(a.system, a.motion, a.state, {s.v[0].data(), s.v[1].data(), s.v[2].data()},
                                  s.pins);
   return s;
 }
