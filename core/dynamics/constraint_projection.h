@@ -5,6 +5,7 @@
 // [v_{n-1/2} + h_o a/2 - (1 + c h_o/2) v_n]; the new one gets the rest, so that impulses and the momenta of
 // synchronous velocities balance exactly.
 #pragma once
+#include "model/field.h"
 #include "model/system.h"
 
 namespace drape::dynamics {
@@ -53,10 +54,7 @@ void constraints_project_step(const System& system, const constraint::Constraint
 // Ends a step: what is held at t_{n+1} is so now.
 void constraints_end_step(const constraint::Constraints& constraints, const State& state, HeldMotion& held);
 
-// Three components of a nodal field, [nodes] each.
-struct Field {
-  double *x, *y, *z;
-};
+using model::Field;
 
 // Projects a field of accelerations or velocities onto held.rate; `load` [pins], where it is not null,
 // receives m times what was taken out: for accelerations, the pins' forces on the outside world.

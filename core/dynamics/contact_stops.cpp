@@ -15,11 +15,12 @@ contact::ContactStops leapfrog_stops(const System& system, Motion& motion, const
     for (std::size_t k = 0; k < 3; ++k) a[k][n] = a[k][n] * system.inverse_mass[n] + g[k];
   held_refresh(motion.constraints, s, motion.held);
   held_rates(motion.constraints, s, Rate::kAcceleration, motion.held);
-  contact::warm_start_synchronous(system, motion.contact, s, 0, 1, field[0], field[1], field[2]);
+  contact::warm_start_synchronous(system, motion.contact, s, {0, 1, {field[0], field[1], field[2]}});
   constraints_project(system, motion.constraints, motion.held, {field[0], field[1], field[2]}, nullptr);
   if (contact::self_enabled(system))
-    contact::self_synchronous(system, motion.self, s, 0, 1, field[0], field[1], field[2]);
-  const contact::ContactStops stops = contact::stop_forces(system, s, motion.contact.edge_pairs, field);
+    contact::self_synchronous(system, motion.self, s, {0, 1, {field[0], field[1], field[2]}});
+  const contact::ContactStops stops =
+      contact::stop_forces(system, motion.contact.edge_scratch, s, motion.contact.edge_pairs, field);
   held_rates(motion.constraints, s, Rate::kVelocity, motion.held);
   return stops;
 }

@@ -179,13 +179,11 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
 void project_synchronous(const System& system, Motion& motion, const State& s, Rate which, double half,
                          double centred, Field f, std::vector<math::Wrench>* load) {
   held_rates(motion.constraints, s, which, motion.held);
-  contact::warm_start_synchronous(system, motion.contact, s, half, centred, f.x, f.y, f.z);
+  contact::warm_start_synchronous(system, motion.contact, s, {half, centred, f});
   constraints_project(system, motion.constraints, motion.held, f, load);
-  if (contact::self_enabled(system))
-    contact::self_synchronous(system, motion.self, s, half, centred, f.x, f.y, f.z);
+  if (contact::self_enabled(system)) contact::self_synchronous(system, motion.self, s, {half, centred, f});
   if (!s.body.empty())
-    contact::apply_synchronous(system, motion.kernel->contact, motion.contact, s, half, centred, f.x, f.y,
-                               f.z);
+    contact::apply_synchronous(system, motion.kernel->contact, motion.contact, s, {half, centred, f});
   if (contact::any_near(s) || (contact::self_enabled(system) && contact::self_any_touching(motion.self)))
     constraints_project(system, motion.constraints, motion.held, f, load);
 }

@@ -1,8 +1,10 @@
 // Contact within a step: what keeps the cloth out of bodies. core/README.md, section 7.
 #pragma once
+#include "body/closest_features.h"
 #include "body/distance_grid.h"
 #include "contact/edge/edge_contact.h"
 #include "contact/particle/contact_pass.h"
+#include "model/field.h"
 #include "model/system.h"
 
 namespace drape::contact {
@@ -17,7 +19,9 @@ struct ContactWorkspace {
   std::vector<model::ContactLaw> law;       // [lattices] of the present body
   std::vector<EdgeContactPair> edge_pairs;  // links and cells on ridges, of the present pass
   EdgeSums edge_sums;
-  double edge_lost = 0;  // J, of ridge_look
+  EdgeScratch edge_scratch;
+  body::ClosestFeatures found;  // of one particle
+  double edge_lost = 0;         // J, of ridge_look
   bool half_kick_reported =
       false;  // what bodies were told of the half step before this advance is taken out already
   std::vector<math::Wrench> load;    // [bodies] of the last synchronous pass
@@ -60,11 +64,18 @@ model::ContactLaw current_law(const System& system, const State& state, const mo
 // Notes which particles are tied to others; for new constraints.
 void mark_tied(const System& system, const constraint::Constraints& constraints, ContactWorkspace& workspace);
 
+// The last half kick of `half` s and what it does to synchronous velocities; or, with half = 0 and
+// centred = 1, accelerations.
+struct SynchronousPass {
+  double half, centred;  // s; 1 + c half
+  model::Field field;    // m/s or m/s^2
+};
+
 // Before pins and welds: gives particles that are not alone what the bodies did to them in the step before.
 void warm_start(const System& system, const ContactWorkspace& workspace, const ContactStep& step,
                 State& state);
 void warm_start_synchronous(const System& system, ContactWorkspace& workspace, const State& state,
-                            double half, double centred, double* vx, double* vy, double* vz);
+                            const SynchronousPass& pass);
 
 // Adds to a free step what the bodies do. Needs touch_keep.
 void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
@@ -82,7 +93,7 @@ void invalidate_proximity(State& state);
 // What contact does to synchronous velocities [nodes] in the last half kick of `half` s, which is what
 // room.load then holds, as impulses; or to accelerations (half = 0), as forces.
 void apply_synchronous(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
-                       const State& state, double half, double centred, double* vx, double* vy, double* vz);
+                       const State& state, const SynchronousPass& pass);
 
 // The longest step (s) in which no particle goes past what its surroundings were searched for.
 double max_step(const System& system, const State& state);
@@ -100,8 +111,8 @@ struct ContactStops {
 bool any_stopped(const System& system, const State& state);  // something is, nearly
 
 // Of the accelerations a [nodes] that all else leaves, carry given.
-ContactStops stop_forces(const System& system, const State& state, const std::vector<EdgeContactPair>& pairs,
-                         double* const a[3]);
+ContactStops stop_forces(const System& system, EdgeScratch& scratch, const State& state,
+                         const std::vector<EdgeContactPair>& pairs, double* const a[3]);
 
 // What touches now, and the energy of the penalties, J.
 model::ContactSummary contact_summary(const System& system, const State& state, const ContactStops& stops);

@@ -133,8 +133,9 @@ void self_update_proximity(const System& system, State& s, double drift) {
   s.self.travel += s.self.speed * std::abs(drift);
 }
 
-void self_synchronous(const System& system, SelfContactWorkspace& workspace, const State& s, double half,
-                      double centred, double* vx, double* vy, double* vz) {
+void self_synchronous(const System& system, SelfContactWorkspace& workspace, const State& s,
+                      const SynchronousPass& pass) {
+  const auto [half, centred, field] = pass;
   SelfContactPairs& all = workspace.touches;
   workspace.dissipated = 0;
   self_narrow_phase(system, s, 0, all, nullptr);
@@ -142,13 +143,13 @@ void self_synchronous(const System& system, SelfContactWorkspace& workspace, con
   const ContactCoefficients c =
       half > 0 ? last_kick_coefficients(half, centred) : force_coefficients(system, s);
   for (SelfNode& n : all.node) {
-    n.v = {vx[n.node], vy[n.node], vz[n.node]};
+    n.v = {field.x[n.node], field.y[n.node], field.z[n.node]};
     if (n.fixed) n.v = half > 0 ? n.old : Vec3{0, 0, 0};
   }
   self_respond(c, half > 0 ? kConverged : kConvergedRest, half > 0 ? kSweeps : kSweepsRest, all);
   for (const SelfNode& n : all.node) {
     const Vec3 dv = (n.fixed ? 1 / n.mass : n.inverse) * n.impulse;
-    vx[n.node] += dv[0], vy[n.node] += dv[1], vz[n.node] += dv[2];
+    field.x[n.node] += dv[0], field.y[n.node] += dv[1], field.z[n.node] += dv[2];
   }
   if (half > 0 && system.energy) workspace.dissipated = self_dissipated(c, all);
 }
