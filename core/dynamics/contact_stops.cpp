@@ -17,10 +17,11 @@ contact::ContactStops leapfrog_stops(const System& system, Motion& motion, const
     for (std::size_t k = 0; k < 3; ++k) a[k][n] = a[k][n] * system.inverse_mass[n] + g[k];
   held_refresh(motion.constraints, s, motion.held);
   held_rates(motion.constraints, s, model::Pass::kAcceleration, motion.held);
-  contact::warm_start_synchronous(system, motion.contact, s, scheme, f);
+  contact::warm_start_synchronous(system, motion.contact, s, {scheme, f});
   constraints_project(system, motion.constraints, motion.held, f, nullptr);
-  if (contact::self_enabled(system)) contact::self_synchronous(system, motion.self, s, scheme, f);
-  const contact::ContactStops stops = contact::stop_forces(system, s, motion.contact.edge_pairs, field);
+  if (contact::self_enabled(system)) contact::self_synchronous(system, motion.self, s, {scheme, f});
+  const contact::ContactStops stops =
+      contact::stop_forces(system, motion.contact.edge_scratch, s, motion.contact.edge_pairs, field);
   held_rates(motion.constraints, s, model::Pass::kSynchronous, motion.held);
   return stops;
 }

@@ -61,7 +61,7 @@ void seams_weld(const System& system, Motion& motion, State& s, const std::vecto
   double moved = 0;
   for (const model::Seam& seam : system.seams.seam) moved = std::max(moved, seam.gap_tolerance);
   leapfrog_complete(system, motion, s);
-  const double lost = contact::edge_record_sides(system, s, moved);
+  const double lost = contact::edge_record_sides(system, motion.contact.edge_scratch, s, moved);
   if (system.energy) s.dissipated += lost;
   for (std::size_t p : pairs) s.sewn[p] = model::Sewn::kWelded;
   seams_restore(system, motion, s);

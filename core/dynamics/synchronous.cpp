@@ -49,11 +49,11 @@ void project_synchronous(const System& system, Motion& motion, const State& s, c
                          model::Field f, std::vector<math::Wrench>* load) {
   const bool self_contact = contact::self_enabled(system);
   held_rates(motion.constraints, s, scheme.pass, motion.held);
-  contact::warm_start_synchronous(system, motion.contact, s, scheme, f);
+  contact::warm_start_synchronous(system, motion.contact, s, {scheme, f});
   constraints_project(system, motion.constraints, motion.held, f, load);
-  if (self_contact) contact::self_synchronous(system, motion.self, s, scheme, f);
+  if (self_contact) contact::self_synchronous(system, motion.self, s, {scheme, f});
   if (!s.body.empty())
-    contact::apply_synchronous(system, motion.kernel->contact, motion.contact, s, scheme, f);
+    contact::apply_synchronous(system, motion.kernel->contact, motion.contact, s, {scheme, f});
   if (contact::any_near(s) || (self_contact && contact::self_any_touching(motion.self)))
     constraints_project(system, motion.constraints, motion.held, f, load);
 }

@@ -168,31 +168,45 @@ double edge_store_velocities(const System& system, State& s, std::vector<EdgeCon
   return find(system, s, &s, touches);
 }
 
-double edge_record_sides(const System& system, State& s, double moved) {
-  static thread_local std::vector<EdgeContactPair> touches;
+double edge_record_sides(const System& system, EdgeScratch& scratch, State& s, double moved) {
   for (model::BodyContact& body : s.body) body.edges.reach = std::max(body.edges.reach, moved);
-  return find(system, s, &s, touches);
+  return find(system, s, &s, scratch.touches);
 }
 
 double edge_narrow_phase(const System& system, const State& s, std::vector<EdgeContactPair>& touches) {
   return find(system, s, nullptr, touches);
 }
 
-void edge_warm_start(const System& system, const State& s, const std::vector<EdgeContactPair>& touches,
-                     const ContactCoefficients& c, const EdgeField& f) {
-  for (const EdgeContactPair& t : touches)
-    push(t, pair_over(system, t, f), c, f, c.kick * s.body[t.body].edges.pair[t.pair].warm_start);
+void edge_warm_start(const System& system, const State& s, const EdgePass& pass) {
+  for (const EdgeContactPair& t : pass.touches)
+    push(t, pair_over(system, t, pass.field), pass.c, pass.field,
+         pass.c.kick * s.body[t.body].edges.pair[t.pair].warm_start);
 }
 
-namespace {
-
 // What a pair gives in a pass.
+namespace {
 struct Given {
   Vec3 impulse{0, 0, 0};  // J, N s over what is taken out of v after the kick
   double stored = 0;      // of it along n, what the penalty's potential gives
   double stop = 0;        // likewise the stop
   double sticking = 0;
 };
+}  // namespace
+
+struct EdgeResponse {
+  std::vector<Given> given;   // [touches]
+  std::vector<PairLaw> laws;  // [touches]
+};
+
+void EdgeResponseEnd::operator()(EdgeResponse* response) const { delete response; }
+
+EdgeScratch edge_scratch_make() {
+  EdgeScratch scratch;
+  scratch.response.reset(new EdgeResponse);
+  return scratch;
+}
+
+namespace {
 
 // J of a pair, given what all others do; how much it changes the gap's velocity. What is past the ridge is
 // pushed as from the ridge itself, by 1/50 of the layer a step: faster, it would be thrown.
@@ -201,10 +215,9 @@ double pair_respond(const State& s, const EdgeContactPair& t, const PairLaw& law
   const double k = law.inverse_effective_mass;
   push(t, law.over, c, f, -1.0 * given.impulse);
   const Vec3 free = gap_velocity(t, f), old = c.old_time > 0 || c.new_time > 0 ? t.old : free;
-  const ContactHit<Lane> hit =
-      contact_hit(law.lanes, lanes(t.gap.n), Lane(std::max(t.gap.distance, 0.0)),
-                  lanes(free - t.body_velocity), lanes(old - t.body_velocity),
-                  Lane(s.body[t.body].edges.pair[t.pair].sticking), Lane(1.0));
+  const ContactHit<Lane> hit = contact_hit(law.lanes, lanes(t.gap.n), Lane(std::max(t.gap.distance, 0.0)),
+                                           lanes(free - t.body_velocity), lanes(old - t.body_velocity),
+                                           Lane(s.body[t.body].edges.pair[t.pair].sticking), Lane(1.0));
   const Vec3 impulse = (1 / k) * vector(hit.dv);
   const double change = k * norm(impulse - given.impulse);
   given = {impulse, hit.stored.v / k, hit.stop.v / k, hit.sticking.v};
@@ -225,10 +238,11 @@ void sums_add(const State& s, const EdgeContactPair& t, const ContactCoefficient
 
 }  // namespace
 
-void edge_respond(const System& system, const State& s, const std::vector<EdgeContactPair>& touches,
-                  const ContactCoefficients& c, const EdgeField& f, State* moves, EdgeSums& sums) {
-  static thread_local std::vector<Given> given;
-  static thread_local std::vector<PairLaw> laws;
+void edge_respond(const System& system, const State& s, const EdgePass& pass, EdgeScratch& scratch,
+                  EdgeSums& sums) {
+  const auto& [touches, c, f, moves] = pass;
+  std::vector<Given>& given = scratch.response->given;
+  std::vector<PairLaw>& laws = scratch.response->laws;
   sums.load.assign(s.body.size(), math::Wrench{});
   sums.dissipated = sums.input = 0;
   given.assign(touches.size(), Given{});

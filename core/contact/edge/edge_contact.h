@@ -1,6 +1,8 @@
 // Links and cells of cloth on ridges and tips of bodies within a step. core/README.md, section 7.
 #pragma once
 #include <algorithm>
+#include <memory>
+#include <vector>
 
 #include "body/distance_grid.h"
 #include "contact/edge/gap.h"
@@ -21,6 +23,21 @@ struct EdgeContactPair {
   double stiffness;    // N/m
 };
 
+// Vectors that the functions below work in, made once per System: they keep what they have grown to.
+struct EdgeResponse;
+struct EdgeResponseEnd {
+  void operator()(EdgeResponse* response) const;
+};
+struct EdgeScratch {
+  std::vector<std::uint32_t> features, elements, nodes, joined;
+  std::vector<Vec3> from;
+  std::vector<model::EdgePair> found, pairs;
+  std::vector<double> active_after_travel;
+  std::vector<EdgeContactPair> touches;
+  std::unique_ptr<EdgeResponse, EdgeResponseEnd> response;  // of edge_respond
+};
+EdgeScratch edge_scratch_make();
+
 inline bool edge_any(const State& s) {  // a pair is near
   for (const model::BodyContact& c : s.body)
     if (!c.edges.pair.empty()) return true;
@@ -33,11 +50,12 @@ void edge_stick(const System& system, State& state);
 
 // After particles and bodies have moved, and their surroundings were looked at: which pairs may touch in the
 // next step, of `ahead` s.
-void edge_update_proximity(const System& system, State& state, std::size_t body, double ahead);
+void edge_update_proximity(const System& system, EdgeScratch& scratch, State& state, std::size_t body,
+                           double ahead);
 
 // Before places change otherwise than in a step, by as much as `moved` (m): notes which pairs are out of the
 // bodies, since a jump may take them through. Gives J as ridge_keep.
-double edge_record_sides(const System& system, State& state, double moved);
+double edge_record_sides(const System& system, EdgeScratch& scratch, State& state, double moved);
 
 // The longest step (s) in which nodes near a ridge move by no more than a quarter of the layer.
 double edge_max_step(const System& system, const State& state);
@@ -56,19 +74,25 @@ struct EdgeField {
   const double* inverse_mass_scale;  // or null
 };
 
-// Gives in advance what pairs got in the step before.
-void edge_warm_start(const System& system, const State& state, const std::vector<EdgeContactPair>& touches,
-                     const ContactCoefficients& c, const EdgeField& field);
+// The pairs of a pass, its coefficients, and what it changes.
+struct EdgePass {
+  const std::vector<EdgeContactPair>& touches;
+  ContactCoefficients c;
+  EdgeField field;
+  State* moves = nullptr;  // receives what goes on with it; null: nothing does
+};
 
-// What touching does to a free motion. `moves`: writes into it what goes on with it, or null. Adds the
-// impulses to load [bodies], J to dissipated and input.
+// Gives in advance what pairs got in the step before.
+void edge_warm_start(const System& system, const State& state, const EdgePass& pass);
+
+// What touching does to a free motion. Adds the impulses to load [bodies], J to dissipated and input.
 struct EdgeSums {
   std::vector<math::Wrench> load;
   std::vector<double> stop;  // [touches] N s along n
   double dissipated, input;
 };
-void edge_respond(const System& system, const State& state, const std::vector<EdgeContactPair>& touches,
-                  const ContactCoefficients& c, const EdgeField& field, State* moves, EdgeSums& sums);
+void edge_respond(const System& system, const State& state, const EdgePass& pass, EdgeScratch& scratch,
+                  EdgeSums& sums);
 
 // Links and cells of a lattice that are cut by a ridge of a body, or deeper in its layer than anything is to
 // be.

@@ -44,13 +44,22 @@ double speed_of(const System& system, const State& s, std::size_t b, std::size_t
               model::pose_velocity(system.bodies[b], s.body[b], place(s, n)));
 }
 
-// Lists the pairs of these parts, in order.
-void pairs_find(const System& system, const State& s, std::size_t b, const std::vector<std::uint32_t>& parts,
-                double ahead, std::vector<model::EdgePair>& found) {
-  static thread_local std::vector<std::uint32_t> features;
+// What pairs are listed for: a body, and the next step of `ahead` s.
+struct Listing {
+  const System& system;
+  const State& state;
+  std::size_t body;
+  double ahead;
+};
+
+// Lists the pairs of the elements of the scratch in `found`, in order.
+void pairs_find(const Listing& listing, EdgeScratch& scratch) {
+  const auto& [system, s, b, ahead] = listing;
+  std::vector<model::EdgePair>& found = scratch.found;
+  std::vector<std::uint32_t>& features = scratch.features;
   const body::SharpFeatures& of = system.bodies[b].sharp;
   found.clear();
-  for (std::uint32_t p : parts) {
+  for (std::uint32_t p : scratch.elements) {
     const model::EdgeElement& part = system.edge_elements.element[p];
     const model::Lattice& l = system.lattices[std::size_t(part.lattice)];
     Vec3 x[6], middle{0, 0, 0};
@@ -74,13 +83,15 @@ void pairs_find(const System& system, const State& s, std::size_t b, const std::
   }
 }
 
-// The nodes of the parts that have one of `nodes` join those that are watched; those are watched from here.
-void nodes_track(const System& system, const State& s, std::size_t b, const std::vector<std::uint32_t>& nodes,
-                 const std::vector<std::uint32_t>& parts, model::EdgeContact& c) {
-  static thread_local std::vector<std::uint32_t> joined;
-  static thread_local std::vector<Vec3> from;
+// The nodes of the elements of the scratch, which have one of its nodes, join those that are tracked; those
+// are tracked from here.
+void nodes_track(const Listing& listing, EdgeScratch& scratch, model::EdgeContact& c) {
+  const auto& [system, s, b, ahead] = listing;
+  const std::vector<std::uint32_t>& nodes = scratch.nodes;
+  std::vector<std::uint32_t>& joined = scratch.joined;
+  std::vector<Vec3>& from = scratch.from;
   joined = c.node;
-  for (std::uint32_t p : parts) {
+  for (std::uint32_t p : scratch.elements) {
     const model::EdgeElement& part = system.edge_elements.element[p];
     joined.insert(joined.end(), part.node, part.node + part.nodes);
   }
@@ -100,11 +111,13 @@ void nodes_track(const System& system, const State& s, std::size_t b, const std:
   c.from = from;
 }
 
-// `found` takes the place of the pairs of `parts`, or of all; what they remember goes on.
-void pairs_join(const std::vector<std::uint32_t>& parts, const std::vector<model::EdgePair>& found, bool all,
-                model::EdgeContact& c) {
-  static thread_local std::vector<model::EdgePair> pair;
-  static thread_local std::vector<double> wake;
+// Those found take the place of the pairs of the elements of the scratch, or of all; what they remember goes
+// on.
+void pairs_join(EdgeScratch& scratch, bool all, model::EdgeContact& c) {
+  const std::vector<std::uint32_t>& parts = scratch.elements;
+  const std::vector<model::EdgePair>& found = scratch.found;
+  std::vector<model::EdgePair>& pair = scratch.pairs;
+  std::vector<double>& wake = scratch.active_after_travel;
   pair.clear();
   wake.clear();
   std::size_t part = 0, old = 0;
@@ -127,16 +140,12 @@ void pairs_join(const std::vector<std::uint32_t>& parts, const std::vector<model
   c.active_after_travel = wake;
 }
 
-// Lists the parts of `nodes`, sorted; `all`: no others are left.
-void list(const System& system, State& s, std::size_t b, const std::vector<std::uint32_t>& nodes, bool all,
-          double ahead) {
-  static thread_local std::vector<std::uint32_t> parts;
-  static thread_local std::vector<model::EdgePair> found;
-  model::EdgeContact& c = s.body[b].edges;
-  parts_of(system.edge_elements, nodes, parts);
-  pairs_find(system, s, b, parts, ahead, found);
-  nodes_track(system, s, b, nodes, parts, c);
-  pairs_join(parts, found, all, c);
+// Lists the pairs of the nodes of the scratch, sorted; `all`: no others are left.
+void list(const Listing& listing, EdgeScratch& scratch, bool all, model::EdgeContact& c) {
+  parts_of(listing.system.edge_elements, scratch.nodes, scratch.elements);
+  pairs_find(listing, scratch);
+  nodes_track(listing, scratch, c);
+  pairs_join(scratch, all, c);
 }
 
 // How far and how fast the nodes have gone against the body. Whether one may by the next step have gone so
@@ -182,8 +191,9 @@ void edge_begin(const System& system, State& s) {
 // A part is listed with what is within its layer and a margin M of it. Each of its nodes may have gone M/2
 // since then: one that has not gone M/2 from where its own parts were listed before is no farther from where
 // it was. Where one is to be listed anew, so are all that have used up half of that.
-void edge_update_proximity(const System& system, State& s, std::size_t b, double ahead) {
-  static thread_local std::vector<std::uint32_t> nodes;
+void edge_update_proximity(const System& system, EdgeScratch& scratch, State& s, std::size_t b,
+                           double ahead) {
+  std::vector<std::uint32_t>& nodes = scratch.nodes;
   model::EdgeContact& c = s.body[b].edges;
   if (c.fresh.empty() && c.node.empty()) return;
   const double half = min_margin(system) / 2;
@@ -206,7 +216,7 @@ void edge_update_proximity(const System& system, State& s, std::size_t b, double
   }
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  list(system, s, b, nodes, all, ahead);
+  list({system, s, b, ahead}, scratch, all, c);
 }
 
 void edge_stick(const System& system, State& s) {

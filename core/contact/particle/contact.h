@@ -1,8 +1,11 @@
 // Contact within a step: what keeps the cloth out of bodies. core/README.md, section 7.
 #pragma once
+#include "body/closest_features.h"
 #include "body/distance_grid.h"
 #include "contact/edge/edge_contact.h"
 #include "contact/particle/contact_pass.h"
+#include "model/field.h"
+#include "model/scheme.h"
 #include "model/system.h"
 
 namespace drape::contact {
@@ -17,7 +20,9 @@ struct ContactWorkspace {
   std::vector<model::ContactLaw> law;       // [lattices] of the present body
   std::vector<EdgeContactPair> edge_pairs;  // links and cells on ridges, of the present pass
   EdgeSums edge_sums;
-  double edge_lost = 0;  // J, of ridge_look
+  EdgeScratch edge_scratch;
+  body::ClosestFeatures found;  // of one particle
+  double edge_lost = 0;         // J, of ridge_look
   bool half_kick_reported =
       false;  // what bodies were told of the half step before this advance is taken out already
   std::vector<math::Wrench> load;    // [bodies] of the last synchronous pass
@@ -35,22 +40,9 @@ void check_start(const System& system, const Scene& scene, ContactWorkspace& wor
 // What is on ridges, and the velocities of all that is near, before a step changes them.
 void store_velocities(const System& system, ContactWorkspace& workspace, State& state);
 
-// What a step is to contact.
-struct ContactStep {
-  double drift, keep, kick;   // of the step
-  double half_old, half_new;  // s, h_o/2 and h/2
-  double centred;             // 1 + c h/2
-  bool begins;                // an advance, of which the half h_o/2 has been told already
-  double reported_centred;    // 1 + c h_o/2
-};
-
-// What the kick of a step, and the last half kick of `half` s, which turns v_{n-1/2} into v_n, do.
-ContactCoefficients kick_coefficients(const ContactStep& step);
-ContactCoefficients last_kick_coefficients(double half, double centred);
-
-// The same of accelerations, with stops as in the last step; before the first and at the rest of a fit, in
-// the next.
-ContactCoefficients force_coefficients(const System& system, const State& state);
+// What the kick of a scheme does: of a step; of the last half kick, which turns v_{n-1/2} into v_n; or of
+// accelerations, with stops as in the last step, before the first and at the rest of a fit as in the next.
+ContactCoefficients coefficients_of(const System& system, const State& state, const model::Scheme& scheme);
 
 // How a lattice touches a body now: in a fit nothing rubs while seams are to be closed, and until what has
 // been sewn has settled.
@@ -60,15 +52,21 @@ model::ContactLaw current_law(const System& system, const State& state, const mo
 // Notes which particles are tied to others; for new constraints.
 void mark_tied(const System& system, const constraint::Constraints& constraints, ContactWorkspace& workspace);
 
+// A field of synchronous velocities or of accelerations, by scheme.pass.
+struct SynchronousPass {
+  const model::Scheme& scheme;
+  model::Field field;  // m/s or m/s^2
+};
+
 // Before pins and welds: gives particles that are not alone what the bodies did to them in the step before.
-void warm_start(const System& system, const ContactWorkspace& workspace, const ContactStep& step,
+void warm_start(const System& system, const ContactWorkspace& workspace, const model::Scheme& scheme,
                 State& state);
 void warm_start_synchronous(const System& system, ContactWorkspace& workspace, const State& state,
-                            double half, double centred, double* vx, double* vy, double* vz);
+                            const SynchronousPass& pass);
 
 // Adds to a free step what the bodies do. Needs touch_keep.
 void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
-           const ContactStep& step, State& state);
+           const model::Scheme& scheme, State& state);
 
 // After the particles and bodies have moved, or velocities have jumped: looks at the surroundings of those
 // that may have come near something else, or will. `drift`: how long they moved since the last watch, s;
@@ -82,7 +80,7 @@ void invalidate_proximity(State& state);
 // What contact does to synchronous velocities [nodes] in the last half kick of `half` s, which is what
 // room.load then holds, as impulses; or to accelerations (half = 0), as forces.
 void apply_synchronous(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
-                       const State& state, double half, double centred, double* vx, double* vy, double* vz);
+                       const State& state, const SynchronousPass& pass);
 
 // The longest step (s) in which no particle goes past what its surroundings were searched for.
 double max_step(const System& system, const State& state);
@@ -100,8 +98,8 @@ struct ContactStops {
 bool any_stopped(const System& system, const State& state);  // something is, nearly
 
 // Of the accelerations a [nodes] that all else leaves, carry given.
-ContactStops stop_forces(const System& system, const State& state, const std::vector<EdgeContactPair>& pairs,
-                         double* const a[3]);
+ContactStops stop_forces(const System& system, EdgeScratch& scratch, const State& state,
+                         const std::vector<EdgeContactPair>& pairs, double* const a[3]);
 
 // What touches now, and the energy of the penalties, J.
 model::ContactSummary contact_summary(const System& system, const State& state, const ContactStops& stops);

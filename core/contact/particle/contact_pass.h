@@ -23,10 +23,18 @@ struct ContactCoefficients {
          reported_centred = 1;  // v_n = (v_{n-1/2} + told_share (v - keep v_{n-1/2}))/told_centred
 };
 
+// What a pass writes that moves the particles: their places, and what sticks and is warm-started of now.
+struct ContactMoves {
+  model::ContactBlock* pool;  // of the body, as ContactBlocks::pool
+  double* r[3];               // [nodes] m
+};
+
 struct ContactPass {
-  model::BodyContact* body;
-  double *r[3], *v[3];  // [nodes]
-  const double* old;    // [blocks in order x 3 x kRowUnit] v_{n-1/2}; null: v stands for it
+  const model::BodyContact* body;
+  const double* r[3];         // [nodes] m
+  double* v[3];               // [nodes] m/s
+  const ContactMoves* moves;  // null: the pass only reports
+  const double* old;          // [blocks in order x 3 x kRowUnit] v_{n-1/2}; null: v stands for it
   const double *mass, *inverse_mass_scale;  // [nodes]; lightness: or null
   const double* stiff;  // [nodes] accelerations of a fit: the lightness, as its penalties go; or null
   const double* tied;   // [nodes] 1 where pins or welds tie a particle to others, else 0; or null
@@ -34,8 +42,8 @@ struct ContactPass {
   const model::ContactLaw* law;  // [lattices]
   double damping;                // of the body
   ContactCoefficients c, reported;
-  bool begins, energy, moves;  // moves: grips and carries become those of now
-  double* sum;                 // [8] force, torque on the body (impulses), dissipated, input
+  bool begins, energy;
+  double* sum;  // [8] force, torque on the body (impulses), dissipated, input
 };
 
 inline constexpr std::size_t kProximityGroup = 64;  // nodes that are watched together

@@ -191,6 +191,10 @@ DRAPE_INLINE void block_fetch(const model::ContactBlock& b) {
   __builtin_prefetch(&b.node);
 }
 
+DRAPE_INLINE simd::Row row_of(const ContactMoves& moves, std::size_t n) {
+  return {moves.r[0] + n, moves.r[1] + n, moves.r[2] + n};
+}
+
 template <class L, bool kMoves>
 void contact_run(const ContactPass& pass) {
   const PoseLanes<L, kMoves> pose(*pass.body);
@@ -199,8 +203,10 @@ void contact_run(const ContactPass& pass) {
   int lattice = 0;  // of the laws
   ContactLanes<L> law(pass.law[0], c, pass.damping), reported(pass.law[0], pass.reported, pass.damping);
   const model::ContactBlocks& blocks = pass.body->blocks;
+  const ContactMoves* const moves = pass.moves;
   for (std::size_t k = 0; k < blocks.order.size(); ++k) {
-    model::ContactBlock& b = pass.body->blocks.pool[blocks.order[k].block];
+    const model::ContactBlock& b = blocks.pool[blocks.order[k].block];
+    model::ContactBlock* const to = moves ? moves->pool + blocks.order[k].block : nullptr;
     if (k + 1 < blocks.order.size()) block_fetch(blocks.pool[blocks.order[k + 1].block]);
     if (b.lattice != lattice) {
       lattice = b.lattice;
@@ -208,11 +214,11 @@ void contact_run(const ContactPass& pass) {
       reported = ContactLanes<L>(pass.law[lattice], pass.reported, pass.damping);
     }
     const bool given = b.has_warm_start;  // in advance
-    if (pass.moves) b.has_warm_start = false;
+    if (to) to->has_warm_start = false;
     for (int i = 0, part = 0; i < math::kRowUnit; i += L::kWidth, ++part) {
       const std::size_t n = b.node + std::size_t(i);
-      const simd::Row r{pass.r[0] + n, pass.r[1] + n, pass.r[2] + n},
-          v{pass.v[0] + n, pass.v[1] + n, pass.v[2] + n};
+      const simd::ConstRow r{pass.r[0] + n, pass.r[1] + n, pass.r[2] + n};
+      const simd::Row v{pass.v[0] + n, pass.v[1] + n, pass.v[2] + n};
       const L light = pass.inverse_mass_scale ? L::load(pass.inverse_mass_scale + n) : L(1.0);
       simd::Vec<L> free = simd::vec_load<L>(v, 0), moved = simd::vec_load<L>(r, 0);
       if (given) {
@@ -231,12 +237,12 @@ void contact_run(const ContactPass& pass) {
               fma(L::load(b.side[1] + i), x.y, fms(L::load(b.side[2] + i), x.z, L::load(b.offset + i))));
       const L nearer = L(c.reach_time) * (abs(w.x) + abs(w.y) + abs(w.z));
       if (!any(gt(law.layer, s - nearer))) {
-        if (pass.moves) L::store(b.sticking + i, L(0.0));
+        if (to) L::store(to->sticking + i, L(0.0));
         if (given) {
           simd::vec_store(v, 0, free);
-          if (pass.moves) simd::vec_store(r, 0, moved);
-          if (pass.moves && pass.hit) pass.hit[b.node / math::kRowUnit] = 1;
-          if (pass.moves) warm_start_store(b, i, simd::Vec<L>{L(0.0), L(0.0), L(0.0)});
+          if (to) simd::vec_store(row_of(*moves, n), 0, moved);
+          if (to && pass.hit) pass.hit[b.node / math::kRowUnit] = 1;
+          if (to) warm_start_store(*to, i, simd::Vec<L>{L(0.0), L(0.0), L(0.0)});
         }
         continue;
       }
@@ -251,15 +257,15 @@ void contact_run(const ContactPass& pass) {
       const ContactHit<L> hit = contact_hit(law, normal, gap.distance, w, old - carried, grip, stiff);
       const L inertia = select(gt(light, L(0.0)), L::load(pass.mass + n) / light, L(0.0)) * L(c.impulse);
       simd::Vec<L> impulse = hit.dv * (L(0.0) - inertia);
-      if (pass.moves) L::store(b.sticking + i, hit.sticking);
+      if (to) L::store(to->sticking + i, hit.sticking);
       const simd::Vec<L> now = free + hit.dv;
       simd::vec_store(v, 0, now);
-      if (pass.moves) simd::vec_store(r, 0, moved + hit.dv * L(c.drift));
-      if (pass.moves && (given || pass.tied || b.shares)) {
+      if (to) simd::vec_store(row_of(*moves, n), 0, moved + hit.dv * L(c.drift));
+      if (to && (given || pass.tied || b.shares)) {
         const L tied = pass.tied ? L::load(pass.tied + n) : L(0.0);
         if (pass.hit && (given || any(gt(tied * (abs(hit.dv.x) + abs(hit.dv.y) + abs(hit.dv.z)), L(0.0)))))
           pass.hit[b.node / math::kRowUnit] = 1;
-        warm_start_store(b, i, warm_start_of(c, normal, hit, max(tied, L::load(b.shared + i)), light));
+        warm_start_store(*to, i, warm_start_of(c, normal, hit, max(tied, L::load(b.shared + i)), light));
       }
       if (pass.energy) {
         // J of the rest moves against v_mid - v_b, all of J with v_b

@@ -72,15 +72,15 @@ bool any_stopped(const System& system, const State& s) {
   return deep;
 }
 
-ContactStops stop_forces(const System& system, const State& s, const std::vector<EdgeContactPair>& pairs,
-                         double* const a[3]) {
+ContactStops stop_forces(const System& system, EdgeScratch& scratch, const State& s,
+                         const std::vector<EdgeContactPair>& pairs, double* const a[3]) {
   ContactStops stops;
-  const ContactCoefficients c = force_coefficients(system, s);
+  const ContactCoefficients c = coefficients_of(system, s, {.pass = model::Pass::kAcceleration});
   each_touching(system, s, [&](const Touching& t) {
     const model::Body& body = system.bodies[t.body];
     const std::size_t n = t.node;
-    const ContactLanes<Lane> law(
-        current_law(system, s, body, system.lattices[std::size_t(t.block->lattice)]), c, body.damping);
+    const ContactLanes<Lane> law(current_law(system, s, body, system.lattices[std::size_t(t.block->lattice)]),
+                                 c, body.damping);
     const Vec3 out = model::pose_outward(body, s.body[t.body], {t.gap.n.x.v, t.gap.n.y.v, t.gap.n.z.v});
     const Vec3 carried = model::pose_acceleration(body, s.body[t.body], {s.x[n], s.y[n], s.z[n]});
     simd::Vec<Lane> free;  // against the body
@@ -98,7 +98,7 @@ ContactStops stop_forces(const System& system, const State& s, const std::vector
   for (EdgeContactPair& t : accelerated)
     t.body_velocity = model::pose_acceleration(system.bodies[t.body], s.body[t.body], t.at);
   EdgeSums sums;
-  edge_respond(system, s, accelerated, c, {{a[0], a[1], a[2]}, {}, nullptr}, nullptr, sums);
+  edge_respond(system, s, {accelerated, c, {{a[0], a[1], a[2]}, {}, nullptr}}, scratch, sums);
   stops.pair = sums.stop;
   return stops;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "body/closest_features.h"
 #include "math/vector3.h"
 
 namespace drape::contact {
@@ -141,10 +140,10 @@ double edge_travel(const SharpRange& of, model::EdgeContact& c, std::size_t n, c
 
 }  // namespace
 
-void update_neighbours(const body::BodySurface& surface, body::DistanceGrid& voxels, model::BodyContact& c,
-                       std::size_t node, int lattice, double contact_distance, const SharpRange& features,
-                       const Vec3* x, const Vec3* step) {
-  static thread_local body::ClosestFeatures found;
+void update_neighbours(const NeighbourBody& body, const NeighbourNodes& nodes, body::ClosestFeatures& found,
+                       model::BodyContact& c) {
+  const auto& [surface, voxels, features] = body;
+  const auto& [node, lattice, contact_distance, x, step] = nodes;
   const auto name = std::uint32_t(node / math::kRowUnit);
   for (std::size_t i = 0; i < std::size_t(math::kRowUnit); ++i) {
     const std::size_t n = node + i;

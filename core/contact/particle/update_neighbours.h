@@ -1,5 +1,8 @@
 // Looks at the surroundings of particles anew, and keeps what is near of them in blocks.
 #pragma once
+#include <array>
+
+#include "body/closest_features.h"
 #include "body/distance_grid.h"
 #include "model/contact.h"
 
@@ -18,10 +21,23 @@ struct SharpRange {
   double within, margin;  // m
 };
 
-// Of kRowUnit nodes from `node` on, those at x (in the body's frame) that have used up most of their budgets,
-// or will by the next step, which moves them by `step` (m).
-void update_neighbours(const body::BodySurface& surface, body::DistanceGrid& voxels,
-                       model::BodyContact& contact, std::size_t node, int lattice, double contact_distance,
-                       const SharpRange& features, const Vec3* x, const Vec3* step);
+// A body as neighbours are searched on it.
+struct NeighbourBody {
+  const body::BodySurface& surface;
+  body::DistanceGrid& distance_grid;
+  SharpRange sharp;
+};
+
+// kRowUnit nodes of a lattice from `node` on.
+struct NeighbourNodes {
+  std::size_t node;
+  int lattice;
+  double contact_distance;                       // m
+  std::array<Vec3, math::kRowUnit> place, step;  // m, in the body's frame: at t_n; of the next step
+};
+
+// Of the nodes, those that have used up most of their budgets, or will by the next step.
+void update_neighbours(const NeighbourBody& body, const NeighbourNodes& nodes, body::ClosestFeatures& found,
+                       model::BodyContact& contact);
 
 }  // namespace drape::contact

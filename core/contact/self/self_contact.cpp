@@ -109,20 +109,22 @@ void self_store_velocities(const System& system, SelfContactWorkspace& workspace
   self_prepare(system, s, true, workspace.touches);
 }
 
-void self_apply(const System& system, SelfContactWorkspace& workspace, const ContactStep& step, State& s) {
+void self_apply(const System& system, SelfContactWorkspace& workspace, const model::Scheme& scheme,
+                State& s) {
   SelfContactPairs& all = workspace.touches;
   if (all.pair.empty()) {
     s.self.hold.clear();
     return;
   }
-  const ContactCoefficients c = kick_coefficients(step);
+  const ContactCoefficients c = coefficients_of(system, s, scheme);
   for (SelfNode& n : all.node) n.v = n.fixed ? n.old : Vec3{s.vx[n.node], s.vy[n.node], s.vz[n.node]};
   self_respond(c, kConverged, kSweeps, all);
   for (const SelfNode& n : all.node) {
     const double over = n.fixed ? 1 / n.mass : n.inverse;  // what a held node gets its pin is told
     const Vec3 dv = over * n.impulse;
     s.vx[n.node] += dv[0], s.vy[n.node] += dv[1], s.vz[n.node] += dv[2];
-    s.x[n.node] += step.drift * dv[0], s.y[n.node] += step.drift * dv[1], s.z[n.node] += step.drift * dv[2];
+    s.x[n.node] += scheme.drift * dv[0], s.y[n.node] += scheme.drift * dv[1],
+        s.z[n.node] += scheme.drift * dv[2];
   }
   holds_set(c, all, s.self);
   if (system.energy) s.dissipated += self_dissipated(c, all);
@@ -133,24 +135,25 @@ void self_update_proximity(const System& system, State& s, double drift) {
   s.self.travel += s.self.speed * std::abs(drift);
 }
 
-void self_synchronous(const System& system, SelfContactWorkspace& workspace, const State& s, double half,
-                      double centred, double* vx, double* vy, double* vz) {
+void self_synchronous(const System& system, SelfContactWorkspace& workspace, const State& s,
+                      const SynchronousPass& pass) {
+  const model::Field& field = pass.field;
   SelfContactPairs& all = workspace.touches;
   workspace.dissipated = 0;
   self_narrow_phase(system, s, 0, all, nullptr);
   self_prepare(system, s, false, all);
-  const ContactCoefficients c =
-      half > 0 ? last_kick_coefficients(half, centred) : force_coefficients(system, s);
+  const ContactCoefficients c = coefficients_of(system, s, pass.scheme);
+  const bool kicks = pass.scheme.pass == model::Pass::kSynchronous;
   for (SelfNode& n : all.node) {
-    n.v = {vx[n.node], vy[n.node], vz[n.node]};
-    if (n.fixed) n.v = half > 0 ? n.old : Vec3{0, 0, 0};
+    n.v = {field.x[n.node], field.y[n.node], field.z[n.node]};
+    if (n.fixed) n.v = kicks ? n.old : Vec3{0, 0, 0};
   }
-  self_respond(c, half > 0 ? kConverged : kConvergedRest, half > 0 ? kSweeps : kSweepsRest, all);
+  self_respond(c, kicks ? kConverged : kConvergedRest, kicks ? kSweeps : kSweepsRest, all);
   for (const SelfNode& n : all.node) {
     const Vec3 dv = (n.fixed ? 1 / n.mass : n.inverse) * n.impulse;
-    vx[n.node] += dv[0], vy[n.node] += dv[1], vz[n.node] += dv[2];
+    field.x[n.node] += dv[0], field.y[n.node] += dv[1], field.z[n.node] += dv[2];
   }
-  if (half > 0 && system.energy) workspace.dissipated = self_dissipated(c, all);
+  if (kicks && system.energy) workspace.dissipated = self_dissipated(c, all);
 }
 
 namespace {

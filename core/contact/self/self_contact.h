@@ -14,7 +14,7 @@ struct SelfContactWorkspace {
 inline bool self_enabled(const System& system) { return !system.self.cell.empty(); }
 inline bool self_any_touching(const SelfContactWorkspace& workspace) {
   return !workspace.touches.pair.empty();
-}                                                                                          // in the last pass
+}  // in the last pass
 inline bool self_any(const State& s) { return s.self.pairs && s.self.pairs->size() > 0; }  // near each other
 
 // Searches for what is near; for a new state.
@@ -31,14 +31,15 @@ void self_invalidate_proximity(const System& system, State& state, double moved)
 void self_store_velocities(const System& system, SelfContactWorkspace& workspace, State& state, double h);
 
 // Adds to a free step what touching does. Needs self_keep.
-void self_apply(const System& system, SelfContactWorkspace& workspace, const ContactStep& step, State& state);
+void self_apply(const System& system, SelfContactWorkspace& workspace, const model::Scheme& scheme,
+                State& state);
 
 // After the particles have moved for `drift` s.
 void self_update_proximity(const System& system, State& state, double drift);
 
-// As touch_synchronous.
-void self_synchronous(const System& system, SelfContactWorkspace& workspace, const State& state, double half,
-                      double centred, double* vx, double* vy, double* vz);
+// As apply_synchronous.
+void self_synchronous(const System& system, SelfContactWorkspace& workspace, const State& state,
+                      const SynchronousPass& pass);
 
 // What touches now: pairs; and the energy of the penalties, J.
 model::ContactSummary self_summary(const System& system, const State& state);
