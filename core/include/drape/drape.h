@@ -265,21 +265,23 @@ drape_status drape_advance(drape_cloth*, double length);
  * be again. */
 int drape_step_above_limit(const drape_cloth*);
 
-/* The outputs at the present time; valid until the next call that takes a non-const cloth (the struct and its
- * arrays keep their addresses for the cloth's life). `want_nodes` != 0 fills the node arrays too. Reading
- * never changes the motion. */
-const drape_outputs* drape_outputs_at(drape_cloth*, int want_nodes);
-/* The same of some of them; the rest stays what it was. Motion and energy need the forces of the present
- * time, about a step's work; places cost next to nothing. */
+/* Bits of a mask: groups of outputs. Velocities and energies need the forces of the present time, which cost
+ * about as much as one step. Positions cost next to nothing. */
 enum {
-  DRAPE_PLACES = 1, /* of probes; seams */
-  DRAPE_MOTION = 2, /* velocities of probes, loads of pins */
-  DRAPE_STRAIN = 4, /* strains, tension, the step, how a fit stands */
-  DRAPE_ENERGY = 8,
-  DRAPE_NODE_PLACES = 16,
-  DRAPE_NODE_MOTION = 32
+  DRAPE_OUT_POSITION = 1,       /* positions of probes; seams */
+  DRAPE_OUT_VELOCITY = 2,       /* velocities of probes; loads of pins and of bodies */
+  DRAPE_OUT_STRAIN = 4,         /* strains, tension, time step, contact summary, residual of a fit */
+  DRAPE_OUT_ENERGY = 8,         /* energies, where the scene asks for them */
+  DRAPE_OUT_SCALARS = 15,       /* all of the above: everything but the node arrays */
+  DRAPE_OUT_NODE_POSITION = 16, /* node_position */
+  DRAPE_OUT_NODE_VELOCITY = 32, /* node_velocity */
+  DRAPE_OUT_ALL = 63
 };
-const drape_outputs* drape_get_outputs(drape_cloth*, int what);
+
+/* The outputs at the present time. Only the groups in `mask` are computed; the others keep what they held.
+ * The values are valid until the next call that takes a non-const cloth; the struct and its arrays keep their
+ * addresses for the cloth's life. Reading outputs never changes the motion. */
+const drape_outputs* drape_get_outputs(drape_cloth*, int mask);
 
 /* What pictures and reports show of the present state; made anew each time, valid until the next call of the
  * same. A limit below 0 is the last tested elongation of the direction, infinite where it has no law. */
