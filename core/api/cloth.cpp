@@ -225,13 +225,8 @@ drape_status drape_advance(drape_cloth* c, double length) {
 
 int drape_step_above_limit(const drape_cloth* c) { return c->step_above_limit; }
 
-const drape_outputs* drape_outputs_at(drape_cloth* c, int want_nodes) {
-  const int nodes = want_nodes ? DRAPE_NODE_PLACES | DRAPE_NODE_MOTION : 0;
-  return drape_get_outputs(c, DRAPE_PLACES | DRAPE_MOTION | DRAPE_STRAIN | DRAPE_ENERGY | nodes);
-}
-
-const drape_outputs* drape_get_outputs(drape_cloth* c, int what) {
-  outputs::outputs_fill(c->outputs, c->system, c->motion, c->state, what);
+const drape_outputs* drape_get_outputs(drape_cloth* c, int mask) {
+  outputs::outputs_fill(c->outputs, c->system, c->motion, c->state, mask);
   return &c->outputs.c_view;
 }
 

@@ -175,7 +175,7 @@ void parameters_commit(drape_cloth& c, const ParameterValues& before, std::vecto
 
 double balance_error(drape_cloth& c) {
   if (!c.system.energy || c.state.steps == 0) return 0;
-  outputs::outputs_fill(c.outputs, c.system, c.motion, c.state, DRAPE_ENERGY);
+  outputs::outputs_fill(c.outputs, c.system, c.motion, c.state, DRAPE_OUT_ENERGY);
   return c.outputs.c_view.energy.balance_error;
 }
 

@@ -146,25 +146,26 @@ void outputs_make(Outputs& o, const Scene& scene, const System& system) {
   o.c_view.node_count = int(system.particle.size());
 }
 
-void outputs_fill(Outputs& o, const System& system, dynamics::Motion& motion, const State& s, int what) {
+void outputs_fill(Outputs& o, const System& system, dynamics::Motion& motion, const State& s, int mask) {
   const contact::ContactStops stops =
-      what & DRAPE_STRAIN ? dynamics::leapfrog_stops(system, motion, s) : contact::ContactStops{};
-  if (what & (DRAPE_MOTION | DRAPE_ENERGY | DRAPE_NODE_MOTION))
+      mask & DRAPE_OUT_STRAIN ? dynamics::leapfrog_stops(system, motion, s) : contact::ContactStops{};
+  if (mask & (DRAPE_OUT_VELOCITY | DRAPE_OUT_ENERGY | DRAPE_OUT_NODE_VELOCITY))
     o.half_kick = dynamics::leapfrog_synchronous(
         system, motion, s, {o.velocity[0].data(), o.velocity[1].data(), o.velocity[2].data()}, o.pin_load);
-  if (what & DRAPE_PLACES) {
+  if (mask & DRAPE_OUT_POSITION) {
     probes_fill(o, system, &drape_probe::position, s.x, s.y, s.z);
     seams_fill(o, system, s);
   }
-  if (what & DRAPE_MOTION) {
+  if (mask & DRAPE_OUT_VELOCITY) {
     probes_fill(o, system, &drape_probe::velocity, o.velocity[0], o.velocity[1], o.velocity[2]);
     pins_fill(o, system, s);
     bodies_fill(o, system, motion, s);
   }
-  if (what & DRAPE_STRAIN) summary_fill(o, system, s, stops);
-  if ((what & DRAPE_ENERGY) && o.c_view.has_energy) energy_fill(o, system, motion, s);
-  if (what & DRAPE_NODE_PLACES) o.c_view.node_position = nodes_fill(o.node_position, system, s.x, s.y, s.z);
-  if (what & DRAPE_NODE_MOTION)
+  if (mask & DRAPE_OUT_STRAIN) summary_fill(o, system, s, stops);
+  if ((mask & DRAPE_OUT_ENERGY) && o.c_view.has_energy) energy_fill(o, system, motion, s);
+  if (mask & DRAPE_OUT_NODE_POSITION)
+    o.c_view.node_position = nodes_fill(o.node_position, system, s.x, s.y, s.z);
+  if (mask & DRAPE_OUT_NODE_VELOCITY)
     o.c_view.node_velocity = nodes_fill(o.node_velocity, system, o.velocity[0], o.velocity[1], o.velocity[2]);
 }
 

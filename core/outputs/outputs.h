@@ -22,8 +22,8 @@ struct Outputs {
 // Room and names; the scene's names must outlive the result, which must not move afterwards.
 void outputs_make(Outputs& outputs, const Scene& scene, const System& system);
 
-// What is wanted of them: bits DRAPE_PLACES and so on.
+// mask: which groups to fill, bits DRAPE_OUT_POSITION and so on. The others keep what they held.
 void outputs_fill(Outputs& outputs, const System& system, dynamics::Motion& motion, const State& state,
-                  int what);
+                  int mask);
 
 }  // namespace drape::outputs

@@ -88,7 +88,7 @@ inline drape_energy energies_after(Assembled& a, double length) {
   advance(a, length);
   outputs::Outputs outputs;
   outputs::outputs_make(outputs, a.scene, a.system);
-  outputs::outputs_fill(outputs, a.system, a.motion, a.state, DRAPE_ENERGY);
+  outputs::outputs_fill(outputs, a.system, a.motion, a.state, DRAPE_OUT_ENERGY);
   return outputs.c_view.energy;
 }
 

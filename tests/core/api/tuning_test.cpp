@@ -31,7 +31,7 @@ void hear(void* user, drape_log_kind kind, const char* message) {
 
 // A sheet of 0.05 m x 0.05 m, its lowest point 1 m above the origin; free, or held at a corner.
 Cloth open_sheet(Heard& heard, bool held, const std::string& step = "0.000030517578125",
-                          const std::string& pin_keys = "", int order = 2) {
+                 const std::string& pin_keys = "", int order = 2) {
   const SceneFolder folder;
   const std::string scene = R"(
 [scene]
@@ -66,13 +66,13 @@ void run(const Cloth& c, int intervals, int calls = 1) {
 }
 
 std::vector<double> nodes(const Cloth& c) {
-  const drape_outputs* o = drape_outputs_at(c.get(), 1);
+  const drape_outputs* o = drape_get_outputs(c.get(), DRAPE_OUT_ALL);
   std::vector<double> values(o->node_position, o->node_position + 3 * o->node_count);
   values.insert(values.end(), o->node_velocity, o->node_velocity + 3 * o->node_count);
   return values;
 }
 
-double height(const Cloth& c) { return drape_outputs_at(c.get(), 0)->probe[0].position[2]; }
+double height(const Cloth& c) { return drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->probe[0].position[2]; }
 
 // Free fall with gravity on its way from g to 0 within 10 q: g_k = g (1 - k/10) in the k-th interval, a
 // parabola, on which leapfrog from a synchronous velocity lies: v <- v - g_k q, z <- z + v q - g_k q^2/2.
@@ -244,7 +244,7 @@ TEST(Tuning, ranges_of_the_new_values) {
 TEST(Tuning, no_damping_along_springs_above_order_2) {
   Heard heard;
   const Cloth c = open_sheet(heard, true, "0.000030517578125", "", 4),
-                       other = open_sheet(heard, true, "0.000030517578125", "", 4);
+              other = open_sheet(heard, true, "0.000030517578125", "", 4);
   ASSERT_TRUE(c && other);
   run(c, 4), run(other, 4);
   drape_parameters_of(c.get())->fabric[0].damping = 1e-6;
@@ -273,7 +273,7 @@ TEST(Tuning, above_order_2_a_change_is_booked_and_a_saved_state_goes_on) {
   drape_snapshot* saved = drape_save(c.get(), nullptr);
   run(c, 10, 10);
   const std::vector<double> end = nodes(c);
-  const drape_energy e = drape_outputs_at(c.get(), 0)->energy;
+  const drape_energy e = drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->energy;
   // Leapfrog's own error is 1e-5 of what moves here.
   EXPECT_LE(std::abs(e.balance_error), 1e-9 * (e.kinetic + e.stretch + e.shear + e.dissipated));
   EXPECT_GT(e.dissipated, 0.01 * e.kinetic);
@@ -299,7 +299,7 @@ TEST(Tuning, faults_of_one_advance_are_told_together) {
 
 double total(const drape_energy& e) { return e.kinetic + e.stretch + e.shear + e.bending + e.gravity; }
 
-drape_energy energy(const Cloth& c) { return drape_outputs_at(c.get(), 0)->energy; }
+drape_energy energy(const Cloth& c) { return drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->energy; }
 
 // The energy put in is the work of the change: all energies after it minus those before; the error of the
 // balance does not jump. Sums of 1e2 terms, each rounded.
@@ -328,7 +328,7 @@ TEST(Tuning, work_of_doubling_gravity_in_free_fall) {
   EXPECT_NEAR(energy(c).kinetic, before.kinetic, 1e-14 * before.kinetic);
 }
 
-double pin_force(const Cloth& c) { return drape_outputs_at(c.get(), 0)->pin[0].force[2]; }
+double pin_force(const Cloth& c) { return drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->pin[0].force[2]; }
 
 // A damping of 1e-9/s does next to nothing. On its way along a ramp each interval begins with half a kick,
 // and still every impulse is told, once: all of h is 1/64 of an advance. A refused advance leaves the last
