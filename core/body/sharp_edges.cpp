@@ -151,16 +151,17 @@ void sharp_features_in(const SharpFeatures& features, const Vec3& low, const Vec
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
-double sharp_features_distance(const SharpFeatures& features, const Vec3& x, double largest) {
-  static thread_local std::vector<std::uint32_t> found;
-  const Vec3 way{largest, largest, largest};
+double sharp_features_distance(const SharpFeatures& features, const Vec3& x, double largest,
+                               std::vector<std::uint32_t>& found) {
+  const Vec3 half_box{largest, largest, largest};
   for (std::size_t k = 0; k < 3; ++k)
     if (x[k] + largest < features.low[k] || x[k] - largest > features.high[k]) return largest;
-  sharp_features_in(features, x - way, x + way, found);
-  double least2 = largest * largest;
+  sharp_features_in(features, x - half_box, x + half_box, found);
+  double smallest2 = largest * largest;
   for (std::uint32_t r : found)
-    least2 = std::min(least2, math::segment_distance2(x, features.feature[r].from, features.feature[r].to));
-  return std::sqrt(least2);
+    smallest2 =
+        std::min(smallest2, math::segment_distance2(x, features.feature[r].from, features.feature[r].to));
+  return std::sqrt(smallest2);
 }
 
 }  // namespace drape::body

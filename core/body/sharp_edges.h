@@ -41,7 +41,8 @@ SharpFeatures sharp_features_make(const BodySurface& surface, double sine, doubl
 void sharp_features_in(const SharpFeatures& features, const Vec3& low, const Vec3& high,
                        std::vector<std::uint32_t>& found);
 
-// How far from x the nearest is (m), at most `most`.
-double sharp_features_distance(const SharpFeatures& features, const Vec3& x, double largest);
+// The distance (m) from x to the closest sharp feature, at most `largest`. `found` is scratch memory.
+double sharp_features_distance(const SharpFeatures& features, const Vec3& x, double largest,
+                               std::vector<std::uint32_t>& found);
 
 }  // namespace drape::body

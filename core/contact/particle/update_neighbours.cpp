@@ -127,12 +127,12 @@ namespace {
 
 // How far a node may go until it must be looked at for ridges again; notes whether one is near.
 double edge_travel(const SharpRange& of, model::EdgeContact& c, std::size_t n, const Vec3& x,
-                   double clearance, double step) {
+                   double clearance, double step, std::vector<std::uint32_t>& found) {
   if (of.sharp.feature.empty()) return INFINITY;
   const double within = of.within + 2 * kAhead * step;
   double distance = clearance;
   if (distance <= within + of.margin)
-    distance = body::sharp_features_distance(of.sharp, x, within + 2 * of.margin);
+    distance = body::sharp_features_distance(of.sharp, x, within + 2 * of.margin, found);
   const bool near = distance <= within + of.margin;
   if (near && !c.near[n]) c.fresh.push_back(std::uint32_t(n));
   c.near[n] = near;
@@ -145,6 +145,8 @@ void update_neighbours(const body::BodySurface& surface, body::DistanceGrid& vox
                        std::size_t node, int lattice, double contact_distance, const SharpRange& features,
                        const Vec3* x, const Vec3* step) {
   static thread_local body::ClosestFeatures found;
+  static thread_local body::ClosestFeaturesScratch scratch;
+  static thread_local std::vector<std::uint32_t> sharp_found;
   const auto name = std::uint32_t(node / math::kRowUnit);
   for (std::size_t i = 0; i < std::size_t(math::kRowUnit); ++i) {
     const std::size_t n = node + i;
@@ -156,11 +158,13 @@ void update_neighbours(const body::BodySurface& surface, body::DistanceGrid& vox
     Vec3 side{};
     if (near.triangle)
       body::closest_features_find(
-          surface, *near.triangle, x[i], contact_distance,
-          std::min(std::max(kKeptDistances * contact_distance, contact_distance + kAhead * norm(step[i])),
-                   voxels.reach),
-          voxels.reach, near.listed, side_known(c.blocks, name, i, side) ? &side : nullptr, found);
-    const double way = edge_travel(features, c.edges, n, x[i], near.clearance, norm(step[i]));
+          surface, *near.triangle,
+          {x[i], contact_distance,
+           std::min(std::max(kKeptDistances * contact_distance, contact_distance + kAhead * norm(step[i])),
+                    voxels.reach),
+           voxels.reach, near.listed, side_known(c.blocks, name, i, side) ? &side : nullptr},
+          scratch, found);
+    const double way = edge_travel(features, c.edges, n, x[i], near.clearance, norm(step[i]), sharp_found);
     const double budget = std::max(std::min(found.free_distance, way), kMin * contact_distance);
     c.x[n] = x[i][0], c.y[n] = x[i][1], c.z[n] = x[i][2];
     c.free_distance2[n] = budget * budget;
