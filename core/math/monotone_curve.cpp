@@ -111,8 +111,8 @@ void start_fill(const Curve& c, double low, double width, double limit, CurveSta
   }
 }
 
-// Finds the bin width and position that cover the most segment ends. Candidate widths are multiples of the
-// smallest possible width and the intervals between ends.
+// Finds the bin width and position that cover the most segment ends. Candidate widths run from 1 to 1.5
+// times the smallest possible width; the intervals between segment ends are candidates too.
 template <int kSize>
 void start_set(const Curve& c, CurveStart<kSize>& s) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
