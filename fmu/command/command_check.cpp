@@ -84,7 +84,7 @@ void print_jaws(const Scene& scene) {
   const fabric::LawOptions options{scene.scaling, scene.bias_model, scene.clamp_correction};
   for (const scene::FabricSpec& f : scene.fabrics)
     if (const double r = f.strip_gauge / f.strip_width; !f.bias.elongation.empty() &&
-                                                        fabric::law_takes_jaws_out(f, options) &&
+                                                        fabric::law_corrects_for_jaws(f, options) &&
                                                         r < fabric::kMinJawRatio * (1 - 1e-9))
       std::printf(
           "fabric %s: strip has gauge/width = %.4g; the clamp correction of bias holds from %.4g on: "

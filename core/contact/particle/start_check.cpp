@@ -14,8 +14,10 @@ double depth_at(const System& system, ContactWorkspace& workspace, const State& 
   body::DistanceGrid& voxels = workspace.distance_grids[b];
   if (const body::Neighbourhood near = body::distance_grid_at(voxels, x); near.triangle) {
     body::ClosestFeatures found;
-    body::closest_features_find(body.mesh.surface, *near.triangle, x, l.contact_law.distance, voxels.reach,
-                                voxels.reach, near.listed, nullptr, found);
+    body::ClosestFeaturesScratch scratch;
+    body::closest_features_find(body.mesh.surface, *near.triangle,
+                                {x, l.contact_law.distance, voxels.reach, voxels.reach, near.listed, nullptr},
+                                scratch, found);
     if (!found.feature.empty()) return l.contact_law.distance - found.feature[0].distance;
   }
   const double inside = body::distance_grid_depth(voxels, x);

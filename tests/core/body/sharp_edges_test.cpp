@@ -36,7 +36,7 @@ TEST(Ridge, AreTheSharpEdgesAndTipsOfABody) {
   const Mesh sheet{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   EXPECT_EQ(edges_and_tips(sheet), (std::array<int, 2>{4, 4}));
   const Mesh groove{{{-1, 0, 1}, {0, 0, 0}, {1, 0, 1}, {-1, 1, 1}, {0, 1, 0}, {1, 1, 1}},
-                             {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};  // from below it is a ridge
+                    {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};  // from below it is a ridge
   EXPECT_EQ(edges_and_tips(groove)[0], 7);
   Mesh dented = box(1, 1, 1);  // a pit in the top is no tip
   dented.point.push_back({0, 0, 0});
@@ -57,13 +57,14 @@ TEST(Ridge, SearchFindsTheNearest) {
   const SharpFeatures features = sharp_features_make(surface, kSharpSine, 0.02);
   std::mt19937 random(5);
   std::uniform_real_distribution<double> at(-0.2, 0.2);
+  std::vector<std::uint32_t> found;
   for (int k = 0; k < 200; ++k) {
     const Vec3 x{at(random), at(random), at(random)};
     double smallest = 0.05;
     for (const SharpFeature& r : features.feature)
       for (int p = 0; p <= 2000; ++p)
         smallest = std::min(smallest, norm(x - r.from - (p / 2000.0) * (r.to - r.from)));
-    EXPECT_NEAR(sharp_features_distance(features, x, 0.05), smallest, 1e-5);
+    EXPECT_NEAR(sharp_features_distance(features, x, 0.05, found), smallest, 1e-5);
   }
 }
 
