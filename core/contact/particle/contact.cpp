@@ -54,7 +54,7 @@ ContactPass contact_pass_of(const System& system, ContactWorkspace& workspace, c
   pass.r[0] = s.x.data(), pass.r[1] = s.y.data(), pass.r[2] = s.z.data();
   pass.old = workspace.old[b].data();
   pass.mass = system.mass.data();
-  if (!workspace.tied.empty()) pass.tied = workspace.tied.data(), pass.hit = workspace.touched.data();
+  if (!workspace.tied.empty()) pass.tied = workspace.tied.data(), pass.touched = workspace.touched.data();
   pass.law = workspace.law.data();
   pass.damping = system.bodies[b].damping;
   pass.energy = system.energy;
@@ -94,7 +94,7 @@ ContactCoefficients kick_coefficients(const ContactStep& step) {
   c.push_rate = kContactPush * c.stop_rate;
   c.reach_time = step.drift;
   c.impulse = step.centred;
-  c.keep = step.keep;
+  c.decay = step.keep;
   c.reported_share = step.half_old / step.kick;
   c.reported_centred = step.reported_centred;
   return c;
@@ -348,7 +348,7 @@ void apply_synchronous(const System& system, const ContactKernel& kernel, Contac
     pass.v[0] = field.x, pass.v[1] = field.y, pass.v[2] = field.z;
     pass.c = c;
     if (half == 0) {
-      if (!s.inverse_mass_scale.empty()) pass.stiff = s.inverse_mass_scale.data();
+      if (!s.inverse_mass_scale.empty()) pass.inverse_penalty_scale = s.inverse_mass_scale.data();
       pass.old = nullptr;
       pass.energy = false;
     }
