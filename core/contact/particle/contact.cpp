@@ -29,19 +29,19 @@ void block_update(const System& system, ContactWorkspace& workspace, State& s, s
                   std::size_t node, double ahead) {
   const model::Body& body = system.bodies[b];
   const model::Lattice& l = model::system_lattice_of(system, node);
-  const math::RigidMotion& frame = s.body[b].motion;
+  const math::RigidMotion& motion = s.body[b].motion;
   NeighbourNodes nodes{node, l.piece, l.contact_law.distance, {}, {}};
   for (std::size_t i = 0; i < std::size_t(math::kRowUnit); ++i) {
     const std::size_t n = node + i;
-    const Vec3 at{s.x[n], s.y[n], s.z[n]}, arm = at - frame.position;
+    const Vec3 at{s.x[n], s.y[n], s.z[n]}, arm = at - motion.position;
     Vec3 v{s.vx[n], s.vy[n], s.vz[n]};
-    if (body.moves) v = v - frame.velocity - cross(frame.angular_velocity, arm);
+    if (body.moves) v = v - motion.velocity - cross(motion.angular_velocity, arm);
     nodes.place[i] = model::pose_inward(body, s.body[b], at);
     nodes.step[i] = model::pose_inward(body, s.body[b], at + ahead * v) - nodes.place[i];
   }
   update_neighbours(
       {body.mesh.surface, workspace.distance_grids[b], {body.sharp, edge_near(l), edge_margin(l)}}, nodes,
-      workspace.found, s.body[b]);
+      workspace.neighbours, s.body[b]);
 }
 
 ContactPass contact_pass_of(const System& system, ContactWorkspace& workspace, const State& s, std::size_t b,
@@ -54,7 +54,7 @@ ContactPass contact_pass_of(const System& system, ContactWorkspace& workspace, c
   pass.r[0] = s.x.data(), pass.r[1] = s.y.data(), pass.r[2] = s.z.data();
   pass.old = workspace.old[b].data();
   pass.mass = system.mass.data();
-  if (!workspace.tied.empty()) pass.tied = workspace.tied.data(), pass.hit = workspace.touched.data();
+  if (!workspace.tied.empty()) pass.tied = workspace.tied.data(), pass.touched = workspace.touched.data();
   pass.law = workspace.law.data();
   pass.damping = system.bodies[b].damping;
   pass.energy = system.energy;
@@ -96,7 +96,7 @@ ContactCoefficients step_coefficients(const model::Scheme& scheme) {
   c.push_rate = kContactPush * c.stop_rate;
   c.reach_time = scheme.drift;
   c.impulse = scheme.impulse;
-  c.keep = scheme.decay;
+  c.decay = scheme.decay;
   c.reported_share = scheme.half / scheme.kick;
   c.reported_centred = scheme.centred;
   return c;
@@ -159,7 +159,7 @@ void begin(const System& system, const ContactKernel& kernel, ContactWorkspace& 
     c.group_clearance.assign(system.nodes / math::kRowUnit, 0.0);
   }
   update_proximity(system, kernel, workspace, s, 0, model::step_next(system, s));
-  for (std::size_t b = 0; b < s.body.size(); ++b) {  // what is at rest on a body sticks to it
+  for (std::size_t b = 0; b < s.body.size(); ++b) {  // particles at rest on a body at rest stick to it
     if (system.bodies[b].moves) continue;
     for (model::ContactBlock& block : s.body[b].blocks.pool)
       for (std::size_t i = 0; i < std::size_t(math::kRowUnit); ++i) {
@@ -206,7 +206,7 @@ void mark_tied(const System& system, const constraint::Constraints& constraints,
 
 namespace {
 
-// Gives particles that are not alone in advance what they got in the step before.
+// Gives particles that several constraints act on their impulse of the last step.
 void warm_start_apply(const State& s, const ContactCoefficients& c, const EdgeField& f) {
   for (const model::BodyContact& body : s.body)
     for (const model::ContactPlace& place : body.blocks.order) {
@@ -280,22 +280,22 @@ void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& 
 
 namespace {
 
-constexpr double kWay = 0.5;    // of what triangles are listed for beyond the layer
-constexpr double kLeft = 0.25;  // of a budget
+constexpr double kMaxTravel = 0.5;  // of the distance beyond contact that triangles are listed for
+constexpr double kLeft = 0.25;      // of a free distance
 
-// What a step may move a particle by, whatever its budget (m), and the speed of a body's fastest point (m/s).
 struct StepBound {
-  double listed, body_speed;
+  double listed;      // m, that a step may move a particle by, whatever its free distance
+  double body_speed;  // m/s, of the fastest point of the body
 };
 StepBound step_bound(const System& system, const State& s, std::size_t b) {
   const body::BodySurface& surface = system.bodies[b].mesh.surface;
   const double contact_distance = max_contact_distance(system);
-  const math::RigidMotion& frame = s.body[b].motion;
-  return {kWay * (search_reach(surface, contact_distance) - contact_distance),
-          math::vector3::norm(frame.velocity) + math::vector3::norm(frame.angular_velocity) * surface.size};
+  const math::RigidMotion& motion = s.body[b].motion;
+  return {kMaxTravel * (search_reach(surface, contact_distance) - contact_distance),
+          math::vector3::norm(motion.velocity) + math::vector3::norm(motion.angular_velocity) * surface.size};
 }
 
-double free_way2_of(const StepBound& bound, const model::BodyContact& c, std::size_t n) {
+double free_travel2_of(const StepBound& bound, const model::BodyContact& c, std::size_t n) {
   return std::max(bound.listed * bound.listed,
                   c.free_distance2.empty() ? 0 : kLeft * kLeft * c.free_distance2[n]);
 }
@@ -304,13 +304,13 @@ double speed2_of(const State& s, std::size_t n) {
   return s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n];
 }
 
-// Whether a particle of the block, looked at anew, would go farther in a step than the last look at the step
-// limit could know.
+// Whether a particle of the block, whose neighbours have just been updated, would move farther in a step than
+// the last check of the step limit could know.
 bool outruns(const System& system, const State& s, std::size_t b, const StepBound& bound, std::size_t node,
              double step) {
   for (std::size_t n = node; n < node + std::size_t(math::kRowUnit); ++n)
-    if (system.mass[n] > 0 &&
-        step * (std::sqrt(speed2_of(s, n)) + bound.body_speed) > std::sqrt(free_way2_of(bound, s.body[b], n)))
+    if (system.mass[n] > 0 && step * (std::sqrt(speed2_of(s, n)) + bound.body_speed) >
+                                  std::sqrt(free_travel2_of(bound, s.body[b], n)))
       return true;
   return false;
 }
@@ -326,16 +326,16 @@ void update_proximity(const System& system, const ContactKernel& kernel, Contact
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     std::size_t count = 0;
     for (const model::Lattice& l : system.lattices) {
-      ProximityPass watch{&s.body[b],
-                          {s.x.data(), s.y.data(), s.z.data()},
-                          {s.vx.data(), s.vy.data(), s.vz.data()},
-                          drift,
-                          ahead,
-                          l.first,
-                          l.first + std::size_t(l.rows) * std::size_t(l.stride)};
-      count += kernel.update_proximity[system.bodies[b].moves](watch, workspace.stale.data() + count);
-      watch.begin = l.twin_first, watch.end = l.end();
-      count += kernel.update_proximity[system.bodies[b].moves](watch, workspace.stale.data() + count);
+      ProximityPass pass{&s.body[b],
+                         {s.x.data(), s.y.data(), s.z.data()},
+                         {s.vx.data(), s.vy.data(), s.vz.data()},
+                         drift,
+                         ahead,
+                         l.first,
+                         l.first + std::size_t(l.rows) * std::size_t(l.stride)};
+      count += kernel.update_proximity[system.bodies[b].moves](pass, workspace.stale.data() + count);
+      pass.begin = l.twin_first, pass.end = l.end();
+      count += kernel.update_proximity[system.bodies[b].moves](pass, workspace.stale.data() + count);
     }
     const bool chosen = count > 0 && system.step_given == 0 && !system.fit;
     const StepBound bound = chosen ? step_bound(system, s, b) : StepBound{};
@@ -364,7 +364,7 @@ void apply_synchronous(const System& system, const ContactKernel& kernel, Contac
     pass.v[0] = of.field.x, pass.v[1] = of.field.y, pass.v[2] = of.field.z;
     pass.c = c;
     if (!kicks) {
-      if (!s.inverse_mass_scale.empty()) pass.stiff = s.inverse_mass_scale.data();
+      if (!s.inverse_mass_scale.empty()) pass.inverse_penalty_scale = s.inverse_mass_scale.data();
       pass.old = nullptr;
       pass.energy = false;
     }
@@ -389,14 +389,14 @@ double max_step(const System& system, const State& s) {
   double longest = INFINITY;
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const StepBound bound = step_bound(system, s, b);
-    double least2 = INFINITY;  // s^2, of bodies that stay
+    double smallest2 = INFINITY;  // s^2, of a body that stays
     for (std::size_t n : system.particle) {
-      const double way2 = free_way2_of(bound, s.body[b], n), speed2 = speed2_of(s, n);
+      const double travel2 = free_travel2_of(bound, s.body[b], n), speed2 = speed2_of(s, n);
       if (bound.body_speed > 0)
-        longest = std::min(longest, std::sqrt(way2) / (std::sqrt(speed2) + bound.body_speed));
-      else least2 = std::min(least2, way2 / speed2);
+        longest = std::min(longest, std::sqrt(travel2) / (std::sqrt(speed2) + bound.body_speed));
+      else smallest2 = std::min(smallest2, travel2 / speed2);
     }
-    longest = std::min(longest, std::sqrt(least2));
+    longest = std::min(longest, std::sqrt(smallest2));
   }
   return std::min(longest, edge_max_step(system, s));
 }
