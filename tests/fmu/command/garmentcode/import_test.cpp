@@ -1,9 +1,7 @@
 // `drape import`: patterns as scenes.
 #include "command/garmentcode/garment.h"
-#include "command/garmentcode/place_near.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "command/command_fixture.h"
 #include "piece/outline/outline.h"
@@ -217,24 +215,6 @@ TEST_F(Import, takes_control_points_either_way) {
   }
 }
 
-// (x, y) of a panel is at Rz Ry Rx (x, y, 0): each turn as its own matrix.
-TEST(ImportPanel, TurnsAboutXThenYThenZ) {
-  const std::vector<double> degrees{20, -35, 130};
-  Vec3 made[2];
-  panel_axes(degrees, made[0], made[1]);
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    Vec3 v{0, 0, 0};
-    v[axis] = 1;
-    for (std::size_t k = 0; k < 3; ++k) {  // about axis k, from axis i to axis j
-      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-      const double a = degrees[k] * std::numbers::pi / 180, vi = v[i], vj = v[j];
-      v[i] = std::cos(a) * vi - std::sin(a) * vj;
-      v[j] = std::sin(a) * vi + std::cos(a) * vj;
-    }
-    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(made[axis][k], v[k], 1e-15);
-  }
-}
-
 TEST_F(Import, runs_as_it_is) {
   ASSERT_EQ(import(kTunic, "--cell 0.03").code, 0);
   EXPECT_EQ(drape("check tunic.toml").code, 0);
@@ -280,76 +260,6 @@ TEST_F(Import, measures_the_body) {
   write("m.obj", "v 0 0 0\nv 0.1 1.7 0\nv 0 1.7 0.1\nf 1 2 3\n");
   ASSERT_EQ(import(kTunic, "--body m.obj").code, 0);
   EXPECT_NE(text_of("tunic.toml").find("mesh = \"m.obj\"\n\n"), std::string::npos);
-}
-
-// 12 mm off the body: from afar, and where the body comes a little through.
-TEST(ImportPlace, PutsPanelsNearTheBodyAndOutside) {
-  for (const double belly : {0.1, 0.23}) {
-    Scene scene;
-    scene::PieceSpec front;
-    front.outline = {{-0.2, 0}, {0.2, 0}, {0.2, 0.5}, {-0.2, 0.5}};
-    front.place.origin = {0, 1, 0.2};
-    scene.pieces = {front};
-    std::vector<Vec3> body{{0.1, 1.2, belly}};
-    for (const double y : {1.0, 1.25, 1.5})
-      for (const double x : {-0.15, 0.15})
-        for (const double z : {-0.1, 0.1}) body.push_back({x, y, z});
-    garment_place_near(scene, body);
-    EXPECT_NEAR(scene.pieces[0].place.origin[2], belly + 0.012, 1e-12);
-  }
-}
-
-// A panel 0.4 m x 0.5 m across z, its lower edge at y = 1, and a box of points about the axis of y.
-scene::PieceSpec panel_at(double x, double z, double width = 0.4, double height = 0.5) {
-  scene::PieceSpec panel;
-  panel.outline = {{-width / 2, 0}, {width / 2, 0}, {width / 2, height}, {-width / 2, height}};
-  panel.place.origin = {x, 1, z};
-  return panel;
-}
-std::vector<Vec3> box_points(double low, double high, double half) {  // of y; of z
-  std::vector<Vec3> points;
-  for (int k = 0; k <= 10; ++k)
-    for (const double x : {-0.15, 0.0, 0.15})
-      for (const double z : {-half, half}) points.push_back({x, low + k * (high - low) / 10, z});
-  return points;
-}
-double placed(const scene::PieceSpec& panel, const std::vector<Vec3>& body) {
-  Scene scene;
-  scene.pieces = {panel};
-  garment_place_near(scene, body);
-  EXPECT_EQ(scene.pieces[0].place.origin[0], panel.place.origin[0]);
-  EXPECT_EQ(scene.pieces[0].place.origin[1], panel.place.origin[1]);
-  return scene.pieces[0].place.origin[2];
-}
-
-// The body's surface at z = 0.1 or -0.1: 12 mm off it on the side where most of the panel is.
-TEST(ImportPlace, PutsAPanelOutsideWhereverItIs) {
-  const std::vector<Vec3> whole = box_points(0.9, 1.6, 0.1), low = box_points(0.9, 1.2, 0.1);
-  EXPECT_NEAR(placed(panel_at(0, 0.3), whole), 0.112, 1e-12);
-  EXPECT_NEAR(placed(panel_at(0, -2), whole), -0.112, 1e-12) << "far off";
-  EXPECT_NEAR(placed(panel_at(0, 0.105), whole), 0.105, 1e-12) << "near enough";
-  EXPECT_NEAR(placed(panel_at(0, 0.05), low), 0.112, 1e-12) << "with its lower half in the body";
-  EXPECT_NEAR(placed(panel_at(0, 0.05), whole), 0.112, 1e-12) << "wholly in it";
-  EXPECT_NEAR(placed(panel_at(2, 0.3), whole), 0.3, 1e-12) << "beside it";
-  EXPECT_NEAR(placed(panel_at(0, 0.1), {}), 0.1, 1e-12) << "no body";
-  // in the middle of a body of which 0.25 m are on either side: left to the scene's own check
-  EXPECT_NEAR(placed(panel_at(0, 0), box_points(0.9, 1.6, 0.25)), 0, 1e-12);
-}
-
-// A pocket on a panel, and a flap on both, stay over it in their order, 12 mm from one to the next; panels
-// beside each other stay in one plane; front and back do not know of each other.
-TEST(ImportPlace, KeepsLayersApart) {
-  const std::vector<Vec3> body = box_points(0.9, 1.6, 0.1);
-  Scene scene;
-  scene.pieces = {panel_at(0.05, 0.35, 0.08, 0.1), panel_at(0.05, 0.32, 0.1, 0.12), panel_at(0, 0.3),
-                  panel_at(0, -0.3), panel_at(0.41, 0.3)};
-  scene.pieces[4].outline[0][0] = scene.pieces[4].outline[3][0] = -0.3;  // 0.09 m over the front
-  garment_place_near(scene, body);
-  EXPECT_NEAR(scene.pieces[2].place.origin[2], 0.112, 1e-12);
-  EXPECT_NEAR(scene.pieces[1].place.origin[2], 0.124, 1e-12);
-  EXPECT_NEAR(scene.pieces[0].place.origin[2], 0.136, 1e-12);
-  EXPECT_NEAR(scene.pieces[3].place.origin[2], -0.112, 1e-12);
-  EXPECT_NEAR(scene.pieces[4].place.origin[2], 0.112, 1e-12);
 }
 
 TEST_F(Import, refuses_bad_bodies) {
