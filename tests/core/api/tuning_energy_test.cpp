@@ -22,7 +22,7 @@ void expect_work(const Cloth& c) {
 }
 
 // Gravity doubled in free fall doubles the weight's potential energy; the velocity stays what it is.
-TEST(Tuning, work_of_doubling_gravity_in_free_fall) {
+TEST(TuningEnergy, WorkOfDoublingGravityInFreeFall) {
   Heard heard;
   const Cloth c = open_sheet(heard, false);
   ASSERT_TRUE(c);
@@ -36,7 +36,7 @@ TEST(Tuning, work_of_doubling_gravity_in_free_fall) {
 }
 
 // A diagram doubled under strain doubles its energy; the density times 1.5 the weight's and that of motion.
-TEST(Tuning, work_of_a_stiffer_and_a_heavier_cloth) {
+TEST(TuningEnergy, WorkOfAStifferAndAHeavierCloth) {
   Heard heard;
   const Cloth c = open_sheet(heard, true);
   ASSERT_TRUE(c);
@@ -56,7 +56,7 @@ TEST(Tuning, work_of_a_stiffer_and_a_heavier_cloth) {
 
 // Along a ramp the works of its steps add up, and the error of the balance stays that of the scheme: of order
 // h^2.
-TEST(Tuning, balance_along_a_ramp) {
+TEST(TuningEnergy, BalanceAlongARamp) {
   double errors[2], inputs[2];
   for (int halved = 0; halved < 2; ++halved) {
     Heard heard;

@@ -9,7 +9,7 @@ namespace {
 // Free fall with gravity on its way from g to 0 within 10 q: g_k = g (1 - k/10) in the k-th interval, a
 // parabola, on which leapfrog from a synchronous velocity lies: v <- v - g_k q, z <- z + v q - g_k q^2/2.
 // Sums of a few hundred terms of 1e-3 m, to 1e-13.
-TEST(Tuning, gravity_on_its_way_in_free_fall) {
+TEST(Tuning, GravityAlongARampInFreeFall) {
   Heard heard;
   const Cloth c = open_sheet(heard, false);
   ASSERT_TRUE(c) << heard.errors[0];
@@ -32,7 +32,7 @@ TEST(Tuning, gravity_on_its_way_in_free_fall) {
 }
 
 // An advance that is no multiple of q is one interval of its own length: the share is that of its end.
-TEST(Tuning, an_advance_off_the_grid_moves_the_values_by_its_length) {
+TEST(Tuning, AnAdvanceOffTheGridMovesTheValuesByItsLength) {
   Heard heard;
   const Cloth c = open_sheet(heard, false), other = open_sheet(heard, false);
   ASSERT_TRUE(c && other);
@@ -45,7 +45,7 @@ TEST(Tuning, an_advance_off_the_grid_moves_the_values_by_its_length) {
   EXPECT_NEAR(height(c), height(other), 1e-15);
 }
 
-TEST(Tuning, grouping_of_steps_does_not_change_bits) {
+TEST(Tuning, GroupingOfStepsDoesNotChangeBits) {
   Heard heard;
   std::vector<std::vector<double>> ends;
   for (const int calls : {1, 2, 4, 12}) {
@@ -59,7 +59,7 @@ TEST(Tuning, grouping_of_steps_does_not_change_bits) {
   for (const std::vector<double>& end : ends) EXPECT_EQ(end, ends[0]);
 }
 
-TEST(Tuning, a_saved_state_is_on_its_way_too) {
+TEST(Tuning, ASavedStateKeepsItsRamp) {
   Heard heard;
   const Cloth c = open_sheet(heard, true);
   ASSERT_TRUE(c);
@@ -80,7 +80,7 @@ TEST(Tuning, a_saved_state_is_on_its_way_too) {
 
 // From the end of the way on, the cloth is one of the new values: a jump at that time from the same state,
 // but for the rounding of the half steps that lead to and from a jump.
-TEST(Tuning, values_arrive_exactly) {
+TEST(Tuning, ValuesArriveExactly) {
   Heard heard;
   const Cloth c = open_sheet(heard, true);
   ASSERT_TRUE(c);
@@ -107,7 +107,7 @@ TEST(Tuning, values_arrive_exactly) {
 }
 
 // Before the first step: the start value, whatever the ramp.
-TEST(Tuning, start_values_are_there_at_once) {
+TEST(Tuning, StartValuesAreThereAtOnce) {
   Heard heard;
   const Cloth c = open_sheet(heard, true), other = open_sheet(heard, true);
   ASSERT_TRUE(c && other);
@@ -120,7 +120,7 @@ TEST(Tuning, start_values_are_there_at_once) {
 }
 
 // The diagram is 1, 9 N; on its way to 3, 9 it is set to 3, 2: that falls, and the target before it stays.
-TEST(Tuning, the_target_is_judged) {
+TEST(Tuning, TheTargetIsValidated) {
   Heard heard;
   const Cloth c = open_sheet(heard, true), other = open_sheet(heard, true);
   ASSERT_TRUE(c && other);
@@ -140,7 +140,7 @@ TEST(Tuning, the_target_is_judged) {
   EXPECT_EQ(nodes(c), nodes(other));
 }
 
-TEST(Tuning, ranges_of_the_new_values) {
+TEST(Tuning, RangesOfTheNewValues) {
   Heard heard;
   const Cloth c = open_sheet(heard, true);
   ASSERT_TRUE(c);
@@ -160,7 +160,7 @@ TEST(Tuning, ranges_of_the_new_values) {
 
 // Above order 2 no force may depend on velocity: such a value is refused in one sentence, and the motion is
 // that of a cloth where nobody tried.
-TEST(Tuning, no_damping_along_springs_above_order_2) {
+TEST(Tuning, NoDampingAlongSpringsAboveOrder2) {
   Heard heard;
   const Cloth c = open_sheet(heard, true, "0.000030517578125", "", 4),
               other = open_sheet(heard, true, "0.000030517578125", "", 4);
@@ -180,7 +180,7 @@ TEST(Tuning, no_damping_along_springs_above_order_2) {
 
 // Order 6 keeps its energy through a change of density and of c, and goes on from a saved state to the same
 // bits.
-TEST(Tuning, above_order_2_a_change_is_booked_and_a_saved_state_goes_on) {
+TEST(Tuning, AboveOrder2AChangeIsCountedAndASavedStateGoesOn) {
   Heard heard;
   const Cloth c = open_sheet(heard, true, "0.000030517578125", "", 6);
   ASSERT_TRUE(c);
@@ -203,7 +203,7 @@ TEST(Tuning, above_order_2_a_change_is_booked_and_a_saved_state_goes_on) {
 }
 
 // One advance tells of both what is wrong with its parameters and what with its inputs.
-TEST(Tuning, faults_of_one_advance_are_told_together) {
+TEST(Tuning, FaultsOfOneAdvanceAreReportedTogether) {
   Heard heard;
   const Cloth c = open_sheet(heard, true, "0.000030517578125", "drive = \"position\"\n");
   ASSERT_TRUE(c);
@@ -219,7 +219,7 @@ TEST(Tuning, faults_of_one_advance_are_told_together) {
 // A damping of 1e-9/s does next to nothing. On its way along a ramp each interval begins with half a kick,
 // and still every impulse is told, once: all of h is 1/64 of an advance. A refused advance leaves the last
 // one's force as it was.
-TEST(Tuning, pins_tell_each_impulse_once) {
+TEST(Tuning, PinsReportEachImpulseOnce) {
   Heard heard;
   const Cloth c = open_sheet(heard, true), untouched = open_sheet(heard, true);
   ASSERT_TRUE(c && untouched);
@@ -239,7 +239,7 @@ TEST(Tuning, pins_tell_each_impulse_once) {
 }
 
 // Neither friction, where nothing touches, nor a ramp without anything on its way changes a bit.
-TEST(Tuning, what_moves_nothing_changes_no_bits) {
+TEST(Tuning, WhatMovesNothingChangesNoBits) {
   Heard heard;
   const Cloth c = open_sheet(heard, true), untouched = open_sheet(heard, true);
   ASSERT_TRUE(c && untouched);

@@ -42,7 +42,7 @@ double total_mass(const Assembled& a) {
 // r = p + R (X - p_0) for every node, wherever the pin is driven; the piece's centroid obeys F = M (v' - g),
 // and in the mean over an advance the force on the outside world is -M (v_1 - v_0)/H + M g. Under g = 0 and
 // about a point at rest the torque is -(L_1 - L_0)/H, L = I w of a rigid body.
-TEST(Drive, CarriesAPieceAsARigidBody) {
+TEST(PinImpulse, MovesAPieceAsARigidBody) {
   for (const bool turns : {false, true}) {
     Scene scene = rigid(scene::Drive::kBoth);
     if (turns) scene.gravity = {0, 0, 0};
@@ -90,7 +90,7 @@ TEST(Drive, CarriesAPieceAsARigidBody) {
 
 // Impulse of all pins = weight x H - change of the cloth's momentum, in every advance, also where velocities
 // jump; for pins at rest as well as moving, on nodes and in cut cells.
-TEST(Drive, ImpulsesBalanceTheMomentum) {
+TEST(PinImpulse, ImpulsesBalanceTheMomentum) {
   for (const scene::Drive drive : {scene::Drive::kPosition, scene::Drive::kVelocity, scene::Drive::kBoth})
     for (const bool cut : {false, true}) {
       Assembled a = assemble(sheet(drive, cut));
@@ -117,7 +117,7 @@ TEST(Drive, ImpulsesBalanceTheMomentum) {
 
 // Without gravity, the moment of a pin that turns about a point at rest is minus the change of angular
 // momentum about it.
-TEST(Drive, MomentsBalanceTheAngularMomentum) {
+TEST(PinImpulse, MomentsBalanceTheAngularMomentum) {
   Scene scene = sheet(scene::Drive::kPosition, false);
   scene.gravity = {0, 0, 0};
   Assembled a = assemble(scene);
@@ -133,7 +133,7 @@ TEST(Drive, MomentsBalanceTheAngularMomentum) {
 }
 
 // The paper's scheme kicks whole steps: the momentum of its own velocities balances.
-TEST(Drive, ImpulsesBalanceTheMomentumOfThePapersScheme) {
+TEST(PinImpulse, ImpulsesBalanceTheMomentumOfThePapersScheme) {
   for (const bool cut : {false, true}) {
     Assembled a = assemble(sheet(scene::Drive::kVelocity, cut, scene::Integrator::kPaper));
     const auto momentum = [&] {
@@ -159,7 +159,7 @@ TEST(Drive, ImpulsesBalanceTheMomentumOfThePapersScheme) {
 
 // Where a pin's velocity jumps by dv, the cloth takes up M^-1 A^T (A M^-1 A^T)^-1 dv at once; of a piece that
 // is held as a whole, M dv goes to the pin: in the mean force of the next advance beside the weight.
-TEST(Drive, BooksTheImpulseOfAJump) {
+TEST(PinImpulse, IncludesTheImpulseOfAJump) {
   Assembled a = assemble(rigid(scene::Drive::kPosition));
   const V p0 = vec(a.system.constraints.pins[0].centre);
   const double mass = total_mass(a), length = 0.01;

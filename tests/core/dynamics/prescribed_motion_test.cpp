@@ -36,7 +36,7 @@ math::RigidMotion frame_asked() {
 }
 
 // At z = 1 the values themselves; at z = 0 where the pin was.
-TEST(Drive, BeginsAndEndsExactly) {
+TEST(PrescribedMotion, BeginsAndEndsExactly) {
   const math::RigidMotion from = frame_somewhere(), to = frame_asked();
   for (const scene::Drive drive : {scene::Drive::kPosition, scene::Drive::kVelocity, scene::Drive::kBoth}) {
     const PinPath path = path_to(drive, to, 0.05);
@@ -65,7 +65,7 @@ TEST(Drive, BeginsAndEndsExactly) {
 
 // Velocities and accelerations are the derivatives of the path: central differences over d, whose error is
 // d^2 times the third derivative over 6 (at most about (50/H)^3 d^2 here), and rounding over d.
-TEST(Drive, TellsTheDerivativesOfItsPath) {
+TEST(PrescribedMotion, GivesTheDerivativesOfItsPath) {
   const double length = 0.5, d = 1e-5;
   for (const scene::Drive drive : {scene::Drive::kPosition, scene::Drive::kVelocity, scene::Drive::kBoth}) {
     const PinPath path = path_to(drive, frame_asked(), length);
@@ -88,7 +88,7 @@ TEST(Drive, TellsTheDerivativesOfItsPath) {
 
 // A turning velocity along a line, in one advance and in two: the rotation is of order 4, so halves agree
 // with the whole to a fraction 2^-4 of its error, and three halvings show the order.
-TEST(Drive, TurnsByItsAngularVelocityToTheFourthOrder) {
+TEST(PrescribedMotion, TurnsByItsAngularVelocityToTheFourthOrder) {
   const auto turned = [](int parts) {
     Assembled a = assemble(rigid(scene::Drive::kVelocity));
     const V w0{3, -1, 2}, w1{-2, 5, 4};
@@ -113,7 +113,7 @@ TEST(Drive, TurnsByItsAngularVelocityToTheFourthOrder) {
 
 // A constant velocity v from rest: over the first advance the line from 0 to v, p = v H/2; then v H each. The
 // same bits however an advance at constant velocity is cut.
-TEST(Drive, IntegratesVelocity) {
+TEST(PrescribedMotion, IntegratesVelocity) {
   const auto run = [](int calls) {
     Assembled a = assemble(sheet(scene::Drive::kVelocity));
     math::RigidMotion& to = a.motion.inputs.pin[0];
@@ -136,7 +136,7 @@ TEST(Drive, IntegratesVelocity) {
 
 // A position at rest gives the same bits in one call or ten; one that goes along a line the same but for
 // rounding, which a smooth motion of 20 ms multiplies by less than a thousand.
-TEST(Drive, DoesNotFeelHowAnAdvanceIsCut) {
+TEST(PrescribedMotion, DoesNotDependOnHowAnAdvanceIsCut) {
   const auto run = [](int calls, double reach) {
     Assembled a = assemble(sheet(scene::Drive::kPosition));
     const V p0 = vec(a.system.constraints.pins[0].centre);
@@ -158,7 +158,7 @@ TEST(Drive, DoesNotFeelHowAnAdvanceIsCut) {
 }
 
 // 35 turns of 10 degrees come to 350 degrees, exactly where the input says; each goes the short way round.
-TEST(Drive, TurnsOnBeyondHalfATurn) {
+TEST(PrescribedMotion, TurnsOnBeyondHalfATurn) {
   Assembled a = assemble(rigid(scene::Drive::kPosition));
   for (int k = 1; k <= 35; ++k) {
     a.motion.inputs.pin[0].orientation = turn_about({0, 0, 1}, k * kPi / 18);
@@ -172,7 +172,7 @@ TEST(Drive, TurnsOnBeyondHalfATurn) {
 }
 
 // A node held by a point pin moves along the cubic of "both": order 2 of the free cloth in the step.
-TEST(Drive, KeepsTheSecondOrder) {
+TEST(PrescribedMotion, KeepsTheSecondOrder) {
   const auto run = [](double step, bool jumps) {
     Scene scene = sheet(jumps ? scene::Drive::kPosition : scene::Drive::kBoth);
     scene.step = step;

@@ -84,7 +84,7 @@ class ShippedFabric : public testing::TestWithParam<std::string> {};
 TEST_P(ShippedFabric, IsReadAndHasLaws) { fabric_of(kFolder / (GetParam() + ".toml")); }
 
 // A reader sees at once whether a figure was measured.
-TEST_P(ShippedFabric, SaysMeasuredOrIllustrativeFirst) {
+TEST_P(ShippedFabric, StatesMeasuredOrIllustrativeFirst) {
   const std::string text = text_of(kFolder / (GetParam() + ".toml"));
   const auto begins = [&](const char* word) {
     return text.find("\ndescription = \"\"\"\n" + std::string(word) + ": ") != std::string::npos;

@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Laws, EveryForce, testing::ValuesIn(kLaws),
 
 // Both sides round each of about 30 terms a node once or twice; 1e-12 of the largest force leaves room for
 // that only.
-TEST_P(EveryForce, IsTheJudges) {
+TEST_P(EveryForce, IsThatOfTheReference) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     Assembled a = assemble(scene_of(GetParam()));
     crumple(a, GetParam().crumple * 0.01, seed);
@@ -203,7 +203,7 @@ TEST(Patch, LinearDisplacementGivesTheExactStressOnEveryCutPiece) {
 }
 
 // Darts and slits give the grid twins, and with them lists beside the rows; a rectangle has none.
-TEST(Side, IsThereWhereTheOutlineSplitsCellsAndOnlyThere) {
+TEST(IrregularElements, IsThereWhereTheOutlineSplitsCellsAndOnlyThere) {
   for (Shape shape : {Shape::kRectangle, Shape::kDart, Shape::kSlits}) {
     const Assembled a = assemble(cut_piece(reference::curved_fabric(), shape));
     const model::IrregularElements& side = a.system.irregular;

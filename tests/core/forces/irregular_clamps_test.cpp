@@ -74,7 +74,7 @@ class EveryClamp : public testing::TestWithParam<ClampCase> {};
 INSTANTIATE_TEST_SUITE_P(Clamps, EveryClamp, testing::ValuesIn(kClamps),
                          [](const auto& c) { return c.param.name; });
 
-TEST_P(EveryClamp, IsTheJudges) {
+TEST_P(EveryClamp, IsThatOfTheReference) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     Assembled a = assemble(clamped(GetParam()));
     ASSERT_FALSE(a.system.irregular.clamps.empty());

@@ -97,7 +97,7 @@ TEST(Strip, FindsItsRestWhereClothIsSlackOrShort) {
 
 // With the bias law off and nothing to bend, a warp strip between jaws is threads side by side: the input at
 // every cell, to what rest leaves (1e-7 of the load).
-TEST(Strip, OfThreadsAloneIsItsDiagramAtEveryCell) {
+TEST(Strip, OfYarnsAloneIsItsDiagramAtEveryCell) {
   scene::FabricSpec f = shipped("cotton");
   f.bias = {};
   f.warp.correction.clear();
@@ -112,7 +112,7 @@ TEST(Strip, OfThreadsAloneIsItsDiagramAtEveryCell) {
 }
 
 // The rest of Newton's method is the judge's: nothing is left of the forces, and the pins carry what it says.
-TEST(Strip, IsAtRestForTheJudge) {
+TEST(Strip, IsAtRestForTheReference) {
   const scene::FabricSpec f = shipped("half_wool");
   const Scene scene = strip_scene(f, model::YarnDirection::kBias, f.strip_width / 8);
   Assembled a = assemble(scene);
@@ -165,7 +165,7 @@ TEST(Strip, WithoutJawsIsTheTrellis) {
 }
 
 // Jaws stiffen a linear 45 degree strip about as K = r (r - 1.25)/(r - 1)^2 says: within 15 % for r = 4.
-TEST(Strip, IsStiffenedByJawsAboutAsKSays) {
+TEST(Strip, IsStiffenedByJawsAboutAsKPredicts) {
   scene::FabricSpec f = shipped("cotton");
   for (scene::DiagramSpec* d : {&f.warp, &f.weft, &f.bias})
     d->correction.clear(), d->correction_elongation.clear();

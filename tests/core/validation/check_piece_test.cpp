@@ -8,7 +8,7 @@ namespace {
 
 class ClothFault : public testing::TestWithParam<Case> {};
 
-TEST_P(ClothFault, Says) { EXPECT_EQ(scene_fault(GetParam(), kCloth), GetParam().messages); }
+TEST_P(ClothFault, GivesItsMessages) { EXPECT_EQ(scene_fault(GetParam(), kCloth), GetParam().messages); }
 
 const std::string kBrakes =
     "; allowed: 0 with scene.order = 6, whose steps go partly back in time, where it would speed the cloth "

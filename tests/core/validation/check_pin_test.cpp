@@ -9,7 +9,7 @@ namespace {
 
 class PinFault : public testing::TestWithParam<Case> {};
 
-TEST_P(PinFault, Says) { EXPECT_EQ(scene_fault(GetParam(), kCloth), GetParam().messages); }
+TEST_P(PinFault, GivesItsMessages) { EXPECT_EQ(scene_fault(GetParam(), kCloth), GetParam().messages); }
 
 const Case kPins[] = {
     {"hold",

@@ -27,7 +27,7 @@ Scene over_roof(double side, double cell, double height, double angle, const Sce
 
 // A cloth falls on a roof that turns and rocks: over every advance, what the cloth's momentum gains is the
 // weight's impulse less what the roof is told.
-TEST(Ridge, MomentumIsBalancedOverEveryAdvance) {
+TEST(EdgeContact, MomentumIsBalancedOverEveryAdvance) {
   const SceneFolder folder;
   Scene scene = over_roof(0.1, 0.01, 0.002, 0.6, folder);
   scene.pieces[0].velocity = {0.1, 0, -1};
@@ -103,7 +103,7 @@ bool height_over_tip(const Assembled& a, double& height) {
 
 // A cloth thrown at 50 m/s onto a pyramid whose tip is between its nodes, and onto a roof between its nodes,
 // at the automatic step.
-TEST(Ridge, NoTipOrEdgeGetsThroughAtFiftyMetresPerSecond) {
+TEST(EdgeContact, NoTipOrEdgeGetsThroughAtFiftyMetresPerSecond) {
   const SceneFolder folder;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> angles(0.4, 1.25), shift(-0.005, 0.005);
@@ -144,7 +144,7 @@ TEST(Ridge, NoTipOrEdgeGetsThroughAtFiftyMetresPerSecond) {
 }
 
 // At rest over a roof and over a pyramid by its weight: the residual of the fit, and the weight on the body.
-TEST(Ridge, AClothRestsOnRoofAndTip) {
+TEST(EdgeContact, AClothRestsOnRoofAndTip) {
   const SceneFolder folder;
   for (const bool tip : {false, true}) {
     Scene scene = over_roof(0.1, 0.01, 0.0009, 0.55, folder);
@@ -160,7 +160,7 @@ TEST(Ridge, AClothRestsOnRoofAndTip) {
 }
 
 // One result for every kernel and grouping of advances.
-TEST(Ridge, BitsAreThoseOfEveryKernelAndGrouping) {
+TEST(EdgeContact, BitsAreThoseOfEveryKernelAndGrouping) {
   const SceneFolder folder;
   const Scene scene = over_roof(0.1, 0.01, 0.0009, 0.6, folder);
   const auto run = [&](const char* kernel, int advances) {
@@ -179,7 +179,7 @@ TEST(Ridge, BitsAreThoseOfEveryKernelAndGrouping) {
   }
 }
 
-TEST(Ridge, StateGoesOnAsItWas) {
+TEST(EdgeContact, StateGoesOnAsItWas) {
   const SceneFolder folder;
   Assembled a = assemble(over_roof(0.1, 0.01, 0.0009, 0.6, folder));
   advance(a, 0.03);
@@ -188,7 +188,7 @@ TEST(Ridge, StateGoesOnAsItWas) {
 }
 
 // The balance closes with order 2 of the step while a cloth comes to lie over a roof.
-TEST(Ridge, EnergyIsBalanced) {
+TEST(EdgeContact, EnergyIsBalanced) {
   const SceneFolder folder;
   std::vector<double> errors;
   for (const double step : {2e-5, 1e-5}) {
@@ -239,7 +239,7 @@ double over_fold_height(const Assembled& a) {
 // single step, as a pin takes it there, or as it is welded to what a pin holds there: the link by 1.5, past
 // the fold. It is stopped in that step, or was seen out of the fold before it and comes out again: of a
 // sheet, only such links do.
-TEST(Ridge, AJumpTakesNoLinkThroughUnseen) {
+TEST(EdgeContact, AJumpMovesNoLinkThroughUndetected) {
   const SceneFolder folder;
   const double contact_distance = 0.0005;
   for (const bool weld : {false, true}) {
@@ -272,7 +272,7 @@ TEST(Ridge, AJumpTakesNoLinkThroughUnseen) {
 // What the penalties of pairs add to omega^2: with k the stiffness of a pair, the rows of M^-1/2 W k W^T
 // M^-1/2 sum up to at most (|W_k|/S) W^2/2, S = sum |W_j|. A link over a knife whose foot slides from half a
 // link before its beginning to half a link beyond its end: weights from -1/2 to 3/2.
-TEST(Ridge, PenaltyStaysWithinTheBoundOfTheStep) {
+TEST(EdgeContact, PenaltyStaysWithinTheBoundOfTheStep) {
   const SceneFolder folder;
   Scene scene = reference::rectangle(linen(0.01), 0.01, 0.01, 0.01);
   scene.pieces[0].place.origin = {0.1, 0, 0.1};
@@ -315,7 +315,7 @@ TEST(Ridge, PenaltyStaysWithinTheBoundOfTheStep) {
 }
 
 // A body without sharp edges has no ridges, and the cloth nothing for them.
-TEST(Ridge, ASmoothBodyPaysNothing) {
+TEST(EdgeContact, ASmoothBodyCostsNothing) {
   const SceneFolder folder;
   Scene scene = reference::rectangle(linen(), 0.1, 0.1, 0.01);
   scene.pieces[0].place.origin = {-0.05, -0.05, 0.0507};
@@ -329,7 +329,7 @@ TEST(Ridge, ASmoothBodyPaysNothing) {
 }
 
 // Links that start through a ridge, or in its layer deeper than they may be, are one fault.
-TEST(Ridge, AStartThroughItIsOneFault) {
+TEST(EdgeContact, AStartThroughItIsOneFault) {
   const SceneFolder folder;
   for (const double height : {-0.0005, 0.00003, 0.0002}) {
     Scene scene = over_roof(0.05, 0.01, height, 0.5, folder);

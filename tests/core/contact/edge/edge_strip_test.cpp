@@ -77,7 +77,7 @@ void strip_pull(Strip& s, double left, double right, double stretch, double time
 
 // A taut frictionless strip rests on the ridge by one link. What the body carries is what the links beside it
 // pull, and is at right angles to the link; of both, up to the forces that a fit leaves: 1e-5 of the pins'.
-TEST(Ridge, ATautStripRestsOnItByALink) {
+TEST(EdgeContactStrip, ATautStripRestsOnItByALink) {
   const SceneFolder folder;
   for (const double shift : {0.0, 0.0021}) {
     Strip s = strip_over_roof(folder, 9, 0.01, shift, 0, true);
@@ -108,7 +108,7 @@ TEST(Ridge, ATautStripRestsOnItByALink) {
 //
 // which is (1 + mu tan(D/2))/(1 - mu tan(D/2)) for a = c = D/2. The strip sings as it slides: means over the
 // last half.
-TEST(Ridge, TensionGrowsOverItAsRoundACapstan) {
+TEST(EdgeContactStrip, TensionGrowsOverItAsRoundACapstan) {
   const SceneFolder folder;
   for (const double mu : {0.0, 0.3}) {
     Strip s = strip_over_roof(folder, 9, 0.01, -0.003, mu, false);

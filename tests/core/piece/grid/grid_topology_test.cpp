@@ -23,7 +23,7 @@ std::vector<int> twins_per_place(const Grid& g) {  // how many places have one t
 
 // Where all features are wider than two cells, the cells hang together as the piece does: nodes - sides +
 // cells = 1 - holes.
-TEST(Grid, CellsHangTogetherAsThePieceDoes) {
+TEST(GridTopology, CellsHangTogetherAsThePieceDoes) {
   RandomPiece random(11);
   for (int trial = 0; trial < 300; ++trial) {
     scene::PieceSpec piece = piece_of(random.star({0, 0}, 0.5, 1, random.count(6, 30)), random(0.01, 0.02));
@@ -42,7 +42,7 @@ TEST(Grid, CellsHangTogetherAsThePieceDoes) {
 
 // A slit of no width to speak of, from below up into the piece, parts the cells on either side of it: twins
 // at every node place beside it, but none at its end.
-TEST(Grid, SlitPartsTheClothUpToItsEnd) {
+TEST(GridTopology, SlitPartsTheClothUpToItsEnd) {
   for (const double x : {2.5, 2.0, 2.0 - 1e-4}) {
     const double w = 1e-4;
     scene::PieceSpec piece = piece_of({{0, 0}, {x - w, 0}, {x, 2.5}, {x + w, 0}, {5, 0}, {5, 5}, {0, 5}}, 1);
@@ -68,7 +68,7 @@ TEST(Grid, SlitPartsTheClothUpToItsEnd) {
   }
 }
 
-TEST(Grid, NotchDartAndComb) {
+TEST(GridTopology, NotchDartAndComb) {
   // a notch of 0.4 cells between two legs, which share column 1
   scene::PieceSpec notch =
       piece_of({{0, 0}, {1.3, 0}, {1.3, 3.5}, {1.7, 3.5}, {1.7, 0}, {3, 0}, {3, 5}, {0, 5}}, 1);
@@ -98,7 +98,7 @@ TEST(Grid, NotchDartAndComb) {
   EXPECT_EQ(shape_of(g).euler, 1);
 }
 
-TEST(Grid, NarrowPiecesStayWhole) {
+TEST(GridTopology, NarrowPiecesStayWhole) {
   // a neck 0.05 cells wide between two squares, along a grid line and across it
   for (const double y : {0.5, 1.0, 1.03}) {
     const scene::PieceSpec neck = piece_of({{0, 0},

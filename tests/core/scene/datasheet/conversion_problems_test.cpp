@@ -13,10 +13,10 @@ const std::string kSceneText =
     "[scene]\nname = \"a\"\n[fabric.wool]\nfile = \"wool.toml\"\n"
     "[[piece]]\nname = \"p\"\nfabric = \"wool\"\ncell = 0.1\noutline = [[0, 0], [1, 0], [1, 1], [0, 1]]\n";
 
-class SheetFault : public testing::TestWithParam<Case> {};
+class DatasheetFault : public testing::TestWithParam<Case> {};
 
 // The name's beginning tells which sheet is edited.
-TEST_P(SheetFault, Says) {
+TEST_P(DatasheetFault, GivesItsMessages) {
   const SceneFolder folder;
   const char first = GetParam().name[0];
   const std::string& text = first == 'k' ? kKes : first == 'f' ? kFast : first == 's' ? kStrips : kPt2;
@@ -283,7 +283,7 @@ const Case kSheets[] = {
       "gauge"}},
 };
 
-INSTANTIATE_TEST_SUITE_P(Sheets, SheetFault, testing::ValuesIn(kSheets), name_of);
+INSTANTIATE_TEST_SUITE_P(Sheets, DatasheetFault, testing::ValuesIn(kSheets), name_of);
 
 }  // namespace
 }  // namespace drape::scene

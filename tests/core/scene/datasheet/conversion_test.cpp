@@ -34,7 +34,7 @@ void expect_near(const std::vector<double>& a, const std::vector<double>& b) {
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 1e-15 + 1e-14 * std::abs(b[i])) << i;
 }
 
-TEST(Sheet, KesLands) {
+TEST(DatasheetConversion, KesIsConverted) {
   const FabricSpec f = fabric_of(kKes);
   EXPECT_NEAR(f.areal_density, 0.245, 1e-16);
   EXPECT_NEAR(f.thickness, 0.00062, 1e-18);
@@ -51,7 +51,7 @@ TEST(Sheet, KesLands) {
   EXPECT_TRUE(f.warp.jaws);
 }
 
-TEST(Sheet, FastLands) {
+TEST(DatasheetConversion, FastIsConverted) {
   const FabricSpec f = fabric_of(kFast);
   EXPECT_NEAR(f.areal_density, 0.168, 1e-16);
   EXPECT_NEAR(f.thickness, 0.00052, 1e-18);
@@ -63,7 +63,7 @@ TEST(Sheet, FastLands) {
 }
 
 // A strip by the name of its standard; forces on the width that it has.
-TEST(Sheet, StripsByName) {
+TEST(DatasheetConversion, StripsByName) {
   const auto strip = [](const std::string& name) {
     const FabricSpec f = fabric_of(kFast + "", "strip = \"" + name + "\"\n");
     return std::vector<double>{f.strip_width, f.strip_gauge, f.warp.force[1] / 4.903325};
@@ -77,7 +77,7 @@ TEST(Sheet, StripsByName) {
 }
 
 // 1 lbf = 4.4482216 N, 1 kgf = 9.80665 N; 1.5 mm on 75 mm is 2 %, 0.1 in is 2.54 mm.
-TEST(Sheet, OtherUnitsOfDiagrams) {
+TEST(DatasheetConversion, OtherUnitsOfDiagrams) {
   const FabricSpec f = fabric_of(kStrips);
   EXPECT_EQ(f.strip_gauge, 0.075);
   expect_near(f.warp.elongation, {0, 0.02, 0.04});
@@ -89,7 +89,7 @@ TEST(Sheet, OtherUnitsOfDiagrams) {
   EXPECT_FALSE(f.bias.jaws);
 }
 
-TEST(Sheet, Bending) {
+TEST(DatasheetConversion, Bending) {
   const auto warp = [](const std::string& bending) {
     return fabric_of("areal_density = 0.132\nthickness = 1e-3\nbending = { " + bending + " }\n").bending_warp;
   };
@@ -103,7 +103,7 @@ TEST(Sheet, Bending) {
 }
 
 // What the scene says goes before what the fabric's file says, by whatever key.
-TEST(Sheet, SceneGoesBeforeTheFile) {
+TEST(DatasheetConversion, SceneOverridesTheFile) {
   const FabricSpec f = fabric_of(kKes,
                                  "areal_density = 0.3\nbending = { rigidity_uN_cm2 = [2000, 1500] }\n"
                                  "warp = { elongation_percent = [0, 1], force = [0, 8] }\n");
@@ -120,7 +120,7 @@ TEST(Sheet, SceneGoesBeforeTheFile) {
 }
 
 // One figure of a strip over a standard's leaves the other.
-TEST(Sheet, PartOfAStripGoesOverItsName) {
+TEST(DatasheetConversion, PartOfAStripOverridesItsName) {
   const FabricSpec f = fabric_of("areal_density = 0.2\nthickness = 1e-3\nstrip = \"ASTM D5035 2R\"\n",
                                  "strip = { width = 0.025 }\n");
   EXPECT_EQ(f.strip_width, 0.025);

@@ -111,7 +111,7 @@ void expect_ends_meet(const Scene& scene) {
   }
 }
 
-TEST_F(Import, sews_ends_that_meet) {
+TEST_F(Import, SewsEndsThatMeet) {
   const Done done = import(kTunic);
   ASSERT_EQ(done.code, 0) << done.text;
   const Scene scene = scene_of();
@@ -124,7 +124,7 @@ TEST_F(Import, sews_ends_that_meet) {
 }
 
 // A back that goes round like the front is sewn right to wrong: edges start where their seams start.
-TEST_F(Import, sews_right_to_wrong) {
+TEST_F(Import, SewsRightToWrong) {
   std::string json = kTunic;
   const std::size_t from = json.find("\"vertices\""), to = json.find("\"front\": {");
   json.replace(from, to - from, R"("vertices": [[-30, 0], [30, 0], [30, 55], [20, 78], [8, 80], [-8, 80],
@@ -147,7 +147,7 @@ TEST_F(Import, sews_right_to_wrong) {
 // length (chord h: sagitta k h^2/8, shorter by (k h)^2/24). Closed forms, m: the arc 2 r asin(c/2r); the
 // parabola with control point 0.5, h: with q = 4 h/2 (slope at the end), c/2 [sqrt(1 + q^2) + asinh(q)/q];
 // the cubic by Simpson's rule of its derivative.
-TEST_F(Import, keeps_the_lengths_of_curves) {
+TEST_F(Import, KeepsTheLengthsOfCurves) {
   ASSERT_EQ(import(kTunic).code, 0);
   const Scene scene = scene_of();
   const auto length = [&](int piece, int edge) {
@@ -191,7 +191,7 @@ TEST_F(Import, keeps_the_lengths_of_curves) {
 }
 
 // P = s + p0 (e - s) + p1 perp: the same control points as points of the panel.
-TEST_F(Import, takes_control_points_either_way) {
+TEST_F(Import, TakesControlPointsEitherWay) {
   ASSERT_EQ(import(kTunic).code, 0);
   const Scene relative = scene_of();
   std::string json =
@@ -215,7 +215,7 @@ TEST_F(Import, takes_control_points_either_way) {
   }
 }
 
-TEST_F(Import, runs_as_it_is) {
+TEST_F(Import, RunsAsItIs) {
   ASSERT_EQ(import(kTunic, "--cell 0.03").code, 0);
   EXPECT_EQ(drape("check tunic.toml").code, 0);
   EXPECT_EQ(drape("run tunic.toml -o out --until 0.02").code, 0);
@@ -224,7 +224,7 @@ TEST_F(Import, runs_as_it_is) {
   EXPECT_NE(text.find("  [0.3, 0],  # edge 1, sewn to edge 6 of back\n"), std::string::npos) << text;
 }
 
-TEST_F(Import, puts_a_wool_beside_the_scene_but_never_over_another) {
+TEST_F(Import, PutsAWoolBesideTheSceneButNeverOverAnother) {
   ASSERT_EQ(import(kTunic).code, 0);
   EXPECT_NE(text_of("tunic.toml").find("file = \"wool.toml\""), std::string::npos);
   const std::string wool = text_of("wool.toml");
@@ -236,7 +236,7 @@ TEST_F(Import, puts_a_wool_beside_the_scene_but_never_over_another) {
   EXPECT_EQ(text_of("wool.toml"), wool + "\n# mine\n");
 }
 
-TEST_F(Import, takes_a_fabric_from_elsewhere) {
+TEST_F(Import, TakesAFabricFromElsewhere) {
   fs::create_directory(folder / "mill");
   ASSERT_EQ(import(kTunic).code, 0);
   fs::rename(folder / "wool.toml", folder / "mill" / "3rd twill.toml");
@@ -249,7 +249,7 @@ TEST_F(Import, takes_a_fabric_from_elsewhere) {
 }
 
 // Centimetres and metres, told by the height.
-TEST_F(Import, measures_the_body) {
+TEST_F(Import, MeasuresTheBody) {
   write("cm.obj", "v 0 0 0\nv 10 170 0\nv 0 170 10\nf 1 2 3\n");
   Done done = import(kTunic, "--body cm.obj");
   ASSERT_EQ(done.code, 0) << done.text;
@@ -262,7 +262,7 @@ TEST_F(Import, measures_the_body) {
   EXPECT_NE(text_of("tunic.toml").find("mesh = \"m.obj\"\n\n"), std::string::npos);
 }
 
-TEST_F(Import, refuses_bad_bodies) {
+TEST_F(Import, RefusesBadBodies) {
   write("tunic.json", kTunic);
   const std::string line = "import tunic.json -o tunic.toml --body ";
   expect_refused(line + "none.obj", {"none.obj: cannot be read"});
@@ -278,7 +278,7 @@ TEST_F(Import, refuses_bad_bodies) {
   expect_refused(line + "giant.obj", {"giant.obj: is 17000 high along y; allowed: 0.3 to 3 m"});
 }
 
-TEST_F(Import, refuses_bad_files_and_options) {
+TEST_F(Import, RefusesBadFilesAndOptions) {
   write("tunic.json", kTunic);
   expect_refused("import none.json -o a.toml", {"none.json: cannot be read"});
   expect_refused("import . -o a.toml", {".: cannot be read"});
@@ -298,7 +298,7 @@ TEST_F(Import, refuses_bad_files_and_options) {
         << done.text;
 }
 
-TEST_F(Import, tells_every_fault_at_once) {
+TEST_F(Import, ReportsEveryFaultAtOnce) {
   expect_faults("[]", {"is a list [...]; wanted: an object {...}"});
   expect_faults("{}", {"properties is missing; wanted: an object {...}",
                        "pattern is missing; wanted: an object {...}"});
@@ -325,7 +325,7 @@ TEST_F(Import, tells_every_fault_at_once) {
                        "to one seam"});
 }
 
-TEST_F(Import, tells_what_is_wrong_with_a_panel) {
+TEST_F(Import, ReportsWhatIsWrongWithAPanel) {
   expect_faults(
       edited(kTunic, "{\"endpoints\": [0, 1]}", "{\"endpoints\": [0, 2]}"),
       {"pattern.panels.back.edges[1] starts at vertex 1; wanted: vertex 2, where edge 0 ends: the edges do "
@@ -350,7 +350,7 @@ TEST_F(Import, tells_what_is_wrong_with_a_panel) {
 }
 
 // Texts with bytes and words exchanged: each is a scene that passes its checks, or is told what is wrong.
-TEST_F(Import, survives_any_text) {
+TEST_F(Import, SurvivesAnyText) {
   const std::vector<std::string> words = {"null", "[]",        "{}",   "-1",       "1e9",        "1e999",
                                           "0.5",  "\"\"",      "true", "[[0, 1]]", "\"circle\"", "\"cubic\"",
                                           "7",    "[0, 0, 0]", ",",    "}"};
