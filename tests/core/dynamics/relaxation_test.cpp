@@ -160,8 +160,8 @@ TEST(Relaxation, EndsAtTheRestOfTheDampedMotion) {
   scene.mode = scene::Mode::kFit;
   Assembled fit = assemble(scene);
   ASSERT_TRUE(fit_run(fit, 60)) << fit.state.relaxation.residual;
-  const reference::Motion judge = reference::motion_make(scene);
-  const reference::Residual left = reference::residual(judge, judge.start, positions(fit));
+  const reference::Motion motion = reference::motion_make(scene);
+  const reference::Residual left = reference::residual(motion, motion.start, positions(fit));
   EXPECT_LE(fit.state.relaxation.residual, 1e-5);
   EXPECT_NEAR(left.force, fit.state.relaxation.residual * fit.state.relaxation.load,
               1e-9 * fit.state.relaxation.load);
@@ -223,10 +223,10 @@ TEST(Relaxation, RestIsMeasuredByThePresentLoad) {
       ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 1e-4, event), Advance::kDone);
       ASSERT_TRUE(fit_run(a, 60)) << carried << " m, " << weight << " m/s^2, residual "
                                   << a.state.relaxation.residual;
-      const reference::Motion judge = reference::motion_make(scene);
-      reference::Outside outside = judge.start;
+      const reference::Motion motion = reference::motion_make(scene);
+      reference::Outside outside = motion.start;
       outside.pins[0].p[2] += 0.002;
-      const reference::Residual left = reference::residual(judge, outside, positions(a));
+      const reference::Residual left = reference::residual(motion, outside, positions(a));
       EXPECT_LE(left.ratio, 1.001e-5) << carried << " m, " << weight << " m/s^2";
       // Without weight the load may be a share of the forces on the way (core/README.md, section 4).
       const double load = left.force / left.ratio, reported = a.state.relaxation.load;

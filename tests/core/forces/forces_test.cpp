@@ -76,9 +76,9 @@ TEST_P(EveryForce, IsThatOfTheReference) {
     Assembled a = assemble(scene_of(GetParam()));
     crumple(a, GetParam().crumple * 0.01, seed);
     const Eigen::VectorXd core = forces_by(dynamics::kernel_pick(), a);
-    const Eigen::VectorXd judge = reference::forces(reference::lattice_make(a.scene), positions(a));
-    ASSERT_EQ(core.size(), judge.size());
-    EXPECT_LE((core - judge).lpNorm<Eigen::Infinity>(), 1e-12 * judge.lpNorm<Eigen::Infinity>())
+    const Eigen::VectorXd expected = reference::forces(reference::lattice_make(a.scene), positions(a));
+    ASSERT_EQ(core.size(), expected.size());
+    EXPECT_LE((core - expected).lpNorm<Eigen::Infinity>(), 1e-12 * expected.lpNorm<Eigen::Infinity>())
         << "seed " << seed;
   }
 }

@@ -134,10 +134,10 @@ TEST(Rates, AreThoseOfTheReference) {
         a.state.wx = a.state.vx, a.state.wy = a.state.vy, a.state.wz = a.state.vz;
         const reference::Lattice lattice = reference::lattice_make(scene);
         const VectorXd core = forces_by(dynamics::kernel_pick(), a), r = positions(a), v = velocities(a);
-        VectorXd judge = reference::forces(lattice, r);
-        reference::add_link_damping(lattice, r, v, judge);
-        reference::add_air(lattice, {scene.air_density, 1.1, 0.2}, Vector3d(3, -1, 2), r, v, judge);
-        EXPECT_LE((core - judge).lpNorm<Eigen::Infinity>(), 1e-12 * judge.lpNorm<Eigen::Infinity>())
+        VectorXd expected = reference::forces(lattice, r);
+        reference::add_link_damping(lattice, r, v, expected);
+        reference::add_air(lattice, {scene.air_density, 1.1, 0.2}, Vector3d(3, -1, 2), r, v, expected);
+        EXPECT_LE((core - expected).lpNorm<Eigen::Infinity>(), 1e-12 * expected.lpNorm<Eigen::Infinity>())
             << shape_name(shape) << ", seed " << seed;
       }
 }
