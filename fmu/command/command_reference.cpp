@@ -14,7 +14,7 @@ struct Options {
   reference::Options run;
 };
 
-// The table with the inputs' names, which the judge knows them by; checked against the variables of the
+// Reads the table of inputs, with the names that the reference solver knows. Checks it against the variables of the
 // cloth. Tells all problems.
 bool inputs_read(const Options& options, reference::InputTable& inputs) {
   const Cloth cloth = cloth_open(options.scene_file);

@@ -47,7 +47,7 @@ std::string apply_setting(const std::vector<description::Variable>& table, const
   if (v->causality == description::Causality::kOutput)
     return "--set names the output '" + name + "'; allowed: parameters and inputs";
   const std::string problem = description::range_problem(*v, value);
-  if (problem.empty()) *v->value = value;
+  if (problem.empty()) *v->setting = value;
   return problem.empty() ? "" : "--set " + problem;
 }
 

@@ -179,7 +179,7 @@ void input_table_apply(const InputTable& inputs, double time,
                        const std::vector<description::Variable>& table) {
   std::vector<double> values(inputs.variable.size());
   input_table_at(inputs, time, values.data());
-  for (std::size_t k = 0; k < values.size(); ++k) *table[inputs.variable[k]].value = values[k];
+  for (std::size_t k = 0; k < values.size(); ++k) *table[inputs.variable[k]].setting = values[k];
 }
 
 }  // namespace drape::command

@@ -140,11 +140,18 @@ std::vector<Edge> loop_read(const JsonFaults& faults, const Json& list, const st
   return closed ? edges : std::vector<Edge>{};
 }
 
-void edges_land(const JsonFaults& faults, const Json& list, const std::string& path,
-                const std::vector<Edge>& edges, const std::vector<Vec2>& vertices, const PatternUnits& units,
-                Panel& panel) {
-  for (std::size_t k = 0; k < edges.size(); ++k) {
-    const Vec2 s = vertices[std::size_t(edges[k].from)], e = vertices[std::size_t(edges[k].to)];
+// A closed outline: edges [n] between vertices (m).
+struct Loop {
+  std::vector<Edge> edges;
+  std::vector<Vec2> vertices;
+};
+
+// Appends the outline, the labels and the curves of the loop's edges to the panel.
+void edges_read(const JsonFaults& faults, const Json& list, const std::string& path, const Loop& loop,
+                const PatternUnits& units, Panel& panel) {
+  for (std::size_t k = 0; k < loop.edges.size(); ++k) {
+    const Vec2 s = loop.vertices[std::size_t(loop.edges[k].from)],
+               e = loop.vertices[std::size_t(loop.edges[k].to)];
     panel.outline.push_back(s);
     const auto label = list[k].find("label");
     panel.edge_label.push_back(label != list[k].end() && label->is_string() ? label->get<std::string>() : "");
@@ -187,9 +194,10 @@ Panel panel_read(const JsonFaults& faults, const Json& json, const std::string& 
     if (const auto r = json_numbers(faults, *rotation, path + ".rotation", 3, 3600))
       panel_axes(*r, panel.axis_x, panel.axis_y);
   if (!vertices || !edges) return panel;
-  const std::vector<Vec2> points = vertices_read(faults, *vertices, path + ".vertices", units);
-  const std::vector<Edge> loop = loop_read(faults, *edges, path + ".edges", vertices->size());
-  if (!points.empty()) edges_land(faults, *edges, path + ".edges", loop, points, units, panel);
+  Loop loop;
+  loop.vertices = vertices_read(faults, *vertices, path + ".vertices", units);
+  loop.edges = loop_read(faults, *edges, path + ".edges", vertices->size());
+  if (!loop.vertices.empty()) edges_read(faults, *edges, path + ".edges", loop, units, panel);
   if (faults.problems.size() > before) panel.outline.clear();
   return panel;
 }

@@ -103,7 +103,7 @@ Rate kernel_rate(const Scene& scene, bool moves) {
   };
 }
 
-Rate judge_rate(const Scene& scene, bool moves) {
+Rate reference_rate(const Scene& scene, bool moves) {
   const auto motion = std::make_shared<reference::Motion>(reference::motion_make(scene));
   const auto course = std::make_shared<reference::Course>(
       reference::course_make(motion->lattice, motion->start, motion->start, 1));
@@ -136,7 +136,7 @@ Equations equations_of_kernel(const Scene& scene) {
   return e;
 }
 
-Equations equations_of_judge(const Scene& scene) {
+Equations equations_of_reference(const Scene& scene) {
   Equations e;
   const reference::Motion motion = reference::motion_make(scene);
   const reference::Layout at = reference::layout_of(motion.lattice);
@@ -146,9 +146,9 @@ Equations equations_of_judge(const Scene& scene) {
   e.scale.assign(e.start.size(), kFree);
   std::fill_n(e.scale.begin(), at.velocity, scene.pieces[0].cell);
   std::fill_n(e.scale.begin() + at.velocity, at.velocity, 1.0);
-  e.rate = judge_rate(scene, true);
-  e.inner = judge_rate(inner_of(scene), true);
-  e.outer = judge_rate(outer_of(scene), false);
+  e.rate = reference_rate(scene, true);
+  e.inner = reference_rate(inner_of(scene), true);
+  e.outer = reference_rate(outer_of(scene), false);
   e.positions = [at](const double* z) {
     return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(z, at.velocity));
   };

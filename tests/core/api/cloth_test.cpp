@@ -189,7 +189,7 @@ TEST_F(ClothTest, TakesTheEndsOfEveryRange) {
 }
 
 // Twice the gravity pulls twice as far in the first moment; twice the density falls the same.
-TEST_F(ClothTest, TakesTunedValuesIntoTheMotion) {
+TEST_F(ClothTest, AppliesTunedValuesToTheMotion) {
   const auto fall = [&](double gravity, double density) {
     const Cloth c = open();
     drape_parameters_of(c.get())->gravity[2] = gravity;
@@ -305,7 +305,7 @@ TEST_F(ClothTest, RefusesAFabricThatAGivenStepCannotFollow) {
 
 // The motion itself stretches the cloth to where a given step is too large: the advance is refused for good,
 // unless something changes.
-TEST_F(ClothTest, IsStuckWhereTheLimitFallsBelowAGivenStep) {
+TEST_F(ClothTest, StopsWhereTheLimitFallsBelowAGivenStep) {
   const std::string stiffening = "[0, 1, 3], force = [0, 0.1, 1000]";
   const Cloth probe = open("", stiffening);
   const double limit = drape_step_limit(probe.get(), nullptr);

@@ -45,7 +45,7 @@ double mesh_distance(const BodySurface& s, const Vec3& x) {
   return smallest;
 }
 
-TEST(Nearest, IsTheNearestOfAllTrianglesAndItsBudgetIsKept) {
+TEST(ClosestFeatures, IsTheNearestOfAllTrianglesAndItsFreeDistanceHolds) {
   const SceneFolder folder;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> shift(-1, 1);
@@ -101,7 +101,7 @@ TEST(Nearest, IsTheNearestOfAllTrianglesAndItsBudgetIsKept) {
 }
 
 // A fin on a ball, of one triangle that no other backs, makes no inside behind it.
-TEST(Nearest, AFewBadEdgesMakeNoInside) {
+TEST(ClosestFeatures, AFewBadEdgesMakeNoInside) {
   const SceneFolder folder;
   Mesh mesh = ball(0.1, 16);
   const int tip = int(mesh.point.size()), a = mesh.corner[200][0], b = mesh.corner[200][1];
@@ -119,7 +119,7 @@ TEST(Nearest, AFewBadEdgesMakeNoInside) {
 }
 
 // One minimum over a convex edge, two in a groove, one sign for each side.
-TEST(Nearest, CountsLocalMinima) {
+TEST(ClosestFeatures, CountsLocalMinima) {
   const SceneFolder folder;
   Mesh groove;  // two planes that meet at a right angle along x, open upwards; a sheet
   groove.point = {{-1, 0, 0}, {1, 0, 0}, {1, 1, 1}, {-1, 1, 1}, {1, -1, 1}, {-1, -1, 1}};

@@ -29,7 +29,7 @@ std::array<int, 2> edges_and_tips(const Mesh& mesh) {
   return count;
 }
 
-TEST(Ridge, AreTheSharpEdgesAndTipsOfABody) {
+TEST(SharpEdges, AreTheSharpEdgesAndTipsOfABody) {
   EXPECT_EQ(edges_and_tips(box(1, 2, 3)), (std::array<int, 2>{12, 8}));
   EXPECT_EQ(edges_and_tips(ball(0.05, 100)), (std::array<int, 2>{0, 0}));
   EXPECT_EQ(edges_and_tips(cylinder(0.05, 0.1, 720)), (std::array<int, 2>{1440, 0}));  // its rims
@@ -51,7 +51,7 @@ TEST(Ridge, AreTheSharpEdgesAndTipsOfABody) {
 }
 
 // What is found in buckets is what is near: against all of them.
-TEST(Ridge, SearchFindsTheNearest) {
+TEST(SharpEdges, SearchFindsTheNearest) {
   const Mesh mesh = box(0.3, 0.2, 0.1);
   const BodySurface surface = surface_of(mesh);
   const SharpFeatures features = sharp_features_make(surface, kSharpSine, 0.02);
@@ -70,7 +70,7 @@ TEST(Ridge, SearchFindsTheNearest) {
 
 // d is the distance of the parts while they are apart, and grows below 0 as they pass: D.n by differences of
 // the nodes' places, W = dd/dr_k . n.
-TEST(Ridge, WeightsAreTheGradientOfTheDistance) {
+TEST(SharpEdges, WeightsAreTheGradientOfTheDistance) {
   const SharpFeatures edges = sharp_features_make(surface_of(roof(0.7)), kSharpSine, 0.1),
                       tips = sharp_features_make(surface_of(pyramid(0.7)), kSharpSine, 0.1);
   const SharpFeature *edge = nullptr, *tip = nullptr;

@@ -92,7 +92,8 @@ TEST(Leapfrog, ConservesTheDiscreteEnergyOfCutPieces) {
     const double h = 0.35 * 2 / std::sqrt(a.state.omega2);
     Array fx(a.system.nodes), fy(a.system.nodes), fz(a.system.nodes);
     const auto step_energy = [&] {
-      kernel_forces(*a.motion.kernel, a.system, a.state, a.motion.workspace, {fx.data(), fy.data(), fz.data()});
+      kernel_forces(*a.motion.kernel, a.system, a.state, a.motion.workspace,
+                    {fx.data(), fy.data(), fz.data()});
       leapfrog_step(a.system, a.motion, a.state, h);
       double sum = 0;
       for (std::size_t n : a.system.particle)

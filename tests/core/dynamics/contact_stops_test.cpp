@@ -40,7 +40,7 @@ double held(const Assembled& of, double a) {
 }
 
 // The same at rest and at any velocity; on a body that accelerates upwards as if all weighed so much more.
-TEST(Stops, HoldInTheFrameOfTheBody) {
+TEST(ContactStops, HoldInTheFrameOfTheBody) {
   const SceneFolder folder;
   for (const bool over_ridge : {false, true}) {
     Assembled a = held_up(folder, over_ridge, over_ridge ? 0.06 : 0.0999);

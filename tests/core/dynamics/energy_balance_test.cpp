@@ -37,7 +37,7 @@ drape_energy energy_after(const Scene& scene, double h, int steps) {
 }
 
 // Halving the step divides the error by 4; 3.4 leaves room for the next order.
-TEST(Balance, IsMetToSecondOrder) {
+TEST(EnergyBalance, IsMetToSecondOrder) {
   const Scene scene = windy_scene();
   const drape_energy coarse = energy_after(scene, 4e-5, 2500), fine = energy_after(scene, 2e-5, 5000),
                      finest = energy_after(scene, 1e-5, 10000);
@@ -52,7 +52,7 @@ TEST(Balance, IsMetToSecondOrder) {
 }
 
 // In free fall with -m c v the potential energy is linear, and the books close to rounding.
-TEST(Balance, ClosesExactlyWhereForcesAreConstant) {
+TEST(EnergyBalance, ClosesExactlyWhereForcesAreConstant) {
   Scene scene = reference::rectangle(reference::curved_fabric(), 0.05, 0.03, 0.01);
   scene.damping = 3;
   scene.energy = true;
