@@ -1,4 +1,4 @@
-"""What seams, contact and self-contact cost a garment on its form, beside its lattices alone.
+"""What seams, contact and self-contact cost a garment on its form, compared with its pieces alone.
 
     taskset -c 0 .venv/bin/python tests/bench/garment.py [--quick] [--csv FILE] [--settle SECONDS]
 

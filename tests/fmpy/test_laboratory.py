@@ -137,7 +137,7 @@ def test_bad_input(drape, fabric, tmp_path, fault):
 
 
 def test_calibration_that_does_not_converge_keeps_the_old_figures(drape, fabric):
-    """The diagonals of this cloth pull harder than its warp is said to."""
+    """The diagonals of this cloth pull harder than its stated warp."""
     text = FABRIC.replace(WARP, "force = [0, 0.05, 0.1]")
     file = fabric(text)
     done = drape("fabric", "calibrate", file, "--cell", 0.0125, check=False)

@@ -9,7 +9,7 @@ DRAPE = ROOT / "build" / "drape"
 
 
 def stack(height=1e-3, **scene_keys):
-    """A held square of wool, and a smaller one above it that lies askew."""
+    """A held square of wool, and a smaller one above it, off the threads of the first."""
     scene = sheet(0.08, 0.08, 0.01, HORIZONTAL, self_contact=True, damping=10.0, **scene_keys)
     scene["pin"].append(
         {"name": "hold", "piece": "sheet", "region": [[-0.01, -0.01], [0.09, -0.01], [0.09, 0.09], [-0.01, 0.09]]}
