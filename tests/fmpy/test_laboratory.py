@@ -81,7 +81,7 @@ def test_check_tells_where_the_clamp_correction_does_not_hold(drape, write, fabr
 
 
 def test_calibration_starts_afresh(drape, fabric):
-    """Corrections of a diagram that has other points by now are no fault, and leave no trace."""
+    """Corrections of a diagram whose points have changed since are no error, and have no effect."""
     file = fabric()
     sweeps = drape("fabric", "calibrate", file, "--cell", 0.0125).stdout
     first = file.read_text()
