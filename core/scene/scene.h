@@ -156,8 +156,8 @@ struct Scene {
   std::vector<ProbeSpec> probes;
 };
 
-// One problem of the input. `place` says where: "scene.toml:12: piece.sheet.cell". `message` says what: "=
-// -0.01 m; allowed: above 0, at most 10 m". Joined by a space they form a sentence.
+// One problem of the input: its place, "scene.toml:12: piece.sheet.cell", and a message,
+// "= -0.01 m; allowed: above 0, at most 10 m". Joined by a space they form a sentence.
 struct Problem {
   std::string place, message;
 };

@@ -27,8 +27,7 @@ struct Chain {
 
 struct Tracing {
   Cut cut;
-  std::vector<char>
-      toggled;  // [rows columns] 1: inside and outside are exchanged from this place of the row on
+  std::vector<char> toggled;  // [rows columns] 1: inside and outside change at this place of the row
   std::vector<Chain> chains;
 };
 

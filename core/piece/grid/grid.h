@@ -58,8 +58,7 @@ Grid grid_make(const Scene& scene, int piece);
 // A point of the piece in terms of nodes: r(point) = sum_k weight[k] r(node[k]).
 struct GridPoint {
   int node[4];
-  double weight[4];  // sum 1; exactly 0 for nodes that do not contribute, where the point is on a grid line
-                     // or node
+  double weight[4];  // sum 1; some exactly 0 where the point is on a grid line or node
 };
 
 // The GridPoint of a point in the plane of the outline (m).

@@ -93,8 +93,7 @@ void lists_convert(const Conversion& s, FabricText& t, std::size_t k) {
 
 // WT of direction k from WT or LT of the sheet; NaN where WT is not consistent with EMT.
 double kes_energy_of(const Conversion& s, const KesText& kes, std::size_t k) {
-  constexpr double kMeans =
-      0.05;  // relative tolerance: the mean of LT is not the LT of the means, and both are rounded
+  constexpr double kMeans = 0.05;  // tolerance: the mean of LT is not LT of the means; both are rounded
   const double emt = kes.EMT[k], fm = kes.Fm;
   if (!stated(s, "kes.WT")) return standards::kes_energy(emt, kes.LT[k], fm);
   const double wt = kes.WT[k], lt = standards::kes_linearity(emt, wt, fm);
