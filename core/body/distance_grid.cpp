@@ -15,8 +15,7 @@ using namespace math::vector3;
 constexpr double kFiner = 4;         // size of a voxel over that of the next level
 constexpr double kEdges = 2;         // size of the smallest voxels over the mean edge length
 constexpr double kRounding = 1e-12;  // relative, of the distance
-constexpr std::uint64_t kSpread =
-    0x9E3779B97F4A7C15;  // 2^64 over the golden ratio: a hash multiplier for names
+constexpr std::uint64_t kSpread = 0x9E3779B97F4A7C15;  // hash multiplier: 2^64 over the golden ratio
 constexpr int kSpreadShift = 64 - std::countr_zero(kVoxelsRecent);
 const double kHalfDiagonal = std::sqrt(3.0) / 2;
 

@@ -1,7 +1,7 @@
 // A cache of the distance from points to the surface of a body, and of the triangles near them. The cache is
-// a hierarchy of grid; the contact library is queried only once for each voxel of the largest size.
+// a hierarchy of voxels. The contact library is queried only once for each voxel of the largest size.
 //
-// Space is divided into grid of three sizes. A voxel far from the surface stores the distance d of its
+// Space is divided into voxels of three sizes. A voxel far from the surface stores the distance d of its
 // centre: any point x in it is at least d - |x - centre| away from the surface. A voxel near the surface
 // stores the triangles that can be within `reach` of a point in it, selected from those of the larger voxel
 // around it. Results depend on the point alone, never on earlier queries.
@@ -17,8 +17,8 @@
 namespace drape::body {
 
 struct Voxel {
-  double distance =
-      0;  // m, lower bound for the centre; in a near voxel, `triangle` lists all triangles within it
+  // m. Far voxel: lower bound of the distance of the centre. Near voxel: `triangle` lists all within this.
+  double distance = 0;
   bool far = false;  // no triangle is within `reach` of any point of the voxel, so all of it is on one side
   int side = 0;      // of a far voxel: 1 outside, -1 inside, 0 not computed yet
   std::vector<int> triangle;  // of a near voxel
@@ -31,13 +31,13 @@ struct DistanceGrid {
   const drape_query* query = nullptr;
   const BodySurface* surface = nullptr;
   double size[kVoxelLevels]{};  // m, edge lengths, largest first
-  double reach = 0;             // m
+  double reach = 0;             // m, distance within which triangles are listed
   std::unordered_map<std::uint64_t, Voxel> known[kVoxelLevels];
   struct Recent {
     std::uint64_t name = 0;
     Voxel* voxel = nullptr;
   };
-  std::unique_ptr<Recent[]> recent;  // [kVoxelsRecent] smallest grid used most recently, hashed by name
+  std::unique_ptr<Recent[]> recent;  // [kVoxelsRecent] smallest voxels used most recently, hashed by name
 };
 
 // Makes an empty grid. Triangles within `reach` (m) of a point are listed. The arguments must outlive the
@@ -47,10 +47,9 @@ DistanceGrid distance_grid_make(const drape_contact_library& library, const drap
 
 // The surroundings of a point x.
 struct Neighbourhood {
-  double clearance;  // m, lower bound of the distance to the surface; 0 where triangles are listed
-  const std::vector<int>*
-      triangle;   // all within `listed` of x, at least those within `reach`; null where far
-  double listed;  // m
+  double clearance;                  // m, lower bound of the distance; 0 where triangles are listed
+  const std::vector<int>* triangle;  // all within `listed` of x; null where none is within `reach`
+  double listed;                     // m, at least `reach`
 };
 Neighbourhood distance_grid_at(DistanceGrid& grid, const Vec3& x);
 

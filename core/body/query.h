@@ -27,8 +27,7 @@ typedef struct drape_contact_library {
   /* Copies the triangles. */
   drape_query* (*query_make)(const double* point, size_t points, const int* corner, size_t triangles);
   void (*query_free)(drape_query*);
-  /* The distance from a point to the closest triangle, whose number goes to `triangle` unless that is NULL.
-   */
+  /* The distance from a point to the closest triangle. `triangle` gets its number, unless it is NULL. */
   double (*distance)(const drape_query*, const double at[3], int* triangle);
   /* Finds the triangles that intersect a ball. Returns their number; writes the first `capacity` of them to
    * `triangle`, sorted. */

@@ -14,7 +14,7 @@ using namespace math::vector3;
 constexpr double kMaxBuckets = 2e5;     // along all sharp edges
 constexpr double kBucketFar = 1 << 20;  // buckets from the origin; points farther away share keys
 
-// Sets `out` and `sharp`. Where the `normal` of a solid points the other span, the edge or vertex is a
+// Sets `out` and `sharp`. Where the `normal` of a solid points the other way, the edge or vertex is a
 // groove, which is not sharp.
 bool is_sharp(SharpFeature& r, double sine, const Vec3* normal) {
   if (r.fall.empty()) return false;

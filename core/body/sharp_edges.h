@@ -20,21 +20,19 @@ struct SharpFeature {
   std::vector<Vec3> fall;      // at least one
   std::vector<double> length;  // [of fall] m
   Vec3 out;                    // -sum fall, normalized to length 1
-  double sharp;  // min of -out.fall: sine of the angle by which the surface falls away from the plane normal
-                 // to `out`
+  double sharp;                // min of -out.fall: sine of the angle of fall from the plane normal to `out`
 };
 
 // An edge is sharp where its triangles turn by at least 2 asin of this. Below that the mesh is taken as the
 // approximation of a smooth surface.
 inline constexpr double kSharpSine = 0.0872;  // 10 degrees
-inline constexpr double kSharpSineFit =
-    0.5;  // 60 degrees: fewer sharp edges in fit mode, so that a fit converges
+inline constexpr double kSharpSineFit = 0.5;  // 60 degrees: fewer sharp edges, so that a fit converges
 
 struct SharpFeatures {
   std::vector<SharpFeature> feature;  // edges, then tips
-  Vec3 low{INFINITY, INFINITY, INFINITY},
-      high{-INFINITY, -INFINITY, -INFINITY};                   // bounding box of the features
-  double bucket = 0;                                           // m
+  // Bounding box of the features, m.
+  Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+  double bucket = 0;                                           // m, size of a bucket
   std::vector<std::pair<std::uint64_t, std::uint32_t>> entry;  // bucket and feature, sorted
   std::vector<std::pair<std::uint64_t, std::uint32_t>> table;  // hash table: bucket and its first entry
 };

@@ -15,9 +15,8 @@ struct SurfaceEdge {
   std::array<int, 2> corner;
   std::vector<int> triangle;
   std::vector<Vec3> into;
-  Vec3 normal;  // mean of the triangles' normals, of length 1
-  double turn =
-      0;  // sine of the angle between the normals of its two triangles; 0 where it does not have two
+  Vec3 normal;      // mean of the triangles' normals, of length 1
+  double turn = 0;  // sine of the angle between the normals of its triangles; 0 unless it has two
 };
 
 // The data of a triangle that a search reads first, in one cache line.
@@ -34,11 +33,10 @@ struct BodySurface {
   std::vector<std::array<int, 3>> edge;    // [triangles] edge k runs from corner k to corner k + 1
   std::vector<SurfaceEdge> edges;
   std::vector<std::vector<int>> edges_at;  // [points]
-  std::vector<Vec3>
-      normal_at;  // [points] mean of the triangles' normals, weighted by their angles; of length 1
-  std::vector<char> convex_at;     // [points] 1 where no edge at the point is concave (a groove)
-  bool solid = false;              // closed, so that it has an inside
-  double edge_mean = 0, size = 0;  // m, mean edge length; diagonal of the bounding box
+  std::vector<Vec3> normal_at;             // [points] mean of the normals, weighted by angles; of length 1
+  std::vector<char> convex_at;             // [points] 1 where no edge at the point is concave (a groove)
+  bool solid = false;                      // closed, so that it has an inside
+  double edge_mean = 0, size = 0;          // m, mean edge length; diagonal of the bounding box
 };
 
 // Defects found while making a surface.

@@ -30,13 +30,13 @@ struct RigidLink {
 // The constant data of the system. Its scalar rows are x, y and z of each linear row, then the links.
 struct Rigid {
   std::vector<RigidLink> link;
-  std::size_t held = 0;            // number of scalar rows that belong to linear rows
-  std::vector<std::size_t> begin;  // [scalar rows + 1] start of the entries of each row
-  std::vector<std::size_t> node;   // [entries]
-  std::vector<int> axis;           // [entries]
-  std::vector<char> fixed;         // [entries] 1 where the node is fixed by a constraint of its own
-  Array weight;                    // [entries] weights of linear rows; 0 in links
-  math::CholeskyFactor shape;  // sparsity pattern of the factor, without values; columns in elimination order
+  std::size_t held = 0;             // number of scalar rows that belong to linear rows
+  std::vector<std::size_t> begin;   // [scalar rows + 1] start of the entries of each row
+  std::vector<std::size_t> node;    // [entries]
+  std::vector<int> axis;            // [entries]
+  std::vector<char> fixed;          // [entries] 1 where the node is fixed by a constraint of its own
+  Array weight;                     // [entries] weights of linear rows; 0 in links
+  math::CholeskyFactor shape;       // sparsity pattern of the factor; columns in elimination order
   std::vector<std::size_t> column;  // [scalar rows] their column in that order
 
   // The matrix. Slot k < rank is the diagonal of column k; the other slots are the entries below, in order.
@@ -44,8 +44,7 @@ struct Rigid {
     std::size_t slot, left, right;  // slot += weight[left] weight[right]/m
   };
   std::vector<Term> terms;
-  std::vector<std::size_t>
-      update;  // slots updated by products of a column's entries, in order of elimination
+  std::vector<std::size_t> update;  // slots updated by products of entries, in order of elimination
 };
 
 Rigid rigid_make(const std::vector<HeldRow>& rows, const std::vector<FixedNode>& fixed,

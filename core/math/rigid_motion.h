@@ -16,7 +16,7 @@ using Quaternion = std::array<double, 4>;
 
 struct RigidMotion {
   Vec3 position{0, 0, 0};              // p, m
-  Quaternion orientation{1, 0, 0, 0};  // R since the start
+  Quaternion orientation{1, 0, 0, 0};  // R, rotation since the start
   Vec3 velocity{0, 0, 0};              // m/s
   Vec3 angular_velocity{0, 0, 0};      // rad/s
   Vec3 acceleration{0, 0, 0};          // m/s^2

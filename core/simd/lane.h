@@ -1,5 +1,4 @@
-// Lanes: a few doubles in one vector register. Every force law is written once over a lane type L, which
-// offers
+// Lanes: a few doubles in one vector register. Every force law is written once over a lane type L with
 //
 //   kWidth                      doubles in a lane; mask type Mask
 //   load(p) loadu(p) store(p,v) aligned and unaligned
@@ -9,12 +8,12 @@
 //   sqrt abs max min            sqrt rounded correctly; max(a,b) = a > b ? a : b
 //   ge gt any, select(m,a,b)    m ? a : b
 //   bits_and bits_xor           bitwise, on the representation of the numbers
-//   shifted(a,b)                the last of a, then all of b but its last: the numbers one to the left of b
-//   ahead(a,b)                  all of a but its first, then the first of b: the numbers one to the right of
-//   a truncate(to, a)             to[i] = a_i without its fraction columns(rows, c0 ... c5)    ck_i =
-//   rows[i][k]; each row 64 bytes, aligned kept(a)                     a, forced into a register; else a
-//   compiler short of registers may load it twice kPermutes                   true where places(), next() and
-//   pick() exist: look-up tables in registers
+//   shifted(a,b)                the last of a, then all of b but its last: the numbers one to the left
+//   ahead(a,b)                  all of a but its first, then the first of b: the numbers one to the right
+//   truncate(to, a)             to[i] = a_i without its fraction
+//   columns(rows, c0 ... c5)    ck_i = rows[i][k]; each row 64 bytes, aligned
+//   kept(a)                     a, forced into a register, so that it is not loaded twice
+//   kPermutes                   true where places(), next() and pick() exist: look-up tables in registers
 //
 // Every lane type does the same operations in the same order, so the result does not depend on the width.
 // Each lane type is in an anonymous namespace, so that the linker can never use code of one instruction set

@@ -11,8 +11,7 @@ namespace drape::standards {
 namespace {
 
 constexpr double kRightAngle = 1.57079632679489661923;
-constexpr double kStep =
-    0.02;  // of z, at order 4: the relative error of beta is below 3e-8 up to f/l = 0.985
+constexpr double kStep = 0.02;  // of z; the relative error of beta is below 3e-8 up to f/l = 0.985
 
 struct Point {
   double phi, turn;    // turn = phi'
