@@ -14,7 +14,7 @@ namespace {
 
 using namespace math::vector3;
 
-// A field at each probe, by coordinate.
+// Interpolates a field x, y, z [nodes] at each probe.
 void probes_fill(Outputs& o, const System& system, double (drape_probe::*to)[3], const Array& x,
                  const Array& y, const Array& z) {
   const Array* field[] = {&x, &y, &z};
@@ -28,21 +28,23 @@ void probes_fill(Outputs& o, const System& system, double (drape_probe::*to)[3],
   }
 }
 
-// The impulse of whole steps lacks the last kick up to now: load x its time.
+// The force is the impulse of the last advance over its length. The impulse of the state lacks the last kick
+// up to the present time, which is the load times the time of that kick.
 void pins_fill(Outputs& o, const System& system, const State& s) {
   const double half = dynamics::last_half(system, s);
   for (std::size_t p = 0; p < o.pins.size(); ++p) {
-    const math::Wrench &done = s.pin_impulse[p], &load = o.pin_load[p];
+    const math::Wrench &impulse = s.pin_impulse[p], &load = o.pin_load[p];
     for (std::size_t k = 0; k < 3; ++k) {
       const bool moved = s.advance_length > 0 && !system.fit;
-      o.pins[p].force[k] = moved ? (done.force[k] + half * load.force[k]) / s.advance_length : load.force[k];
+      o.pins[p].force[k] =
+          moved ? (impulse.force[k] + half * load.force[k]) / s.advance_length : load.force[k];
       o.pins[p].torque[k] =
-          moved ? (done.torque[k] + half * load.torque[k]) / s.advance_length : load.torque[k];
+          moved ? (impulse.torque[k] + half * load.torque[k]) / s.advance_length : load.torque[k];
     }
   }
 }
 
-// Likewise of bodies; the impulse of the last kick is one already.
+// Likewise for bodies, where the load is already the impulse of the last kick.
 void bodies_fill(Outputs& o, const System& system, const dynamics::Motion& motion, const State& s) {
   const bool moved = s.advance_length > 0 && !system.fit, half = dynamics::last_half(system, s) > 0;
   for (std::size_t b = 0; b < o.bodies.size(); ++b) {
@@ -60,17 +62,17 @@ void bodies_fill(Outputs& o, const System& system, const dynamics::Motion& motio
 void seams_fill(Outputs& o, const System& system, const State& s) {
   for (std::size_t k = 0; k < o.seams.size(); ++k) {
     const model::Seam& seam = system.seams.seam[k];
-    drape_seam& shown = o.seams[k];
-    shown.gap_max = shown.length = 0;
-    shown.closed = 1;
+    drape_seam& view = o.seams[k];
+    view.gap_max = view.length = 0;
+    view.closed = 1;
     Vec3 before{};
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
       const model::SeamPair& pair = system.seams.pair[p];
       const Vec3 a = model::point_now(pair.side[0], s), b = model::point_now(pair.side[1], s),
                  middle = 0.5 * (a + b);
-      shown.gap_max = std::max(shown.gap_max, norm(b - a));
-      if (s.sewn[p] != model::Sewn::kWelded || shown.gap_max > seam.gap_tolerance) shown.closed = 0;
-      if (p > seam.first) shown.length += norm(middle - before);
+      view.gap_max = std::max(view.gap_max, norm(b - a));
+      if (s.sewn[p] != model::Sewn::kWelded || view.gap_max > seam.gap_tolerance) view.closed = 0;
+      if (p > seam.first) view.length += norm(middle - before);
       before = middle;
     }
   }
