@@ -1,4 +1,4 @@
-// AVX2 with FMA, four doubles; and the scalar yardstick with the same fused arithmetic.
+// The kernel of AVX2 with FMA, four doubles; and the scalar reference with the same fused arithmetic.
 #include "contact/particle/response.h"
 #include "dynamics/kernel/lattice_pass.h"
 #include "dynamics/step_size/cell_bound.h"
