@@ -13,7 +13,7 @@
 namespace drape::command {
 namespace {
 
-// Values of particles at the points that move with four of them.
+// Interpolates the values of four particles at the points that move with them.
 template <class T>
 void interpolate(const drape_piece& piece, const double* of_nodes, std::size_t components,
                  std::vector<T>& to) {
@@ -26,7 +26,7 @@ void interpolate(const drape_piece& piece, const double* of_nodes, std::size_t c
     }
 }
 
-// One component of a field of particles.
+// One component of a field on the particles.
 struct Component {
   const char* name;
   const double* values;
@@ -68,7 +68,7 @@ PolyData cloth_poly(drape_cloth* cloth) {
   return poly;
 }
 
-// Two lines a seam: where its particles are on either piece.
+// Two lines for each seam: the positions of its particles on either piece.
 PolyData seams_poly(drape_cloth* cloth) {
   PolyData poly;
   PolyField gap{"gap", 1, {}}, number{"seam", 1, {}};
@@ -127,7 +127,7 @@ bool write_collection(const std::filesystem::path& path, const Collection& c) {
   return !file.fail();
 }
 
-// `poly`: null where the last file still holds.
+// Adds a time to a collection. `poly` is null where the last file still holds.
 bool collect(Frames& frames, Collection& c, double time, const PolyData* poly) {
   const std::size_t number = c.files.empty() ? 0 : c.files.back() + (poly != nullptr);
   std::error_code error;
@@ -152,7 +152,7 @@ bool any_moves(drape_cloth* cloth) {
 
 bool frame_write(Frames& frames, drape_cloth* cloth, double time) {
   std::error_code error;
-  if (frames.cloth.times.empty())  // those of another run in the same folder
+  if (frames.cloth.times.empty())  // remove the files of another run in the same folder
     for (const char* name : {"frames.pvd", "seams.pvd", "bodies.pvd"})
       std::filesystem::remove(frames.folder / name, error);
   const PolyData poly = cloth_poly(cloth);

@@ -28,7 +28,7 @@ ReportTable elongations(drape_cloth* cloth, double limit) {
     for (const auto& [along, name] : directions) {
       const drape_elongation e = drape_elongation_of(cloth, p, along, limit);
       const double tension = along == DRAPE_BIAS ? NAN : e.tension_max,
-                   bound = std::isfinite(e.limit) ? 100 * e.limit : NAN;  // none of a law that is off
+                   bound = std::isfinite(e.limit) ? 100 * e.limit : NAN;  // NaN for a law that is off
       table.rows.push_back(
           {{drape_piece_at(cloth, p).name, name},
            {100 * e.strain.min, 100 * e.strain.mean, 100 * e.strain.max, bound, 100 * e.beyond, tension}});
@@ -98,7 +98,7 @@ std::string cell_text(double value) {
   return text;
 }
 
-// Columns as wide as what stands in them; words to the left, numbers to the right.
+// A table whose columns are as wide as their texts: words left-aligned, numbers right-aligned.
 std::string table_text(const ReportTable& t) {
   std::vector<std::vector<std::string>> lines(1, t.labels);
   for (const ReportColumn& c : t.columns) lines[0].push_back(c.unit == "1" ? c.name : c.name + ", " + c.unit);

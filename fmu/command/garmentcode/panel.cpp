@@ -15,7 +15,7 @@ namespace drape::command {
 namespace {
 
 constexpr double kLargest = 1e4;  // m
-constexpr double kGrain = 1e-8;   // m, to which coordinates are rounded: texts stay short
+constexpr double kGrain = 1e-8;  // m, to which coordinates are rounded, to keep the text short
 
 double grained(double metres) { return std::round(metres / kGrain) * kGrain; }
 
@@ -23,7 +23,7 @@ struct Edge {
   int from, to;
 };
 
-// The type and the parameters of a curvature: { type, params }, or a control point alone.
+// Reads the type and the parameters of a curvature: { type, params }, or a control point alone.
 bool curvature_open(const JsonFaults& faults, const Json& curvature, const std::string& path,
                     std::string& type, const Json*& params) {
   if (curvature.is_array()) return type = "quadratic", params = nullptr, true;
@@ -56,7 +56,7 @@ void arc_read(const JsonFaults& faults, const Json& params, const std::string& p
     json_fault(faults, scene::entry(path, 0),
                "= " + scene::number_text((*numbers)[0]) + "; allowed: at least " +
                    scene::number_text(chord / 2 * units.per_metre) + ", half the chord of the edge");
-  curve.radius = std::max(radius, chord / 2);  // half a circle is what rounding makes of it
+  curve.radius = std::max(radius, chord / 2);  // rounding may make the radius of a semicircle too small
   curve.large = (*numbers)[1] == 1;
   curve.right = (*numbers)[2] == 1;
 }
@@ -101,7 +101,7 @@ std::vector<Vec2> vertices_read(const JsonFaults& faults, const Json& list, cons
   return vertices;
 }
 
-// Edges follow each other: each starts at the vertex where the one before it ends.
+// The edges of a closed loop: each starts at the vertex where the one before it ends.
 std::vector<Edge> loop_read(const JsonFaults& faults, const Json& list, const std::string& path,
                             std::size_t vertices) {
   std::vector<Edge> edges;

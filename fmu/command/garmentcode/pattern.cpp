@@ -32,7 +32,7 @@ PatternUnits units_read(const JsonFaults& faults, const Json& root) {
   return units;
 }
 
-// Panels in the order that the file gives them, or that in which they stand in it.
+// The names of the panels, in the order of panel_order; without it, in the order of the file.
 std::vector<std::string> panel_names(const JsonFaults& faults, const Json& pattern, const Json& panels) {
   std::vector<std::string> names, ordered;
   for (const auto& [name, panel] : panels.items()) names.push_back(name);
@@ -85,7 +85,7 @@ std::optional<StitchSide> side_read(const JsonFaults& faults, const Json& side, 
 
 void stitches_read(const JsonFaults& faults, const Json& list, const std::vector<std::size_t>& edges,
                    Pattern& pattern) {
-  std::map<std::pair<int, int>, std::string> sewn;  // panel and edge -> where
+  std::map<std::pair<int, int>, std::string> sewn;  // (panel, edge) -> path of the stitch that sews it
   for (std::size_t k = 0; k < list.size(); ++k) {
     const std::string path = scene::entry("pattern.stitches", k);
     const Json& json = list[k];
@@ -130,7 +130,7 @@ void pattern_fill(const JsonFaults& faults, const Json& root, Pattern& pattern) 
   const Json* stitches = json_member(faults, *body, "pattern", "stitches", Json::value_t::array);
   if (!panels) return;
   if (panels->empty()) json_fault(faults, "pattern.panels", "holds no panel; allowed: at least one");
-  std::vector<std::size_t> edges;  // of each panel, faults or not
+  std::vector<std::size_t> edges;  // the number of edges of each panel, whether or not it has faults
   for (const std::string& name : panel_names(faults, *body, *panels)) {
     const Json& panel = (*panels)[name];
     edges.push_back(0);
