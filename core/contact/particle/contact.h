@@ -32,6 +32,8 @@ struct ContactWorkspace {
 };
 ContactWorkspace workspace_make(const System& system);
 
+double max_contact_distance(const System& system);  // m, of all lattices
+
 // Finds all neighbours of a new state. What is at rest on a body that stays, sticks.
 void begin(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace, State& state);
 
