@@ -1,13 +1,14 @@
-// With R = exp(f) and theta = |f|, the left Jacobian of the rotations gives the angular velocity (Chirikjian
-// 2011):
+// With R = exp(f) and theta = |f|, the left Jacobian of the rotations gives the angular velocity [Chirikjian
+// 2011]:
 //
 //     w  = f' + A f x f' + B f x (f x f')
 //     w' = f'' + A f x f'' + B [f x (f x f'') + f' x (f x f')] + A' f x f' + B' f x (f x f')
-//     A  = (1 - cos theta)/theta^2,    A' = (f.f') A_1,    A_1 = (dA/dtheta)/theta = (sin theta/theta - 2
-//     A)/theta^2 B  = (theta - sin theta)/theta^3,    B' = (f.f') B_1,    B_1 = (A - 3 B)/theta^2
+//     A  = (1 - cos theta)/theta^2,       A' = (f.f') A_1,   A_1 = (sin theta/theta - 2 A)/theta^2
+//     B  = (theta - sin theta)/theta^3,   B' = (f.f') B_1,   B_1 = (A - 3 B)/theta^2
 //
-// For theta below 1 their power series are used: A = sum (-1)^k theta^2k/(2k + 2)!, B = sum (-1)^k
-// theta^2k/(2k + 3)!.
+// with A_1 = (dA/dtheta)/theta, and B_1 likewise. For theta below 1 the power series are used:
+//
+//     A = sum (-1)^k theta^2k/(2k + 2)!,  B = sum (-1)^k theta^2k/(2k + 3)!
 //
 // If the angular velocity changes linearly from w_0 to w_1 within H, then R = exp(f_1) R(0) with
 // f_1 = H (w_0 + w_1)/2 + H^2 w_1 x w_0/12, to the fourth order in H (Magnus 1954).

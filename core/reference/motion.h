@@ -57,9 +57,9 @@ struct Energy {  // J
 Energy motion_energy(const Motion& motion, const Turns& turns, const Eigen::VectorXd& y);
 Turns turns_of(const Outside& outside);
 
-// The sum of the magnitudes of the unbalanced forces on particles at rest at r [3 N] m, without constraint
-// forces, and its ratio to the larger of the total weight and the pins' forces. Equations: core/README.md,
-// "Fit".
+// The unbalanced forces on particles at rest at r [3 N] m, constraint forces excluded: the sum of their
+// magnitudes, and its ratio to the larger of the total weight and the pins' forces. Equations:
+// core/README.md, "Fit".
 struct Residual {
   double force, ratio;  // N, 1
 };

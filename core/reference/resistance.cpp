@@ -5,8 +5,8 @@
 //
 //   cell   c o---o d         d1 = r_d - r_a,  d2 = r_c - r_b,  s = d1 x d2,  n = s/|s|
 //            |   |           u = (v_a + v_b + v_c + v_d)/4 - wind,  u_n = (u.n) n,  u_t = u - u_n
-//          a o---o b         F = -(rho/2) (phi |s|/2) (C_n |u_n| u_n + C_t |u_t| u_t), a quarter on each
-//          corner
+//          a o---o b         F = -(rho/2) (phi |s|/2) (C_n |u_n| u_n + C_t |u_t| u_t)
+//                            a quarter on each corner
 #include "reference/resistance.h"
 
 #include "reference/forces.h"
