@@ -4,8 +4,8 @@
 //        v    /
 //            / theta       E = kappa theta^2/2,  dE/dy = -kappa psi(y),  psi = theta/sin theta
 //   o-------o
-//   x0  u   x1             force on x2 = kappa psi (u - y v)/|c|,  on x0 = -kappa psi (v - y u)/|a|,  on x1
-//   minus both
+//   x0  u   x1             force on x2 = kappa psi (u - y v)/|c|,  on x0 = -kappa psi (v - y u)/|a|,
+//                          on x1 minus the sum of both
 //
 // Each force is normal to its link and inversely proportional to the link's present length. So there is no
 // net force and no net torque. A missing hinge has the share 0.

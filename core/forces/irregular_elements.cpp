@@ -1,5 +1,4 @@
-// A clamp's hinge lies between the direction R D, where R is the pin's rotation, and the link v = (x1 -
-// x0)/l:
+// A clamp's hinge lies between the direction R D, with the pin's rotation R, and the link v = (x1 - x0)/l:
 //
 //   x0 o------o x1     y = R D.v;   force on x1: kappa_c psi (R D - y v)/l, on x0 its opposite;
 //        v             torque on the pin: kappa_c psi (R D x v), as (x1 - x0) x F = kappa_c psi v x R D

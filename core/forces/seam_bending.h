@@ -1,14 +1,11 @@
 // Forces in a seam that is sewn. core/README.md, section 6.
 //
-//          p_a        x        p_b       Across the seam the cloth keeps its bending rigidity: a hinge over
-//      - - -o---------o---------o- - -   points one cell inside each piece and the middle x of the pair, with
-//               a     :    c             half of either arm in series.
-//                     o x'               Along the seam: a link to the next pair, where one side is gathered
-//                     or
-//                                        a tape is sewn in.
+//          p_a        x        p_b       Across the seam the cloth keeps its bending rigidity. A hinge
+//      - - -o---------o---------o- - -   joins points one cell inside each piece and the middle x of the
+//               a     :    c             pair, with half of either arm in series. Along the seam, a link
+//                     o x'               leads to the next pair, where a side is gathered or taped.
 //
-//   kappa = 2 width/(b_a/B_a + b_b/B_b),   B_k = B_warp cos^4 + B_weft sin^4 of the angle between arm and
-//   warp
+//   kappa = 2 width/(b_a/B_a + b_b/B_b),   B_k = B_warp cos^4 + B_weft sin^4, angle between arm and warp
 //
 //   T = w p(l/R - 1) + tape (l/R - 1)       tension of a link
 #pragma once

@@ -2,11 +2,10 @@
 //
 //      a o- - ->   <- - -o b      d = r_b - r_a,  n = d/|d|,  1/mu = A M^-1 A^T of the gap's row A
 //
-//   F = mu [w^2 (min(|d|, 2 speed/w) + s |d|/sqrt(|d|^2 + g^2)) + 2 w d'.n]     on a along n, on b its
-//   opposite
+//   F = mu [w^2 (min(|d|, 2 speed/w) + s |d|/sqrt(|d|^2 + g^2)) + 2 w d'.n]     F n on a, -F n on b
 //
-// The force acts along the gap: no net force, no net torque. Two free particles approach as |d| = d0 (1 + w
-// t) e^{-w t}, which is critical damping. Beyond a gap of 2 speed/w the spring force is constant, and the
+// The force acts along the gap: no net force, no net torque. Two free particles approach with critical
+// damping, |d| = d0 (1 + w t) e^{-w t}. Beyond a gap of 2 speed/w the spring force is constant, and the
 // particles approach at `speed`. Where the cloth holds particles back, the force grows with time by its
 // integral term s, m, which starts at 0:
 //

@@ -5,9 +5,8 @@
 // higher. With the force F_i of the diagram and S_i of its simulated strip at point i:
 //
 //     warp, weft:  q_i <- q_i + (F_i - S_i)/F_i
-//     bias:        q_i <- q_i F_i/S_i,      and in the first sweeps the point moves to the leading strain
-//     there
-//                                           (strip.h), c_i e_i
+//     bias:        q_i <- q_i F_i/S_i,      and in the first sweeps the point moves to its leading
+//                                           strain (strip.h), c_i e_i
 //
 // The law passes through (c_i e_i, q_i F_i/w_p). At e_i, the points of the bias law would lie below the
 // strains that their strips reach, and the last points would depend on the law beyond its end.

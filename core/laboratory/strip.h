@@ -1,5 +1,5 @@
-// The tensile test of GOST 3813 on simulated cloth. A strip with the size of the fabric's specimen is clamped
-// by jaws over the full width of both ends, and pulled along the warp, along the weft or at 45 degrees. It
+// The tensile test of GOST 3813 on simulated cloth. A strip has the size of the fabric's specimen. Jaws
+// clamp the full width of both ends. It is pulled along the warp, along the weft or at 45 degrees. It
 // stays in its plane and has no weight.
 #pragma once
 #include "fabric/material_law.h"

@@ -44,11 +44,10 @@ struct SelfMesh {
   std::vector<NodeIndex> own_node;
   std::vector<SelfEdge> edge;
   std::vector<NearSeam> near_seam;
-  std::vector<NodeSpan> span;   // runs of particles in the arrays of nodes
-  std::vector<int> lattice_of;  // [nodes]
-  std::vector<char> fixed;      // [nodes] 1 where a pin holds it
-  Array max_contact_distance;   // [nodes] m: upper bound, where it starts nearer than the thickness; else
-                                // infinite
+  std::vector<NodeSpan> span;        // runs of particles in the arrays of nodes
+  std::vector<int> lattice_of;       // [nodes]
+  std::vector<char> fixed;           // [nodes] 1 where a pin holds it
+  Array max_contact_distance;        // [nodes] m: bound, where it starts within the thickness; else infinite
   std::vector<int> exclusion_cells;  // [lattices] cells this near along the cloth are excluded from contact
   std::vector<double> min_protrusion_sine;  // [lattices] sine from which an edge protrudes: narrow_phase.cpp
   double seam_exclusion_distance = 0;       // m, exclusion along the cloth across a seam
