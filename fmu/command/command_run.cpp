@@ -166,12 +166,12 @@ int run(const Options& options) {
   }
   const double until = options.until > 0 ? options.until : duration,
                every = options.every > 0 ? options.every : duration / 100;
-  constexpr double kLongest = 1e7, kMostRows = 1e7;  // s; rows
+  constexpr double kLongest = 1e7, kMaxRows = 1e7;  // s; rows
   if (until > kLongest)
     return fail(kBadInput, "--until is " + description::decimal_text(until) + " s; allowed: at most 1e7 s");
-  if (until / every > kMostRows)
+  if (until / every > kMaxRows)
     return fail(kBadInput, "--every is " + description::decimal_text(every) + " s; allowed: at least " +
-                               description::decimal_text(until / kMostRows) +
+                               description::decimal_text(until / kMaxRows) +
                                " s, a ten-millionth of the time to the end");
   std::string problem;
   if (!csv_open(r.csv, options.folder, problem)) return fail(kBadInput, problem);
