@@ -124,7 +124,7 @@ inline Vec3 momentum(const Assembled& a, const Array (&v)[3]) {
   return sum;
 }
 
-// The present force of the cloth on the first body (N): the impulse of the last half kick over its length.
+// The force of the cloth on the first body at the present time (N), as the last half kick gives it.
 inline Vec3 body_force(Assembled& a) {
   std::vector<math::Wrench> pins;
   Array v[3];

@@ -1,4 +1,4 @@
-// Contact in motion: cases h and h' of core/README.md, momentum, and what must never happen.
+// Contact in motion: cases h and h' of the model, momentum, and what must never happen.
 #include "contact/particle/contact.h"
 
 #include <gtest/gtest.h>

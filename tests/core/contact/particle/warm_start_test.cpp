@@ -69,9 +69,9 @@ TEST(WarmStart, SewnHalvesStickBelowIt) {
   EXPECT_LT((positions(a) - start).cwiseAbs().maxCoeff(), 1e-9);
 }
 
-// Runs a fit to its rest. Returns false if it is not at rest within `largest` seconds.
-bool rests(Assembled& a, double largest) {
-  for (double t = 0; t < largest && !a.state.relaxation.at_rest; t += 0.1) sewn_advance(a, 0.1);
+// Runs a fit to its rest. Returns false if it is not at rest within `duration` (s).
+bool rests(Assembled& a, double duration) {
+  for (double t = 0; t < duration && !a.state.relaxation.at_rest; t += 0.1) sewn_advance(a, 0.1);
   return a.state.relaxation.at_rest;
 }
 
