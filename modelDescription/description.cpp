@@ -8,7 +8,7 @@
 namespace drape::description {
 namespace {
 
-// Letters, digits and underscores, not starting with a digit.
+// An identifier of letters, digits and underscores that does not start with a digit.
 std::string c_identifier(std::string text) {
   const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   const auto digit = [](char c) { return c >= '0' && c <= '9'; };
@@ -17,7 +17,7 @@ std::string c_identifier(std::string text) {
   return text.empty() || digit(text[0]) ? "_" + text : text;
 }
 
-// About a hundred steps, each a whole number of communication intervals: there the motion does not depend on
+// About a hundred steps, each a whole number of communication intervals: then the motion does not depend on
 // how a master groups the intervals.
 double default_step(double duration, double communication) {
   return communication * std::max(1.0, std::round(duration / 100 / communication));

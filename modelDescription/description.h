@@ -1,4 +1,4 @@
-// A model description before it is printed: what the XML of any FMI version and the documentation say.
+// A model description before it is printed: what the XML of any FMI version and the documentation state.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@ namespace drape::description {
 
 struct Description {
   std::string name;        // of the scene
-  std::string identifier;  // the same as a C identifier: the name of the binary
+  std::string identifier;  // the name as a C identifier: the name of the binary
   std::string guid;
   std::string version;          // of Drape
   double stop_time, step_size;  // s, of the default experiment

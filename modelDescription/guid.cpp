@@ -9,7 +9,7 @@ __extension__ typedef unsigned __int128 Hash;
 Hash hash_append(Hash hash, std::string_view text) {
   constexpr Hash kPrime = (Hash(1) << 88) + 0x13b;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * kPrime;
-  return hash * kPrime;  // a zero byte ends each text, so that parts cannot run into each other
+  return hash * kPrime;  // a zero byte ends each text, which keeps the parts distinct
 }
 
 }  // namespace

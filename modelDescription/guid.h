@@ -1,4 +1,4 @@
-// The guid ties a modelDescription.xml to the cloth it was printed for.
+// The guid ties a modelDescription.xml to the cloth for which it was printed.
 #pragma once
 #include <string>
 #include <string_view>
@@ -7,8 +7,8 @@
 
 namespace drape::description {
 
-// From Drape's version, the scene's text and the choice of node variables: equal guids mean equal variable
-// tables.
+// A hash of Drape's version, the scene's text and the choice of node variables. Equal guids mean equal
+// variable tables.
 std::string guid_of(std::string_view scene_text, Nodes nodes);
 
 }  // namespace drape::description

@@ -8,7 +8,7 @@
 namespace drape::description {
 namespace {
 
-// "[1..8]" from "[1]" and "[8]", dimension by dimension.
+// "[1..8]" from "[1]" and "[8]", for each dimension.
 std::string index_span(const std::string& first, const std::string& last) {
   std::string span;
   for (std::size_t i = 0, j = 0; i < first.size();) {

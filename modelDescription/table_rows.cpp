@@ -11,13 +11,13 @@ const char* kind_of(const Variable& v) {
   return v.variability == Variability::kTunable ? "parameter, tunable" : "parameter, fixed";
 }
 
-// "along the warp, at 1 % elongation to at 7 % elongation" reads badly for long lists: the ends are enough.
+// A long list shows only its ends: "at 1 % elongation ... at 7 % elongation".
 std::string meaning_of(const Variable& first, const Variable& last) {
   if (first.detail.empty()) return first.description;
   return first.description + ", " + first.detail + (&first == &last ? "" : " ... " + last.detail);
 }
 
-// A vector in full, of a long list the ends.
+// A vector in full; of a longer list only the ends.
 std::string start_of(const Variable& first, const Variable& last) {
   if (first.causality == Causality::kOutput) return "";
   std::string text = decimal_text(*first.value);

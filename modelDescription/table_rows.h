@@ -1,4 +1,4 @@
-// A family of the variable table as the texts of one row of documentation.
+// A family of the variable table as the texts of one row of the documentation.
 #pragma once
 #include <array>
 #include <string>

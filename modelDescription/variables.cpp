@@ -111,7 +111,7 @@ void add_strain(Table& table, const std::string& name, const drape_strain& strai
       "mean strain of the cloth " + direction + ", weighted by area");
 }
 
-// A name part as FMI's structured naming wants it: an identifier, or quoted.
+// A part of a name as FMI's structured naming requires it: an identifier, or else in quotes.
 std::string name_part(const char* text) {
   const std::string_view view = text;
   const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };

@@ -1,6 +1,6 @@
-// The variable table: one row per variable of a cloth. The XML, get and set, range checks, CSV headers and
-// the documentation are loops over this table, and nothing else lists variables. A new variable is one line
-// in variables.cpp. All variables are Real.
+// The variable table: one row for each variable of a cloth. The XML, get and set, range checks, CSV headers
+// and the documentation are loops over this table, and nothing else lists variables. A new variable is one
+// line in variables.cpp. All variables are Real.
 #pragma once
 #include <limits>
 #include <string>
@@ -14,11 +14,11 @@ namespace drape::description {
 enum class Causality { kParameter, kInput, kOutput };
 enum class Variability { kFixed, kTunable, kDiscrete, kContinuous };
 
-// Which particles have variables of their own; `outline`: those at fewer than four cells.
+// The particles that have variables of their own; `outline`: those at fewer than four cells.
 enum class Nodes { kNone, kOutline, kAll };
 inline constexpr const char* kNodesNames[] = {"none", "outline", "all"};
 
-// Finite numbers from min to max; an open end is itself not allowed.
+// Finite numbers from min to max. An open end is excluded.
 struct Range {
   double min = -std::numeric_limits<double>::infinity(), max = std::numeric_limits<double>::infinity();
   bool min_open = false, max_open = false;
@@ -29,7 +29,7 @@ struct Variable {
   std::string family;       // "fabric.wool.warp.force": rows of one family are neighbours
   std::string index;        // "[3]", "[17,2]", or empty
   std::string description;  // of the family
-  std::string detail;       // what sets this row apart in its family, or empty
+  std::string detail;       // what distinguishes this row in its family, or empty
   Causality causality;
   Variability variability;
   const char* unit;  // a name in units.h
@@ -42,22 +42,23 @@ struct Variable {
   std::string name() const { return family + index; }
 };
 
-// The table of a cloth. The value reference of a row is its index + 1; 0 names nothing.
+// The table of a cloth. The value reference of a row is its index + 1; 0 refers to nothing. The rows point
+// into the cloth, and are valid while it is open.
 std::vector<Variable> variables_of(drape_cloth* cloth, Nodes nodes);
 
-// Row of a name, or null.
+// The row with a name, or null.
 const Variable* variable_find(const std::vector<Variable>& table, std::string_view name);
 
-// The closest name in the table, for messages about names that are not in it; empty where none is near.
+// The closest name in the table, for messages about unknown names; empty where none is near.
 std::string variable_nearest(const std::vector<Variable>& table, std::string_view name);
 
 // "above 0", "0 to 1", "any finite number".
 std::string range_text(const Range& range);
 
-// Empty if the variable may take the value, else one sentence with what, value, allowed range and unit.
+// Empty if the variable may take the value; else one sentence with name, value, allowed range and unit.
 std::string range_problem(const Variable& variable, double value);
 
-// Rows that differ in their index only, as one: "[1..8]", "[1..160,1..3]".
+// Rows that differ only in their index, as one: "[1..8]", "[1..160,1..3]".
 struct Family {
   std::size_t first, count;
   std::string index;

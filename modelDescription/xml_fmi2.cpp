@@ -36,7 +36,7 @@ const char* text_of(Variability variability) {
   return "";
 }
 
-// What the FMU can do. A flag turns true with the test that shows it.
+// The capabilities of the FMU. A flag becomes true together with the test that shows it.
 void print_capabilities(pugi::xml_node root, const Description& d) {
   pugi::xml_node node = root.append_child("CoSimulation");
   set(node, "modelIdentifier", d.identifier);
@@ -93,7 +93,7 @@ void print_variables(pugi::xml_node root, const Description& d) {
     set(scalar, "description", description);
     set(scalar, "causality", text_of(v.causality));
     set(scalar, "variability", text_of(v.variability));
-    if (v.causality != Causality::kInput)  // an input's is implied
+    if (v.causality != Causality::kInput)  // an input's value is implied
       set(scalar, "initial", v.causality == Causality::kParameter ? "exact" : "calculated");
     pugi::xml_node real = scalar.append_child("Real");
     set(real, "unit", v.unit);
@@ -103,7 +103,7 @@ void print_variables(pugi::xml_node root, const Description& d) {
   }
 }
 
-// Every output may depend on everything, and is calculated at initialization.
+// Every output may depend on all known variables, and is calculated at initialization.
 void print_structure(pugi::xml_node root, const Description& d) {
   pugi::xml_node structure = root.append_child("ModelStructure");
   for (const char* list : {"Outputs", "InitialUnknowns"}) {

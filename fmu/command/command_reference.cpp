@@ -42,14 +42,14 @@ int run_reference(const Options& options) {
   reference::Options run = options.run;
   if (!options.inputs_file.empty() && !inputs_read(options, run.inputs)) return kBadInput;
   Csv csv;
-  std::string trouble;
-  if (!csv_open(csv, options.folder, trouble)) return fail(kBadInput, trouble);
+  std::string problem;
+  if (!csv_open(csv, options.folder, problem)) return fail(kBadInput, problem);
   reference::Sink sink;
   sink.columns = [&](const std::vector<std::string>& names) { csv_header(csv, names); };
   sink.row = [&](const std::vector<double>& values) { csv_row(csv, values); };
   sink.error = [](const std::string& sentence) { fail(kFailedRun, sentence); };
   const int code = reference::reference_run(scene, run, sink);
-  return csv_close(csv, trouble) ? code : fail(kFailedRun, trouble);
+  return csv_close(csv, problem) ? code : fail(kFailedRun, problem);
 }
 
 }  // namespace

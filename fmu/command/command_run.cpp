@@ -19,7 +19,7 @@ namespace {
 
 struct Options {
   std::string scene_file, folder;
-  double until = 0, every = 0;  // s; 0: the scene's duration, and a hundredth of it
+  double until = 0, every = 0;        // s; 0: the scene's duration, and a hundredth of it
   std::vector<std::string> settings;  // NAME=VALUE
   std::string inputs_file;            // CSV
   std::optional<std::string> report;  // text, or CSV by its ending
@@ -166,16 +166,17 @@ int run(const Options& options) {
   }
   const double until = options.until > 0 ? options.until : duration,
                every = options.every > 0 ? options.every : duration / 100;
-  constexpr double kLongest = 1e7, kMostRows = 1e7;  // s; rows
+  constexpr double kLongest = 1e7, kMaxRows = 1e7;  // s; rows
   if (until > kLongest)
     return fail(kBadInput, "--until is " + description::decimal_text(until) + " s; allowed: at most 1e7 s");
-  if (until / every > kMostRows)
+  if (until / every > kMaxRows)
     return fail(kBadInput, "--every is " + description::decimal_text(every) + " s; allowed: at least " +
-                               description::decimal_text(until / kMostRows) +
+                               description::decimal_text(until / kMaxRows) +
                                " s, a ten-millionth of the time to the end");
   std::string problem;
   if (!csv_open(r.csv, options.folder, problem)) return fail(kBadInput, problem);
-  if (errno = 0; options.report && !std::ofstream(*options.report, std::ios::app))  // before the run, not only after it
+  if (errno = 0;
+      options.report && !std::ofstream(*options.report, std::ios::app))  // before the run, not only after it
     return fail(kBadInput, "--report: " + cannot_write(*options.report));
   csv_header(r.csv, header);
   const int code = run_rows(r, driven, until, every);
@@ -185,7 +186,7 @@ int run(const Options& options) {
     if (problem = report_write(*options.report, report_of(cloth.get(), limit)); !problem.empty())
       return fail(kFailedRun, problem);
   }
-  return r.frames_written ? code : fail(kFailedRun, r.frames.trouble);
+  return r.frames_written ? code : fail(kFailedRun, r.frames.failure);
 }
 
 }  // namespace

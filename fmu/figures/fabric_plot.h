@@ -1,4 +1,4 @@
-// The tables of a fabric's strips as a picture: input against simulated.
+// The tables of a fabric's strips as a picture: the input diagram against the simulated one.
 #pragma once
 #include <string>
 #include <vector>

@@ -9,12 +9,12 @@
 namespace drape::figures {
 namespace {
 
-// In units of the drawing.
+// Lengths in units of the drawing.
 constexpr double kTallest = 460, kTallestOfSeveral = 320, kWidest = 900;  // piece
 constexpr double kRow = 1100;  // pieces side by side, before the next row begins
 constexpr double kMargin = 24, kHead = 46, kArrow = 17;
 
-// Of the piece, above it.
+// The text above the piece.
 std::vector<std::string> head_of(const View& view) {
   std::size_t particles = 0;
   for (const double area : view.grid.area) particles += area > 0;
@@ -56,7 +56,7 @@ Size size_of(const View& view) {
   return {(view.high[0] - view.low[0]) * view.scale, (view.high[1] - view.low[1]) * view.scale};
 }
 
-// Side by side, row below row; returns the extent of the whole.
+// Places pieces side by side, in rows. Returns the size of the whole.
 Size views_place(std::vector<View>& views) {
   Size whole{0, 0};
   Vec2 at{kMargin, kMargin};

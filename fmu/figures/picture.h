@@ -7,7 +7,7 @@
 namespace drape::figures {
 
 // An SVG element: the pieces with their grids, what the outline makes of the cells, pins, probes, the
-// direction of the warp, a scale and a legend. Of a scene that can be opened.
+// direction of the warp, a scale and a legend. The scene must be one that can be opened.
 std::string picture_svg(const Scene& scene);
 
 }  // namespace drape::figures

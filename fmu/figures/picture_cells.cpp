@@ -1,6 +1,7 @@
-// What the grid makes of a piece. Whole cells have the colour of the cloth, parts that of the share of their
-// cell; a part that a neighbour has taken over has the neighbour's colour, and no line between them. The
-// corners of cut cells outside the outline are particles too: their cells go on beyond it as faint squares.
+// The cells that the grid makes of a piece. A whole cell has the colour of the cloth; a part has the colour
+// of its cell's share. A part merged into a neighbour has the neighbour's colour, and no line between them.
+// The corners of cut cells outside the outline are particles too: their cells are drawn beyond the outline
+// as faint squares.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -10,7 +11,7 @@
 namespace drape::figures {
 namespace {
 
-constexpr double kBeyond = 1e-6;  // cells: how far beyond a line the neighbour is looked up
+constexpr double kBeyond = 1e-6;  // cells: how far beyond a line the neighbour is searched
 
 std::string line_width(const View& view) { return svg_number(std::clamp(0.05 * view.cell(), 0.2, 0.9)); }
 
@@ -49,7 +50,7 @@ void fill(pugi::xml_node parent, const char* kind, const std::string& path, cons
             title);
 }
 
-// Parts, and whole cells that have taken over some.
+// Draws the parts, and whole cells that have merged parts.
 void parts_draw(pugi::xml_node parent, const View& view) {
   const piece::Grid& grid = view.grid;
   if (!grid.paper)
@@ -68,7 +69,7 @@ void parts_draw(pugi::xml_node parent, const View& view) {
   }
 }
 
-// Lines between whole cells, as long as they go on.
+// Lines between whole cells, each drawn as far as it runs straight.
 std::string whole_lines(const View& view) {
   const piece::Grid& grid = view.grid;
   const int columns = grid.columns - 1, rows = grid.rows - 1;  // of cells
@@ -96,7 +97,7 @@ std::string whole_lines(const View& view) {
   return path;
 }
 
-// Sides of parts, where another cell lies beyond.
+// The sides of parts with another cell beyond them.
 std::string part_lines(const View& view) {
   const piece::Grid& grid = view.grid;
   std::string path;

@@ -1,4 +1,4 @@
-// What a picture of pieces consists of. A piece is drawn from below: cells, twins, seams, pins, probes.
+// The elements of a picture of pieces. A piece is drawn in this order: cells, twins, seams, pins, probes.
 #pragma once
 #include "figures/svg.h"
 #include "piece/grid/grid.h"
@@ -12,7 +12,7 @@ inline constexpr char kClothInk[] = "#eef3f8", kStripInk[] = "#d3d9df";
 inline constexpr char kPinInk[] = "#c0281c", kProbeInk[] = "#1c5fc0", kTwinInk[] = "#7a2fa0",
                       kSeamInk[] = "#2e7d4f";
 
-// A piece that is being drawn. Its plane is upright; the y axis of the drawing points down.
+// A piece that is being drawn, with its plane upright. The y axis of the drawing points down.
 struct View {
   const Scene& scene;
   int piece;
@@ -20,7 +20,7 @@ struct View {
   std::vector<piece::OutlineLoop> loops;
   Vec2 low, high;  // of outline and cells in the plane, m
   double scale;    // drawing units per metre
-  Vec2 corner;     // of the drawing: where (low x, high y) goes
+  Vec2 corner;     // of the drawing: the position of (low x, high y)
 
   Vec2 operator()(Vec2 p) const {
     return {corner[0] + (p[0] - low[0]) * scale, corner[1] + (high[1] - p[1]) * scale};
@@ -35,11 +35,11 @@ struct View {
 
 View view_make(const Scene& scene, int piece, const piece::Grid& grid);
 
-// Grid, cut cells by their share, outline.
+// Draws the grid, the cut cells by their share, and the outline.
 void cells_draw(pugi::xml_node parent, const View& view);
 void twins_draw(pugi::xml_node parent, const View& view);
 
-// The colour of a cell that the outline cuts or that has taken over parts, by its share phi.
+// The colour of a cell that the outline cuts or that has merged parts, by its share phi.
 std::string share_colour(double share);
 
 void pins_draw(pugi::xml_node parent, const View& view);
@@ -50,7 +50,7 @@ void seams_draw(pugi::xml_node parent, const View& view);
 void label_draw(pugi::xml_node parent, Vec2 at, Vec2 towards, double distance, const std::string& text,
                 const char* colour);
 
-// The same marks alone, at a place of the drawing.
+// The same marks without a piece, at a point of the drawing.
 void point_mark(pugi::xml_node parent, Vec2 at, double size, bool clamp);
 void edge_mark(pugi::xml_node parent, const std::vector<Vec2>& line, bool clamp);  // the cloth to its left
 pugi::xml_node region_mark(pugi::xml_node parent, const std::string& path, bool clamp);
@@ -60,10 +60,10 @@ void probe_mark(pugi::xml_node parent, Vec2 at);
 void seam_mark(pugi::xml_node parent, const std::vector<Vec2>& line, const std::vector<Vec2>& particles);
 void twin_mark(pugi::xml_node parent, Vec2 at, Vec2 cloth, double radius, bool twin);
 
-// A bar with its length and what the marks of these pieces mean, from `corner` down, at most to `right`;
-// returns the height.
+// Draws the scale and the meaning of the marks of these pieces, from `corner` down, at most to `right`.
+// Returns the height.
 double legend_draw(pugi::xml_node parent, const Scene& scene, const std::vector<piece::Grid>& grids,
                    double scale, Vec2 corner, double right);
-double text_width(const std::string& text);  // about, in the font of the picture
+double text_width(const std::string& text);  // approximately, in the font of the picture
 
 }  // namespace drape::figures

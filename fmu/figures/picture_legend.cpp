@@ -1,4 +1,4 @@
-// The scale and the meaning of the marks, as far as they occur.
+// The scale and the meaning of the marks that occur.
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -1,4 +1,4 @@
-// Marks of pins, probes and seams, by themselves.
+// The marks of pins, probes and seams, without a piece.
 #include <algorithm>
 #include <cmath>
 
@@ -27,7 +27,7 @@ void label_draw(pugi::xml_node parent, Vec2 at, Vec2 towards, double distance, c
             {"stroke-linejoin", "round"}});
 }
 
-// Particles are dots, the first a ring.
+// Particles are dots; the first is a ring.
 void seam_mark(pugi::xml_node parent, const std::vector<Vec2>& line, const std::vector<Vec2>& particles) {
   svg_append(parent, "path",
              {{"class", "stitches"},
@@ -68,7 +68,7 @@ pugi::xml_node region_mark(pugi::xml_node parent, const std::string& path, bool 
                      {"stroke-width", "2"}});
 }
 
-// What a pin over an edge or a region comes down to.
+// The points that a pin over an edge or a region holds.
 void held_mark(pugi::xml_node parent, const std::vector<Vec2>& points, double size) {
   std::string path;
   for (const auto& [x, y] : points) {
@@ -78,7 +78,7 @@ void held_mark(pugi::xml_node parent, const std::vector<Vec2>& points, double si
   svg_append(parent, "path", {{"class", "held"}, {"d", path}, {"fill", kPinInk}});
 }
 
-// A clamp has ticks on the far side from the cloth, as a drawing of a beam has.
+// A clamp has ticks on the side away from the cloth, like the drawing of a clamped beam.
 void edge_mark(pugi::xml_node parent, const std::vector<Vec2>& line, bool clamp) {
   std::string path = svg_path(line, false), ticks;
   double to_next = kTick / 2;

@@ -1,5 +1,5 @@
-// What holds a piece and what is measured on it. Points are squares, edges thick lines, regions translucent
-// polygons; clamps are filled and hatched. Of edges and regions also the points that are held.
+// The pins and probes of a piece. Points are squares, edges thick lines, regions translucent polygons;
+// clamps are filled and hatched. Edges and regions also show the points that they hold.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +9,7 @@
 namespace drape::figures {
 namespace {
 
-// From a mark to the middle of the piece.
+// The direction from a mark to the middle of the piece.
 Vec2 inwards(const View& view, Vec2 at) {
   const Vec2 middle = view({(view.low[0] + view.high[0]) / 2, (view.low[1] + view.high[1]) / 2});
   return {middle[0] - at[0], middle[1] - at[1]};
@@ -27,7 +27,7 @@ void edges_draw(pugi::xml_node parent, const View& view, const scene::PinSpec& p
   const auto held = [&](std::size_t k) {
     return std::find(pin.edges.begin(), pin.edges.end(), rim.edge[k]) != pin.edges.end();
   };
-  std::size_t begin = 0;  // behind a segment that is not held, or anywhere
+  std::size_t begin = 0;  // after a segment that is not held, or anywhere
   while (begin < n && held((begin + n - 1) % n)) ++begin;
   std::vector<Vec2> line;
   for (std::size_t k = 0; k < n; ++k) {

@@ -1,5 +1,5 @@
-// Seams on the outline: a line on the cloth's side of it with the particles, a ring where the side starts,
-// the name with the side's letter.
+// Seams on the outline: a line beside it, on the cloth's side, with the particles; a ring where the side
+// starts; the name with the letter of the side.
 #include "figures/picture_draw.h"
 #include "seam/layout.h"
 

@@ -1,4 +1,4 @@
-// Where a place has several nodes: each of them a little towards its own cloth, with a line that leads there.
+// Places with several nodes: each node is drawn shifted towards its own cloth, with a line to the place.
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -31,7 +31,7 @@ fmi2Status component_illegal(Component& component, const Rule& rule) {
   std::string message = std::string(rule.call) + " is not legal in the phase '" +
                         kPhaseNames[unsigned(component.instance->phase)] + "'; ";
   if (rule.legal == 0) {
-    message += "expected: never, as " + std::string(rule.lacking);
+    message += "expected: never, as " + std::string(rule.absence);
   } else {
     const char* separator = "expected: '";
     for (unsigned phase = 0; phase < std::size(kPhaseNames); ++phase)

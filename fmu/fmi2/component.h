@@ -1,4 +1,4 @@
-// What stands behind an fmi2Component, and the gate that every call goes through.
+// The object behind an fmi2Component, and the check that every call passes through.
 #pragma once
 #include <exception>
 #include <string>
@@ -24,7 +24,7 @@ void component_log(const Component& component, fmi2Status status, const char* ca
 // Logs the sentence and returns fmi2Discard.
 fmi2Status component_discard(Component& component, const std::string& sentence);
 
-// Logs that the call is not legal in the instance's phase, and where it is.
+// Logs that the call is not legal in the instance's phase, with that phase. Returns fmi2Error.
 fmi2Status component_illegal(Component& component, const Rule& rule);
 
 // Runs `body(component)` if the rule allows it now. A call out of order changes nothing.

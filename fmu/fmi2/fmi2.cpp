@@ -1,4 +1,5 @@
-// FMI 2.0 for co-simulation: each function is a legal phase, a translation, a call of the instance.
+// FMI 2.0 for co-simulation. Each function checks the phase, translates its arguments, and calls the
+// instance.
 #include <cmath>
 #include <memory>
 #include <string>
@@ -11,7 +12,7 @@ namespace {
 
 struct Category {
   const char* name;
-  bool instance::LogFilter::*filter;  // null: always on
+  bool instance::LogFilter::* filter;  // null: always logged
 };
 constexpr Category kCategories[] = {
     // in the order of drape_log_kind
@@ -108,7 +109,7 @@ fmi2Status fmi2SetDebugLogging(fmi2Component c, fmi2Boolean on, size_t count, co
               [&](Component& k) { return set_logging(k, on, count, categories); });
 }
 
-// The tolerance is for error-controlled integrators; here the step comes from the step limit.
+// The tolerance is for integrators with error control; here the step limit sets the step.
 fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean /*tolerance_defined*/, fmi2Real /*tolerance*/,
                                fmi2Real start, fmi2Boolean stop_defined, fmi2Real stop) {
   return gate(c, rule_of("fmi2SetupExperiment"), [&](Component& k) {

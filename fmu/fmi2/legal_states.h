@@ -1,5 +1,5 @@
-// When each function of FMI 2.0 may be called, as data (section 4.2.4 of the standard, co-simulation). A
-// refused step leaves the instance as it was, so that "step failed" and "step canceled" do not occur as
+// The phases in which each function of FMI 2.0 may be called, as data (section 4.2.4 of the standard,
+// co-simulation). A refused step leaves the instance as it was, so "step failed" and "step canceled" are not
 // phases of their own.
 #pragma once
 #include <string_view>
@@ -29,7 +29,7 @@ inline constexpr unsigned kAlways = kInstantiated | kReadable;
 struct Rule {
   std::string_view call;
   unsigned legal;            // a bit per phase
-  std::string_view lacking;  // legal in no phase: what modelDescription.xml says about it
+  std::string_view absence;  // for a function legal in no phase: what modelDescription.xml states about it
 };
 
 inline constexpr Rule kRules[] = {

@@ -1,5 +1,5 @@
-// FMI 2.0: functions that modelDescription.xml says are not there. They exist for masters that look up every
-// name; the rules make each call of them an error with a reason.
+// FMI 2.0: functions that modelDescription.xml declares absent. They exist for masters that look up every
+// name. The rules make each call of them an error with a reason.
 #include "fmi2/component.h"
 
 using namespace drape;

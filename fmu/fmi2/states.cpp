@@ -1,4 +1,4 @@
-// FMI 2.0: saved states, and what can be asked after a step.
+// FMI 2.0: saved states, and the status after a step.
 #include <string>
 
 #include "fmi2/component.h"
@@ -6,7 +6,7 @@
 namespace drape::fmi2 {
 namespace {
 
-// fmi2Pending is never returned, so that nothing can be asked about a pending step.
+// fmi2Pending is never returned, so there is no pending step to ask about.
 fmi2Status no_status(Component& k, const char* type) {
   return component_discard(k, std::string("there is no ") + type +
                                   " status of this kind; allowed: fmi2LastSuccessfulTime (Real) " +
@@ -58,7 +58,7 @@ fmi2Status fmi2GetBooleanStatus(fmi2Component c, const fmi2StatusKind kind, fmi2
     if (kind != fmi2Terminated || !value) return no_status(k, "Boolean");
     *value = drape_step_above_limit(k.instance->cloth)
                  ? fmi2True
-                 : fmi2False;  // the same step would be discarded for ever
+                 : fmi2False;  // the same step would be discarded again and again
     return fmi2OK;
   });
 }

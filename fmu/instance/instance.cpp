@@ -35,18 +35,18 @@ void log_write(Instance& s, drape_status status, drape_log_kind kind, const std:
 }
 
 void core_logged(void* user, drape_log_kind kind, const char* message) {
-  static_cast<Instance*>(user)->heard.emplace_back(kind, message);
+  static_cast<Instance*>(user)->pending_messages.emplace_back(kind, message);
 }
 
-// Passes on what the core has said during a call that returned `status`.
+// Logs the messages that the core sent during a call that returned `status`.
 drape_status log_flush(Instance& s, drape_status status) {
-  for (const auto& [kind, message] : s.heard)
+  for (const auto& [kind, message] : s.pending_messages)
     log_write(s, kind == DRAPE_LOG_ERROR ? status : DRAPE_OK, kind, message);
-  s.heard.clear();
+  s.pending_messages.clear();
   return status;
 }
 
-// The choice of node variables under which the scene has this guid.
+// The choice of node variables under which the scene has this guid. Returns false if there is none.
 bool nodes_of_guid(Instance& s, const std::string& guid, description::Nodes& nodes) {
   const char* text = drape_scene_text(s.cloth);
   for (const description::Nodes candidate :

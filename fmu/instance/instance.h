@@ -1,5 +1,5 @@
-// One cloth as a slave of a master, without the words of any FMI version: its life cycle, values by
-// reference, checked requests, saved states, a log. fmi2.cpp is a thin face of it.
+// One cloth as the slave of a master, independent of the FMI version: its life cycle, values by reference,
+// checked requests, saved states and log. fmi2.cpp is a thin layer over it.
 #pragma once
 #include <cstdint>
 #include <limits>
@@ -15,15 +15,15 @@ namespace drape::instance {
 
 enum class Phase : unsigned { kInstantiated, kInitialization, kStepComplete, kTerminated, kError };
 
-// The log: with DRAPE_LOG_ERROR, `status` is what the refused or failed call returns.
+// The log. With DRAPE_LOG_ERROR, `status` is what the refused or failed call returns.
 using LogFn = void(void* user, drape_status status, drape_log_kind kind, const std::string& message);
 
-// Reasons for a refused or failed call always pass; the filter is for the rest.
+// Reasons for a refused or failed call are always logged. The filter applies to all other messages.
 struct LogFilter {
   bool warnings = true, events = false, stability = false;
 };
 
-// All of an instance that changes, kept aside.
+// A copy of everything in an instance that changes.
 struct Saved {
   drape_snapshot* cloth = nullptr;  // freed with the instance or by instance_forget
   Phase phase;
@@ -34,18 +34,19 @@ struct Instance {
   drape_cloth* cloth = nullptr;
   std::vector<description::Variable> table;
   Phase phase = Phase::kInstantiated;
-  double stop_time = std::numeric_limits<double>::infinity();  // infinity: none
+  double stop_time = std::numeric_limits<double>::infinity();  // s; infinity: none
   std::vector<std::unique_ptr<Saved>> saved;
-  const Saved* initial = nullptr;  // one of them: the state to reset to
-  std::int64_t steps = 0;          // that the master has made
-  int read = 0;                    // which of the outputs hold the present time: DRAPE_OUT_ bits
+  const Saved* initial = nullptr;  // one of the saved states: the state to reset to
+  std::int64_t steps = 0;          // made by the master
+  int read = 0;                    // the outputs that hold the present time: bits as in drape_get_outputs
   LogFn* log = nullptr;
   void* log_user = nullptr;
   LogFilter filter;
-  std::vector<std::pair<drape_log_kind, std::string>> heard;  // from the core, until the status is known
+  // Messages of the core, logged when the status of the call is known.
+  std::vector<std::pair<drape_log_kind, std::string>> pending_messages;
 };
 
-// Opens the scene and checks that the guid is its own. Null after a fault, which has been logged.
+// Opens the scene and checks that the guid is its own. Returns null after a fault, which has been logged.
 Instance* instance_open(const std::string& scene_file, const std::string& guid, LogFilter filter, LogFn* log,
                         void* user);
 void instance_close(Instance* instance);
@@ -53,7 +54,7 @@ void instance_close(Instance* instance);
 // Logs a sentence and returns the status.
 drape_status instance_refuse(Instance& instance, drape_status status, const std::string& sentence);
 
-// Life cycle. The caller has checked that the phase allows the call.
+// Life cycle. The caller has checked that the phase allows the call. Times are in s.
 drape_status instance_setup(Instance& instance, double start_time, double stop_time);
 drape_status instance_exit_initialization(Instance& instance);
 drape_status instance_step(Instance& instance, double time, double length);
@@ -65,12 +66,12 @@ drape_status instance_get(Instance& instance, const std::uint32_t* references, s
 drape_status instance_set(Instance& instance, const std::uint32_t* references, std::size_t count,
                           const double* values);
 
-// Time derivatives of inputs at the beginning of the next step; `orders` may be 1 only.
+// Time derivatives of inputs at the beginning of the next step. `orders` must be 1.
 drape_status instance_set_rates(Instance& instance, const std::uint32_t* references, std::size_t count,
                                 const int* orders, const double* values);
 
-// Saved states belong to the instance; `into` is reused unless it is null. What is none of the instance's own
-// states is refused (null, DRAPE_DISCARD).
+// Saved states belong to the instance. `into` is overwritten unless it is null. A state that is not the
+// instance's own is refused (null, DRAPE_DISCARD).
 Saved* instance_save(Instance& instance, Saved* into);
 drape_status instance_restore(Instance& instance, const Saved* saved);
 drape_status instance_forget(Instance& instance, const Saved* saved);

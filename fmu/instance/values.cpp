@@ -27,7 +27,7 @@ std::string set_problem(const Instance& s, std::uint32_t reference, double value
   return description::range_problem(*v, value);
 }
 
-// The same for a derivative of an input.
+// The same for the derivative of an input.
 std::string rate_problem(const Instance& s, std::uint32_t reference, int order, double value) {
   const description::Variable* v = row_of(s, reference);
   if (!v) return no_row(s, reference);

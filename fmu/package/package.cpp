@@ -15,13 +15,13 @@
 namespace drape::package {
 namespace {
 
-// The binary that `drape` has been installed with.
+// The FMU binary installed with `drape`.
 std::filesystem::path binary_path() {
   std::error_code error;
   return std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / "drape_fmi2.so";
 }
 
-// 1980-01-01 00:00, where the time of zip files begins: a packed scene does not depend on the hour.
+// 1980-01-01 00:00, where the time of zip files begins: the bytes of a package do not depend on the time.
 constexpr zip_uint16_t kZipTime = 0, kZipDate = 1 << 5 | 1;
 
 bool entry_add(zip_t* archive, const std::string& name, const std::string& bytes) {
@@ -68,7 +68,7 @@ bool file_read(const std::filesystem::path& file, std::string& bytes) {
   return true;
 }
 
-// The contact library and what it needs beyond the C library, as this process has loaded them.
+// The contact library and what it needs beyond the C library, as loaded by this process.
 std::vector<std::filesystem::path> contact_files() {
   std::vector<std::filesystem::path> files;
   dl_iterate_phdr(
@@ -84,7 +84,7 @@ std::vector<std::filesystem::path> contact_files() {
   return files;
 }
 
-// What a scene with bodies needs beside the rest: meshes, libraries, their licences.
+// Adds what a scene with bodies needs beside the rest: meshes, libraries and their licences.
 bool bodies_add(drape_cloth* cloth, std::vector<Entry>& entries, std::string& problem) {
   const auto add = [&](const std::string& name, const std::filesystem::path& file) {
     if (!file_read(file, entries.emplace_back(name, "").second)) problem = "cannot read " + file.string();

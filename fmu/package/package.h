@@ -1,4 +1,4 @@
-// An FMU as one file.
+// A scene packed as an FMU, which is one file.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace drape::package {
 
-// Writes the FMU of a scene; the same scene gives the same bytes. `picture` is an SVG element for the
-// documentation. False, with a sentence in `problem`, where that fails; then the file is not there, or is as
+// Writes the FMU of a scene. The same scene gives the same bytes. `picture` is an SVG element for the
+// documentation. On failure it returns false, puts a sentence in `problem`, and leaves the file absent or as
 // it was.
 bool fmu_pack(drape_cloth* cloth, description::Nodes nodes, const std::string& picture,
               const std::filesystem::path& file, std::string& problem);

@@ -1,4 +1,4 @@
-// Bodies as OBJ files in a folder that goes with the test.
+// Bodies as OBJ files in a folder that is deleted with the test.
 #pragma once
 #include <array>
 #include <cmath>
@@ -89,7 +89,7 @@ inline Mesh cylinder(double radius, double length, int n) {
   return m;
 }
 
-// A prism along y whose ridge at x = z = 0 falls by the angle on both sides, 0.2 m to either.
+// A prism along y. Its edge at x = z = 0 falls by the angle on both sides, 0.2 m to either side.
 inline Mesh roof(double angle) {
   const double x = 0.2 * std::cos(angle), z = -0.2 * std::sin(angle);
   Mesh m;
@@ -98,7 +98,7 @@ inline Mesh roof(double angle) {
   return m;
 }
 
-// With its tip at the origin, whose sides fall by the angle.
+// A pyramid with its tip at the origin, whose sides fall by the angle.
 inline Mesh pyramid(double angle) {
   const double a = 0.2 * std::cos(angle), z = -0.2 * std::sin(angle);
   Mesh m;
@@ -124,7 +124,7 @@ inline Vec3 momentum(const Assembled& a, const Array (&v)[3]) {
   return sum;
 }
 
-// Of the cloth on the first body, now: N, in a step the impulse of its last half kick.
+// The force of the cloth on the first body at the present time (N), as the last half kick gives it.
 inline Vec3 body_force(Assembled& a) {
   std::vector<math::Wrench> pins;
   Array v[3];
@@ -133,7 +133,7 @@ inline Vec3 body_force(Assembled& a) {
   return a.motion.contact.load[0].force;
 }
 
-// A cloth at rest on the first body: it bears the weight, up to what a fit leaves.
+// For a cloth at rest on the first body: the body bears the weight, up to the residual of a fit.
 inline void expect_weight(Assembled& a) {
   double weight = 0;
   for (std::size_t n : a.system.particle) weight += 9.81 * a.system.mass[n];

@@ -1,4 +1,4 @@
-// A scene assembled, with everything a test wants to touch.
+// An assembled scene, with all that a test needs.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ inline void advance(Assembled& a, double length) {
   ASSERT_EQ(dynamics::leapfrog_advance(a.system, a.motion, a.state, length, event), dynamics::Advance::kDone);
 }
 
-// Every particle moved by up to `amplitude` (m) along each axis, in the judge's order.
+// Moves every particle by up to `amplitude` (m) along each axis, in the reference's order.
 inline void crumple(Assembled& a, double amplitude, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> shift(-amplitude, amplitude);
@@ -56,7 +56,7 @@ inline void crumple(Assembled& a, double amplitude, unsigned seed) {
     for (Array* r : {&a.state.x, &a.state.y, &a.state.z}) (*r)[n] += shift(random);
 }
 
-// A nodal field as one vector [3 x particles], in the judge's order.
+// A nodal field as one vector [3 x particles], in the reference's order.
 inline Eigen::VectorXd gathered(const System& system, const Array& x, const Array& y, const Array& z) {
   Eigen::VectorXd v(Eigen::Index(3 * system.particle.size()));
   Eigen::Index k = 0;
@@ -72,7 +72,7 @@ inline Eigen::VectorXd positions(const Assembled& a) {
   return gathered(a.system, a.state.x, a.state.y, a.state.z);
 }
 
-// A state taken up again goes on as it would have.
+// A restored state continues with the same bits.
 inline void expect_goes_on(Assembled& a, double length) {
   const State kept = a.state;
   advance(a, length);
@@ -82,7 +82,7 @@ inline void expect_goes_on(Assembled& a, double length) {
   EXPECT_EQ((positions(a) - first).cwiseAbs().maxCoeff(), 0.0);
 }
 
-// The energies after as long as `length` from the start.
+// The energies after `length` (s) from the start.
 inline drape_energy energies_after(Assembled& a, double length) {
   outputs::energy_begin(a.system, a.state);
   advance(a, length);

@@ -1,4 +1,5 @@
-// Pieces that no rectangle is: slanted and round, with holes, darts and slits that split cells; 1 cm cells.
+// Pieces that are not rectangles: slanted and round, with holes, darts and slits that split cells. Cells of
+// 1 cm.
 #pragma once
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-// A fault: one edit of a good text, and the exact messages it gives, all at once.
+// A fault: one edit of a correct text, and all the messages that it gives.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ inline std::string edited(std::string text, const Case& c) {
 
 inline std::string name_of(const testing::TestParamInfo<Case>& info) { return info.param.name; }
 
-// Faults of the scene file, beside a good fabric file.
+// The messages for an edit of the scene file, beside a correct fabric file.
 inline Messages scene_fault(const Case& c, const std::string& scene = kScene) {
   const SceneFolder folder;
   folder.write("wool.toml", kFabric);

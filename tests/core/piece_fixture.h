@@ -1,4 +1,4 @@
-// Pieces for tests: rectangles, random polygons, and what their grids look like as a whole.
+// Pieces for tests: rectangles, random polygons, and the topology of their grids.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -109,8 +109,8 @@ inline double grid_area(const piece::Grid& g) {
   return sum;
 }
 
-// The cells as a complex: what hangs together through nodes, and nodes - sides + cells, which is the number
-// of connected pieces less that of their holes.
+// The cells as a complex: the number of connected pieces, and nodes - sides + cells, which is the number of
+// connected pieces less that of their holes.
 struct Shape {
   int pieces = 0, euler = 0;
 };

@@ -1,4 +1,4 @@
-// A scene in a folder of its own that goes with the test.
+// A scene in a folder that is deleted with the test.
 #pragma once
 #include <cstdlib>
 #include <filesystem>
@@ -42,7 +42,7 @@ inline std::vector<std::string> messages_of(const SceneFolder& folder, const std
   return messages;
 }
 
-// A scene without fault. It and kCloth have every key this version takes.
+// A scene without faults. Together with kCloth it has every key of this version.
 inline const std::string kScene = R"([scene]
 name = "sheet_2"
 duration = 2
@@ -155,7 +155,7 @@ elongation_percent = [0, 3, 6]
 force = [0, 0.5, 2]
 )";
 
-// The same by laboratory sheets, each key of the doors in one of them.
+// The same fabrics by laboratory sheets. Each data-sheet key is in one of them.
 inline const std::string kKes = R"([kes]
 W = 24.5
 T0 = 0.62

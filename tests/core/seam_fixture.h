@@ -5,7 +5,7 @@
 
 namespace drape::tests {
 
-// The right edge of the first rectangle to the left one of the second.
+// The seam from the right edge of the first rectangle to the left edge of the second.
 inline scene::SeamSpec seam_join() {
   scene::SeamSpec seam;
   seam.name = "join";
@@ -14,7 +14,7 @@ inline scene::SeamSpec seam_join() {
   return seam;
 }
 
-// Advances as a cloth does: seams are looked at at the beginning of each interval.
+// Advances as a cloth does: seams are checked at the beginning of each interval.
 inline void sewn_advance(Assembled& a, double length) {
   std::string event;
   const dynamics::Advance how =

@@ -11,7 +11,7 @@ namespace {
 
 // Records the reason of the first failure, because later calls would overwrite errno.
 void csv_note(Csv& csv) {
-  if (!csv.file && csv.trouble.empty()) csv.trouble = cannot_write(csv.path);
+  if (!csv.file && csv.failure.empty()) csv.failure = cannot_write(csv.path);
 }
 
 }  // namespace
@@ -57,8 +57,8 @@ bool csv_close(Csv& csv, std::string& problem) {
   errno = 0;
   csv.file.close();
   csv_note(csv);
-  problem = csv.trouble;
-  return csv.trouble.empty();
+  problem = csv.failure;
+  return csv.failure.empty();
 }
 
 }  // namespace drape::command

@@ -11,7 +11,7 @@ namespace drape::command {
 struct Csv {
   std::filesystem::path path;
   std::ofstream file;
-  std::string trouble;  // why the file could not be written; empty while it could
+  std::string failure;  // why the file could not be written; empty while it could
 };
 
 void csv_header(Csv& csv, const std::vector<std::string>& names);

@@ -135,10 +135,10 @@ bool collect(Frames& frames, Collection& c, double time, const PolyData* poly) {
   errno = 0;
   const std::filesystem::path path = frames.folder / file_name(c.name, number),
                               collection = frames.folder / (c.name + ".pvd");
-  if (poly && !polydata_write(path, *poly)) return frames.trouble = cannot_write(path), false;
+  if (poly && !polydata_write(path, *poly)) return frames.failure = cannot_write(path), false;
   c.times.push_back(time);
   c.files.push_back(number);
-  if (!write_collection(collection, c)) return frames.trouble = cannot_write(collection), false;
+  if (!write_collection(collection, c)) return frames.failure = cannot_write(collection), false;
   return true;
 }
 

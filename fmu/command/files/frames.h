@@ -17,14 +17,14 @@ struct Collection {
 
 struct Frames {
   std::filesystem::path folder;
-  std::string trouble;  // why a file could not be written
+  std::string failure;  // why a file could not be written
   Collection cloth{"frames", {}, {}}, seams{"seams", {}, {}}, bodies{"bodies", {}, {}};
 };
 
 // Writes the present state. The cloth: the particles, then the points of the outline between them; polygons
 // with velocity, strains, tensions and pressure. Where the scene has them: seams (both sides as lines, with
 // their gap) and bodies (at their present pose). If something could not be written, it returns false and
-// puts a sentence in `trouble`.
+// puts a sentence in `failure`.
 bool frame_write(Frames& frames, drape_cloth* cloth, double time);
 
 }  // namespace drape::command

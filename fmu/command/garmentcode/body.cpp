@@ -8,7 +8,7 @@
 namespace drape::command {
 namespace {
 
-constexpr double kMin = 0.3, kMost = 3;  // m, of a body
+constexpr double kMin = 0.3, kMax = 3;  // m, of a body
 constexpr double kUnits[] = {1, 0.01, 0.001};
 
 }  // namespace
@@ -42,13 +42,13 @@ std::optional<BodyMesh> body_measure(const std::filesystem::path& file,
                  " faces; wanted: a mesh in OBJ");
   if (problems.size() > before) return {};
   for (double unit : kUnits)
-    if (const double height = unit * (high - low); height >= kMin && height <= kMost) {
+    if (const double height = unit * (high - low); height >= kMin && height <= kMax) {
       for (Vec3& v : vertex)
         for (double& x : v) x *= unit;
       return BodyMesh{file.string(), unit, height, std::move(vertex)};
     }
   fault(0, "is " + scene::number_text(high - low) + " high along y; allowed: " + scene::number_text(kMin) +
-               " to " + scene::number_text(kMost) + " m, in metres, centimetres or millimetres");
+               " to " + scene::number_text(kMax) + " m, in metres, centimetres or millimetres");
   return {};
 }
 

@@ -111,7 +111,7 @@ void layers_part(Scene& scene, const std::vector<Stand>& stands) {
 }
 
 // The rise (m) that a level seam needs for its sides to meet above what is between them.
-double lift_wanted(const Scene& scene, const scene::SeamSpec& seam, const std::vector<Vec3>& body) {
+double lift_needed(const Scene& scene, const scene::SeamSpec& seam, const std::vector<Vec3>& body) {
   const Edge a = edge_of(scene, seam.side[0]), b = edge_of(scene, seam.side[1]);
   const Vec3 gap = b.middle() - a.middle(), along = a.to - a.from;
   const double length = norm(gap), level = std::hypot(gap[0], gap[2]);
@@ -125,15 +125,15 @@ double lift_wanted(const Scene& scene, const scene::SeamSpec& seam, const std::v
     const double t = dot(d, way);
     if (t > 0 && t < level && std::abs(dot(d, across)) < half) top = std::max(top, v[1]);
   }
-  const double expected = top + kOver - low;
-  return top - low < kShoulder && expected > 0 ? expected : 0;  // more body above the seam: a crotch, not a shoulder
+  const double lift = top + kOver - low;
+  return top - low < kShoulder && lift > 0 ? lift : 0;  // more body above the seam: a crotch, not a shoulder
 }
 
 }  // namespace
 
 void garment_place_near(Scene& scene, const std::vector<Vec3>& body) {
   double lift = 0, farthest = 0;
-  for (const scene::SeamSpec& seam : scene.seams) lift = std::max(lift, lift_wanted(scene, seam, body));
+  for (const scene::SeamSpec& seam : scene.seams) lift = std::max(lift, lift_needed(scene, seam, body));
   std::vector<Stand> stands;
   for (scene::PieceSpec& piece : scene.pieces) {
     piece.place.origin[1] += lift;

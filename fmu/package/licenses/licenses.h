@@ -1,4 +1,4 @@
-// The licences of what is in the binary of an FMU. They travel with it.
+// The licences of the code in the binary of an FMU. The FMU includes them.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,6 +9,6 @@ struct License {
   std::string name, text;
 };
 extern const std::vector<License> kLicenses;
-extern const std::vector<License> kContactLicenses;  // of the contact library and what comes with it
+extern const std::vector<License> kContactLicenses;  // of the contact library and its dependencies
 
 }  // namespace drape::package

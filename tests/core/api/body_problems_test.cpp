@@ -1,4 +1,4 @@
-// What is said of bodies at fault.
+// The messages about bodies with faults.
 #include <gtest/gtest.h>
 
 #include "api/cloth.h"
@@ -15,7 +15,7 @@ struct Said {
   std::vector<std::string> errors, warnings;
 };
 
-// Opens a cloth above the mesh, with the lines added to its body, and others to the scene.
+// Opens a cloth above the mesh. `lines` are added to its body, others to the scene.
 Said said_of(const std::string& file, const std::string& mesh, const std::string& lines = "",
              const std::string& origin = "[0, 0, 2]", const std::string& scene_lines = "") {
   const SceneFolder folder;

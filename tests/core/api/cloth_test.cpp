@@ -1,4 +1,4 @@
-// The C interface, from a scene file to outputs, and every way a run can go wrong.
+// The C interface, from a scene file to outputs, and every way in which a run can fail.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -78,7 +78,7 @@ TEST_F(ClothTest, AWholeRun) {
   const Cloth c = open();
   ASSERT_TRUE(c);
   const double weight = 0.15 * 0.01 * 9.81;
-  // At first the pin carries its own node only: the cloth around it starts to fall.
+  // At first the pin bears its own node only: the cloth around it starts to fall.
   EXPECT_NEAR(drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->pin[0].force[2], -weight / 400, 1e-15);
   for (int k = 0; k < 20; ++k) ASSERT_EQ(drape_advance(c.get(), 0.01), DRAPE_OK);
   EXPECT_NEAR(drape_time(c.get()), 0.2, 1e-15);
@@ -109,7 +109,7 @@ TEST_F(ClothTest, DiscardsLengthsThatAreNoTimeStep) {
   for (double length : {0.0, -0.001, std::nan(""), double(INFINITY)})
     EXPECT_EQ(drape_advance(c.get(), length), DRAPE_DISCARD);
   EXPECT_EQ(heard.errors.size(), 4u);
-  // 1e9 intervals of 1 ms at most: the clock counts them, and no master waits so long.
+  // At most 1e9 intervals of 1 ms: the clock counts intervals in an integer.
   EXPECT_EQ(drape_advance(c.get(), 1e20), DRAPE_DISCARD);
   EXPECT_EQ(drape_advance(c.get(), 1.001e6), DRAPE_DISCARD);
   EXPECT_EQ(
@@ -118,7 +118,8 @@ TEST_F(ClothTest, DiscardsLengthsThatAreNoTimeStep) {
   EXPECT_EQ(drape_time(c.get()), 0);
 }
 
-// Each fault is told and its value put back, a diagram that falls as a whole; what else was set is in force.
+// Each fault is reported and its value restored; a diagram that falls is restored as a whole. All other
+// values are in force.
 TEST_F(ClothTest, PutsBackOnlyWhatIsAtFault) {
   const Cloth c = open();
   drape_parameters& p = *drape_parameters_of(c.get());
@@ -147,7 +148,7 @@ TEST_F(ClothTest, PutsBackOnlyWhatIsAtFault) {
   EXPECT_EQ(f.areal_density, 0.3);
   EXPECT_EQ(f.weft.force[1], 12);
   EXPECT_EQ(drape_commit(c.get()), DRAPE_OK);
-  // In force: the motion is that of a cloth in which the good values were all that was set.
+  // The other values are in force: the motion is that of a cloth in which only they were set.
   const Cloth same = open();
   drape_parameters_of(same.get())->damping = 3;
   drape_parameters_of(same.get())->fabric[0].areal_density = 0.3;
@@ -158,7 +159,7 @@ TEST_F(ClothTest, PutsBackOnlyWhatIsAtFault) {
               drape_get_outputs(same.get(), DRAPE_OUT_SCALARS)->probe[0].position[k]);
 }
 
-// What the scene's rows allow a commit allows as well, and no more.
+// A commit allows exactly what the scene's ranges allow.
 TEST_F(ClothTest, TakesTheEndsOfEveryRange) {
   const Cloth c = open();
   drape_parameters& p = *drape_parameters_of(c.get());
@@ -188,7 +189,7 @@ TEST_F(ClothTest, TakesTheEndsOfEveryRange) {
   takes(p.fabric[0].warp.force[1], 1, 1e6);  // the force before it is 1 N
 }
 
-// Twice the gravity pulls twice as far in the first moment; twice the density falls the same.
+// Twice the gravity moves the cloth twice as far in the first moment. Twice the density falls the same.
 TEST_F(ClothTest, AppliesTunedValuesToTheMotion) {
   const auto fall = [&](double gravity, double density) {
     const Cloth c = open();
@@ -202,8 +203,8 @@ TEST_F(ClothTest, AppliesTunedValuesToTheMotion) {
   EXPECT_NEAR(fall(-9.81, 0.3), -9.81 * 2e-6, 1e-12);
 }
 
-// A warp that gives way up to 1 % and then hardly at all, at 1 N within a millionth of strain: once it has
-// fallen that far, no step short enough is left. The error names the place, the state is the last good one.
+// A warp that yields up to 1 % and then hardly at all, at 1 N within a strain of 1e-6. Once the cloth has
+// fallen that far, no step is short enough. The error names the place, and the state is the last good one.
 TEST_F(ClothTest, EndsARunThatNoStepCanFollowAtItsLastGoodState) {
   const Cloth c = open("", "[0, 1, 1.0001], force = [0, 1e-6, 1e6]");
   drape_parameters_of(c.get())->gravity[2] = 0;
@@ -225,7 +226,7 @@ TEST_F(ClothTest, EndsARunThatNoStepCanFollowAtItsLastGoodState) {
   EXPECT_EQ(drape_advance(c.get(), 0.01), DRAPE_OK);
 }
 
-// More than a million steps in an interval of 1 ms: refused when the scene is opened, and when values are
+// More than a million steps in an interval of 1 ms are refused, when the scene is opened and when values are
 // set.
 TEST_F(ClothTest, RefusesMoreThanAMillionStepsAnInterval) {
   EXPECT_FALSE(open("", "[0, 1e-6, 3], force = [0, 1e6, 1e6]"));
@@ -256,7 +257,7 @@ TEST_F(ClothTest, RefusesMoreThanAMillionStepsAnInterval) {
   EXPECT_EQ(drape_parameters_of(c.get())->damping, 2);
 }
 
-// Lengths whose squares underflow would leave no masses: their points coincide.
+// Lengths whose squares underflow would give no masses: the points coincide.
 TEST_F(ClothTest, RefusesAPieceWithoutExtent) {
   EXPECT_FALSE(open("", "[0, 1, 3], force = [0, 1, 9]", "1e-170", "1e-169"));
   ASSERT_EQ(heard.errors.size(), 4u);
@@ -264,7 +265,7 @@ TEST_F(ClothTest, RefusesAPieceWithoutExtent) {
       << heard.errors[0];
 }
 
-// No law, no limit: the step is the communication interval.
+// Without laws there is no limit: the step is the communication interval.
 TEST_F(ClothTest, NeedsNoStepLimitWhereNoLawActs) {
   const Cloth c = open("", "[0, 1], force = [0, 0]");
   ASSERT_TRUE(c);
@@ -277,8 +278,8 @@ TEST_F(ClothTest, NeedsNoStepLimitWhereNoLawActs) {
   EXPECT_EQ(drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->step_count, 10);
 }
 
-// Values that would bring the limit below a given step are refused as they are committed; the fabric keeps
-// its old ones, the rest is taken, and the run goes on.
+// Values that would bring the limit below a given step are refused when they are committed. The fabric keeps
+// its old values, all other values are applied, and the run continues.
 TEST_F(ClothTest, RefusesAFabricThatAGivenStepCannotFollow) {
   const Cloth probe = open();
   const double limit = drape_step_limit(probe.get(), nullptr);
@@ -303,7 +304,7 @@ TEST_F(ClothTest, RefusesAFabricThatAGivenStepCannotFollow) {
   EXPECT_EQ(drape_advance(c.get(), 0.01), DRAPE_OK);
 }
 
-// The motion itself stretches the cloth to where a given step is too large: the advance is refused for good,
+// The motion itself stretches the cloth until a given step is too large: every further advance is refused,
 // unless something changes.
 TEST_F(ClothTest, StopsWhereTheLimitFallsBelowAGivenStep) {
   const std::string stiffening = "[0, 1, 3], force = [0, 0.1, 1000]";

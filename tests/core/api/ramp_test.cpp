@@ -1,4 +1,4 @@
-// Tuned values on their way: value after the k-th interval = from + (to - from) min(1, k q/T).
+// Tuned values along a ramp: after the k-th interval the value is from + (to - from) min(1, k q/T).
 #include "api/ramp.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(Ramp, GoesAlongALineAndArrivesExactly) {
   EXPECT_EQ(ramp_values(ramp), target);
 }
 
-// 0.3/0.001 is 299.99999999999994, 0.7/0.001 is 700 and more: the way is 300 and 700 intervals long.
+// 0.3/0.001 is 299.99999999999994, 0.7/0.001 is 700 and more: the ramps take 300 and 700 intervals.
 TEST(Ramp, ARoundedQuotientCostsNoInterval) {
   for (const auto& [length, intervals] : {std::pair{0.3, 300}, {0.7, 700}, {0.0105, 11}}) {
     Ramp ramp = ramp_at(kStart);
@@ -37,7 +37,7 @@ TEST(Ramp, ARoundedQuotientCostsNoInterval) {
   }
 }
 
-// Without a span, and for what never moves gradually.
+// Without a duration, and for numbers that never change gradually.
 TEST(Ramp, Jumps) {
   Ramp ramp = ramp_at(kStart);
   ramp_set_target(ramp, kStart, {{1, 10, 2, 4, 6}}, 10, kGroup);
@@ -63,7 +63,8 @@ TEST(Ramp, ANewTargetSetsOutFromThePresentValueAndLeavesTheOthersAlone) {
   EXPECT_FALSE(ramp_under_way(ramp));
 }
 
-// One point of a diagram set anew takes the others with it: between two diagrams that do not fall, none does.
+// Setting one point of a diagram restarts all of its points: between two diagrams that do not fall, none
+// falls.
 TEST(Ramp, ThePointsOfADiagramMoveTogether) {
   Ramp ramp = ramp_at(kStart);
   ramp_set_target(ramp, kStart, {{1, 10, 6, 8, 5}}, 10, kGroup);

@@ -1,4 +1,4 @@
-// Cloth that goes through cloth at the start, where cloth touches cloth.
+// With self-contact, cloth that passes through cloth at the start is a fault.
 #include <gtest/gtest.h>
 
 #include "api/cloth.h"

@@ -8,8 +8,8 @@ namespace {
 
 double total(const drape_energy& e) { return e.kinetic + e.stretch + e.shear + e.bending + e.gravity; }
 
-// The energy put in is the work of the change: all energies after it minus those before; the error of the
-// balance does not jump. Sums of 1e2 terms, each rounded.
+// The energy input is the work of the change: all energies after it minus those before. The error of the
+// balance does not jump. The sums have 1e2 terms, each rounded.
 void expect_work(const Cloth& c) {
   const drape_energy before = energy(c);
   ASSERT_EQ(drape_commit(c.get()), DRAPE_OK);
@@ -21,7 +21,7 @@ void expect_work(const Cloth& c) {
   EXPECT_NEAR(after.balance_error, before.balance_error, 1e-14 * size);
 }
 
-// Gravity doubled in free fall doubles the weight's potential energy; the velocity stays what it is.
+// Gravity doubled in free fall doubles the potential energy of the weight. The velocity does not change.
 TEST(TuningEnergy, WorkOfDoublingGravityInFreeFall) {
   Heard heard;
   const Cloth c = open_sheet(heard, false);
@@ -35,7 +35,8 @@ TEST(TuningEnergy, WorkOfDoublingGravityInFreeFall) {
   EXPECT_NEAR(energy(c).kinetic, before.kinetic, 1e-14 * before.kinetic);
 }
 
-// A diagram doubled under strain doubles its energy; the density times 1.5 the weight's and that of motion.
+// Doubling a diagram under strain doubles its energy. A density of 1.5 times multiplies the energies of
+// weight and motion by 1.5.
 TEST(TuningEnergy, WorkOfAStifferAndAHeavierCloth) {
   Heard heard;
   const Cloth c = open_sheet(heard, true);
@@ -54,8 +55,8 @@ TEST(TuningEnergy, WorkOfAStifferAndAHeavierCloth) {
   EXPECT_NEAR(energy(c).gravity, 1.5 * before.gravity, 1e-12 * before.gravity);
 }
 
-// Along a ramp the works of its steps add up, and the error of the balance stays that of the scheme: of order
-// h^2.
+// Along a ramp the works of its steps add up, and the error of the balance stays of order h^2, that of the
+// scheme.
 TEST(TuningEnergy, BalanceAlongARamp) {
   double errors[2], inputs[2];
   for (int halved = 0; halved < 2; ++halved) {

@@ -27,7 +27,7 @@ inline void hear(void* user, drape_log_kind kind, const char* message) {
   if (kind == DRAPE_LOG_EVENT) heard.events.push_back(message);
 }
 
-// A sheet of 0.05 m x 0.05 m, its lowest point 1 m above the origin; free, or held at a corner.
+// A sheet of 0.05 m x 0.05 m with its lowest point 1 m above the origin. It is free, or held at a corner.
 inline Cloth open_sheet(Heard& heard, bool held, const std::string& step = "0.000030517578125",
                         const std::string& pin_keys = "", int order = 2) {
   const SceneFolder folder;

@@ -6,9 +6,9 @@ namespace drape::api {
 using namespace tests;
 namespace {
 
-// Free fall with gravity on its way from g to 0 within 10 q: g_k = g (1 - k/10) in the k-th interval, a
-// parabola, on which leapfrog from a synchronous velocity lies: v <- v - g_k q, z <- z + v q - g_k q^2/2.
-// Sums of a few hundred terms of 1e-3 m, to 1e-13.
+// Free fall while gravity goes from g to 0 within 10 q: g_k = g (1 - k/10) in the k-th interval. Leapfrog
+// from a synchronous velocity is exact on this piecewise parabola: v <- v - g_k q, z <- z + v q - g_k q^2/2.
+// The tolerance is 1e-13, for sums of a few hundred terms of 1e-3 m.
 TEST(Tuning, GravityAlongARampInFreeFall) {
   Heard heard;
   const Cloth c = open_sheet(heard, false);
@@ -31,7 +31,7 @@ TEST(Tuning, GravityAlongARampInFreeFall) {
   }
 }
 
-// An advance that is no multiple of q is one interval of its own length: the share is that of its end.
+// An advance that is no multiple of q is one interval of its own length, with the values at its end.
 TEST(Tuning, AnAdvanceOffTheGridMovesTheValuesByItsLength) {
   Heard heard;
   const Cloth c = open_sheet(heard, false), other = open_sheet(heard, false);
@@ -78,8 +78,8 @@ TEST(Tuning, ASavedStateKeepsItsRamp) {
   drape_snapshot_free(saved);
 }
 
-// From the end of the way on, the cloth is one of the new values: a jump at that time from the same state,
-// but for the rounding of the half steps that lead to and from a jump.
+// From the end of the ramp on, the cloth has the new values. A jump at that time from the same state gives
+// the same motion, except for the rounding of the half steps before and after a jump.
 TEST(Tuning, ValuesArriveExactly) {
   Heard heard;
   const Cloth c = open_sheet(heard, true);
@@ -87,7 +87,7 @@ TEST(Tuning, ValuesArriveExactly) {
   run(c, 2);
   tune_everything(c);
   drape_parameters_of(c.get())->damping =
-      0;  // of which the two half steps brake by (c h/2)^2 more than the whole
+      0;  // else its two half steps would brake by (c h/2)^2 more than the whole
   run(c, 8);
   drape_snapshot* saved = drape_save(c.get(), nullptr);
   run(c, 4);
@@ -100,13 +100,14 @@ TEST(Tuning, ValuesArriveExactly) {
   ASSERT_EQ(drape_commit(c.get()), DRAPE_OK);
   run(c, 4);
   const std::vector<double> jumped = nodes(c);
-  // Places of 1 m round by 1e-16 m in each of some hundred steps, which swings at up to 1e4/s.
+  // Positions of 1 m are rounded by 1e-16 m in each of some hundred steps, and the rounding swings at up to
+  // 1e4/s.
   for (std::size_t k = 0; k < end.size(); ++k)
     EXPECT_NEAR(jumped[k], end[k], k < end.size() / 2 ? 1e-13 : 2e-11) << k;
   drape_snapshot_free(saved);
 }
 
-// Before the first step: the start value, whatever the ramp.
+// Before the first step the start value applies at once, whatever the ramp.
 TEST(Tuning, StartValuesAreThereAtOnce) {
   Heard heard;
   const Cloth c = open_sheet(heard, true), other = open_sheet(heard, true);
@@ -119,7 +120,8 @@ TEST(Tuning, StartValuesAreThereAtOnce) {
   EXPECT_EQ(nodes(c), nodes(other));
 }
 
-// The diagram is 1, 9 N; on its way to 3, 9 it is set to 3, 2: that falls, and the target before it stays.
+// The diagram is 1, 9 N. During the ramp to 3, 9 N it is set to 3, 2 N, which falls: the previous target
+// stays.
 TEST(Tuning, TheTargetIsValidated) {
   Heard heard;
   const Cloth c = open_sheet(heard, true), other = open_sheet(heard, true);
@@ -158,8 +160,8 @@ TEST(Tuning, RangesOfTheNewValues) {
   EXPECT_EQ(p.fabric[0].friction, 0.3);
 }
 
-// Above order 2 no force may depend on velocity: such a value is refused in one sentence, and the motion is
-// that of a cloth where nobody tried.
+// Above order 2 no force may depend on velocity. Such a value is refused with one sentence, and the motion
+// continues as if it had not been set.
 TEST(Tuning, NoDampingAlongSpringsAboveOrder2) {
   Heard heard;
   const Cloth c = open_sheet(heard, true, "0.000030517578125", "", 4),
@@ -178,8 +180,7 @@ TEST(Tuning, NoDampingAlongSpringsAboveOrder2) {
   EXPECT_EQ(nodes(c), nodes(other));
 }
 
-// Order 6 keeps its energy through a change of density and of c, and goes on from a saved state to the same
-// bits.
+// Order 6 keeps its energy through a change of density and of c. A saved state continues to the same bits.
 TEST(Tuning, AboveOrder2AChangeIsCountedAndASavedStateGoesOn) {
   Heard heard;
   const Cloth c = open_sheet(heard, true, "0.000030517578125", "", 6);
@@ -193,7 +194,7 @@ TEST(Tuning, AboveOrder2AChangeIsCountedAndASavedStateGoesOn) {
   run(c, 10, 10);
   const std::vector<double> end = nodes(c);
   const drape_energy e = drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->energy;
-  // Leapfrog's own error is 1e-5 of what moves here.
+  // Leapfrog's own error is 1e-5 of the energies that move here.
   EXPECT_LE(std::abs(e.balance_error), 1e-9 * (e.kinetic + e.stretch + e.shear + e.dissipated));
   EXPECT_GT(e.dissipated, 0.01 * e.kinetic);
   drape_restore(c.get(), saved);
@@ -202,7 +203,7 @@ TEST(Tuning, AboveOrder2AChangeIsCountedAndASavedStateGoesOn) {
   drape_snapshot_free(saved);
 }
 
-// One advance tells of both what is wrong with its parameters and what with its inputs.
+// One advance reports all problems of its parameters and of its inputs.
 TEST(Tuning, FaultsOfOneAdvanceAreReportedTogether) {
   Heard heard;
   const Cloth c = open_sheet(heard, true, "0.000030517578125", "drive = \"position\"\n");
@@ -216,9 +217,9 @@ TEST(Tuning, FaultsOfOneAdvanceAreReportedTogether) {
   EXPECT_EQ(drape_advance(c.get(), kQ), DRAPE_OK);
 }
 
-// A damping of 1e-9/s does next to nothing. On its way along a ramp each interval begins with half a kick,
-// and still every impulse is told, once: all of h is 1/64 of an advance. A refused advance leaves the last
-// one's force as it was.
+// A damping of 1e-9/s has almost no effect. Along a ramp each interval begins with a half kick; still every
+// impulse is reported exactly once (h is 1/64 of an advance). A refused advance keeps the force of the last
+// one.
 TEST(Tuning, PinsReportEachImpulseOnce) {
   Heard heard;
   const Cloth c = open_sheet(heard, true), untouched = open_sheet(heard, true);
@@ -238,7 +239,7 @@ TEST(Tuning, PinsReportEachImpulseOnce) {
   EXPECT_NEAR(pin_force(c), force, 1e-12 * std::abs(force));
 }
 
-// Neither friction, where nothing touches, nor a ramp without anything on its way changes a bit.
+// Neither friction without contact nor a ramp without a changed value alters a bit.
 TEST(Tuning, WhatMovesNothingChangesNoBits) {
   Heard heard;
   const Cloth c = open_sheet(heard, true), untouched = open_sheet(heard, true);

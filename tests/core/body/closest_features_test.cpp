@@ -1,4 +1,4 @@
-// The nearest features of a mesh against a search through all its triangles.
+// The closest features of a mesh against a search through all its triangles.
 #include "body/closest_features.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ model::Body body_of(const SceneFolder& folder, const Mesh& mesh) {
   return std::move(bodies.at(0));
 }
 
-// The distance to a segment or triangle by projection and clamping, region by region from the inside out.
+// The distance to a segment or triangle by projection and clamping, region by region.
 double segment_distance(const Vec3& a, const Vec3& b, const Vec3& x) {
   const double t = std::clamp(dot(x - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
   return norm(x - (a + t * (b - a)));
@@ -80,14 +80,14 @@ TEST(ClosestFeatures, IsTheNearestOfAllTrianglesAndItsFreeDistanceHolds) {
         EXPECT_NEAR(std::abs(found.feature[0].distance), exact, 1e-12);
       }
       if (found.feature.size() != 1 || found.feature[0].distance < 0 || found.free_distance <= 0) continue;
-      // Wherever the particle goes within its budget, the same feature tells the distance, if it is within
-      // reach.
+      // Wherever the particle moves within its free distance, the same feature gives the distance, if it is
+      // within reach.
       for (int m = 0; m < 4; ++m) {
         Vec3 step{shift(random), shift(random), shift(random)};
         const Vec3 there = x + (0.999 * found.free_distance * std::abs(shift(random)) / norm(step)) * step;
         const auto& d = found.feature[0].shape;
         const Vec3 e = there - found.feature[0].point;
-        if (dot(e, found.feature[0].side) < 0) continue;  // inside: deeper than the response lets it come
+        if (dot(e, found.feature[0].side) < 0) continue;  // inside: deeper than the response allows
         const double reported =
             norm({d[0] * e[0] + d[1] * e[1] + d[2] * e[2], d[1] * e[0] + d[3] * e[1] + d[4] * e[2],
                   d[2] * e[0] + d[4] * e[1] + d[5] * e[2]});
@@ -100,7 +100,7 @@ TEST(ClosestFeatures, IsTheNearestOfAllTrianglesAndItsFreeDistanceHolds) {
   }
 }
 
-// A fin on a ball, of one triangle that no other backs, makes no inside behind it.
+// A fin of one triangle on a ball, without a back, makes no inside behind it.
 TEST(ClosestFeatures, AFewBadEdgesMakeNoInside) {
   const SceneFolder folder;
   Mesh mesh = ball(0.1, 16);
@@ -118,7 +118,7 @@ TEST(ClosestFeatures, AFewBadEdgesMakeNoInside) {
   EXPECT_NEAR(distance_grid_depth(voxels, {0, 0, 0}), 0.1 * std::cos(std::numbers::pi / 16), 0.002);
 }
 
-// One minimum over a convex edge, two in a groove, one sign for each side.
+// One minimum over a convex edge, two in a groove, and one sign for each side.
 TEST(ClosestFeatures, CountsLocalMinima) {
   const SceneFolder folder;
   Mesh groove;  // two planes that meet at a right angle along x, open upwards; a sheet

@@ -1,4 +1,4 @@
-// Which edges and tips of bodies are sharp, and how far cloth is from them. core/README.md, section 7.
+// Which edges and tips of bodies are sharp, and the distance of cloth from them. core/README.md, section 7.
 #include "body/sharp_edges.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ TEST(SharpEdges, AreTheSharpEdgesAndTipsOfABody) {
   const Mesh sheet{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   EXPECT_EQ(edges_and_tips(sheet), (std::array<int, 2>{4, 4}));
   const Mesh groove{{{-1, 0, 1}, {0, 0, 0}, {1, 0, 1}, {-1, 1, 1}, {0, 1, 0}, {1, 1, 1}},
-                    {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};  // from below it is a ridge
+                    {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};  // from below it is a convex edge
   EXPECT_EQ(edges_and_tips(groove)[0], 7);
   Mesh dented = box(1, 1, 1);  // a pit in the top is no tip
   dented.point.push_back({0, 0, 0});
@@ -50,7 +50,7 @@ TEST(SharpEdges, AreTheSharpEdgesAndTipsOfABody) {
   EXPECT_EQ(edges_and_tips(dented), (std::array<int, 2>{12, 8}));
 }
 
-// What is found in buckets is what is near: against all of them.
+// The search in buckets finds what a comparison with all features finds.
 TEST(SharpEdges, SearchFindsTheNearest) {
   const Mesh mesh = box(0.3, 0.2, 0.1);
   const BodySurface surface = surface_of(mesh);
@@ -68,8 +68,8 @@ TEST(SharpEdges, SearchFindsTheNearest) {
   }
 }
 
-// d is the distance of the parts while they are apart, and grows below 0 as they pass: D.n by differences of
-// the nodes' places, W = dd/dr_k . n.
+// d is the distance of the elements while they are apart, and grows below 0 as they pass through: D.n by
+// differences of the nodes' positions, W = dd/dr_k . n.
 TEST(SharpEdges, WeightsAreTheGradientOfTheDistance) {
   const SharpFeatures edges = sharp_features_make(surface_of(roof(0.7)), kSharpSine, 0.1),
                       tips = sharp_features_make(surface_of(pyramid(0.7)), kSharpSine, 0.1);

@@ -1,4 +1,5 @@
-// Pins as constraints: redundancy found, contradictions told, held points held. core/README.md, section 4.
+// Pins as constraints: dependent rows are removed, contradictions reported, held points held.
+// core/README.md, section 4.
 #include <gtest/gtest.h>
 
 #include "cloth_fixture.h"
@@ -13,11 +14,11 @@ const std::vector<PinBase> kPins = {{"first"}, {"second"}};
 TEST(LinearConstraints, FixesNodesAndKeepsIndependentRows) {
   const Array inverse_mass(6, 2.0);
   const std::vector<ConstraintRow> rows = {
-      {0, {0, 1}, {0.5, 0.5}, {1, 0, 0}},  // left with node 1 once node 0 is fixed
+      {0, {0, 1}, {0.5, 0.5}, {1, 0, 0}},  // depends on node 1 alone once node 0 is fixed
       {0, {0}, {1.0}, {0, 0, 0}},
       {1, {2, 3}, {0.25, 0.75}, {5, 0, 0}},
       {1, {2, 3}, {0.75, 0.25}, {3, 0, 0}},
-      {1, {2, 3}, {0.5, 0.5}, {4, 0, 0}}};  // the mean of the two before
+      {1, {2, 3}, {0.5, 0.5}, {4, 0, 0}}};  // the mean of the two rows before
   std::vector<Problem> problems;
   const Constraints c = constraints_make(rows, inverse_mass, kPins, problems);
   EXPECT_TRUE(problems.empty());
@@ -39,7 +40,8 @@ TEST(LinearConstraints, NamesThePinThatContradicts) {
   EXPECT_EQ(problems[1].place, "pin.second");
 }
 
-// Both long edges pinned on a width of 4.4 cells: one of them lies inside cut cells, each row on two nodes.
+// Both long edges pinned on a width of 4.4 cells: one of them lies inside cut cells, with two nodes in each
+// row.
 TEST(LinearConstraints, HoldsAnEdgeThatLiesInsideCutCells) {
   Scene scene = reference::rectangle(reference::curved_fabric(), 0.044, 0.06, 0.01, true);
   scene.pins = {reference::pin_edges("left", {3}), reference::pin_edges("right", {1})};

@@ -1,5 +1,5 @@
-// outline = "paper": particles of seams on the outlines, tied by rigid links. core/README.md, sections 4
-// and 6.
+// outline = "paper": rigid links tie the particles of seams to the outlines. core/README.md, sections 4 and
+// 6.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 using reference::curved_fabric;
 using reference::rectangle;
 
-// Two pieces side by side whose grids meet no outline, `gap` apart.
+// Two pieces side by side, `gap` apart, whose grids do not meet the outlines.
 Scene two_pieces(Vec3 gap) {
   Scene scene = rectangle(curved_fabric(), 0.05, 0.05, 0.008);
   scene.outline = scene::OutlineModel::kPaper;
@@ -44,8 +44,8 @@ double worst_link(const Assembled& a) {  // |r_b - r_a|/L - 1
   return largest;
 }
 
-// Links reach 1.5 cells, but for particles that have fewer than three so near; what lies on a grid is of the
-// grid.
+// Links reach 1.5 cells, except for particles with fewer than three nodes so near. Points on the grid use
+// the grid.
 TEST(RigidLinks, TiesToTheEdgeWithinOneAndAHalfCells) {
   const Scene scene = two_pieces({0, 0, 0});
   std::vector<std::vector<seam::GridTie>> ties;
@@ -76,9 +76,9 @@ TEST(RigidLinks, TiesToTheEdgeWithinOneAndAHalfCells) {
   EXPECT_TRUE(seam::grids_make(even)[0].on_outline.empty());
 }
 
-// While the pieces are pulled, welded and after: links keep their lengths, the whole its momentum. Joined,
-// two trusses have more links than their particles can follow once the cloth bends: what is left over they
-// share.
+// While the pieces are pulled, during the weld and after it, links keep their lengths and the cloth its
+// momentum. Joined, the two trusses have more links than their particles can satisfy once the cloth bends:
+// they share the remaining error.
 TEST(RigidLinks, KeepsLengthsAndMomentum) {
   Scene scene = two_pieces({0.004, 0.001, 0.003});
   scene.pieces[0].velocity = {0.3, -0.2, 0.1};
@@ -128,7 +128,7 @@ TEST(RigidLinks, IsOfOrderTwo) {
   EXPECT_NEAR(order, 2, 0.2);
 }
 
-// The same from a state taken up again: nothing but the state decides.
+// A restored state continues with the same bits: the motion depends on the state alone.
 TEST(RigidLinks, GoesOnFromAState) {
   Assembled a = assemble(two_pieces({0.002, 0, 0.001}));
   for (int k = 0; k < 30; ++k) sewn_advance(a, 1e-3);

@@ -26,7 +26,7 @@ scene::FabricSpec linear_fabric(double warp, double weft, double bias) {
   return f;
 }
 
-// One cell that breathes along the warp: four nodes of mass rho b^2/4, two half-width links, linear. The
+// One cell that oscillates along the warp: four nodes of mass rho b^2/4, two linear links of half width. The
 // lattice is one oscillator with w^2 = 4 k/(rho b^2), for which leapfrog conserves v^2/2 + w^2 x^2 (1 - h^2
 // w^2/4)/2 exactly.
 TEST(Leapfrog, ConservesItsDiscreteEnergyForAMillionSteps) {
@@ -52,7 +52,7 @@ TEST(Leapfrog, ConservesItsDiscreteEnergyForAMillionSteps) {
     leapfrog_step(a.system, a.motion, a.state, h);
     if (step <= 100 || step % 1000 == 0) worst = std::max(worst, std::abs(invariant() / start - 1));
   }
-  // 1e6 roundings of 1e-16 of the cell (5 times the amplitude) that add up as a random walk: 1e3 x 5e-16.
+  // 1e6 roundings of 1e-16 of the cell (5 times the amplitude) add up as a random walk: 1e3 x 5e-16.
   EXPECT_LE(worst, 1e-12);
   std::printf("invariant after 1e6 steps: worst relative change %.2e\n", worst);
 }
@@ -78,8 +78,8 @@ TEST(Leapfrog, FallsThroughAirByItsOwnRecurrence) {
   }
 }
 
-// Case i on pieces with a hole and with a slit cell: straight warp threads alone, moved along themselves, are
-// a linear system M u'' = -K u, for which leapfrog keeps  v_{n+1/2} M v_{n+1/2}/2 + u_n K u_{n+1}/2.
+// Case i on pieces with a hole and with a slit cell. Straight warp yarns alone, moved along themselves, are
+// a linear system M u'' = -K u, for which leapfrog conserves v_{n+1/2} M v_{n+1/2}/2 + u_n K u_{n+1}/2.
 TEST(Leapfrog, ConservesTheDiscreteEnergyOfCutPieces) {
   for (Shape shape : {Shape::kDiscWithHole, Shape::kDart}) {
     Scene scene = cut_piece(linear_fabric(100, 0, 0), shape);
@@ -104,8 +104,8 @@ TEST(Leapfrog, ConservesTheDiscreteEnergyOfCutPieces) {
     const double start = step_energy();
     double worst = 0;
     for (int step = 0; step < 100000; ++step) worst = std::max(worst, std::abs(step_energy() / start - 1));
-    // Positions of up to 0.08 m round by 1e-17 m a step, 1e-14 of the amplitude; 1e5 of them at random are
-    // 300 times that, over some 80 particles.
+    // Positions of up to 0.08 m are rounded by 1e-17 m a step, 1e-14 of the amplitude. 1e5 random roundings
+    // give 300 times that, over some 80 particles.
     EXPECT_LE(worst, 1e-12) << shape_name(shape);
     std::printf("%s: invariant after 1e5 steps, worst relative change %.2e\n", shape_name(shape), worst);
   }
@@ -133,8 +133,8 @@ TEST_P(ClosedSystem, KeepsItsMomentum) {
   using V = Eigen::Vector3d;
   const double h = 0.3 * step_limit_of(a.system, step_limit_omega2(a.system, *a.motion.kernel, a.state));
   leapfrog_step(a.system, a.motion, a.state, h);
-  // Angular momentum of leapfrog: sum m r_n x v_{n+1/2} = sum m r_{n+1} x v_{n+1/2} is kept by each kick and
-  // drift.
+  // Leapfrog's angular momentum, sum m r_n x v_{n+1/2} = sum m r_{n+1} x v_{n+1/2}, is constant in each kick
+  // and drift.
   const auto momenta = [&] {
     V linear = V::Zero(), angular = V::Zero();
     for (std::size_t n : a.system.particle) {
@@ -155,8 +155,8 @@ TEST_P(ClosedSystem, KeepsItsMomentum) {
               (linear_end - linear).norm() / scale, (angular_end - angular).norm() / (scale * 0.1));
 }
 
-// Case c, linear: a strip hung by its top edge. Link i from the top carries rho g w (L - (i + 1/2) b), so at
-// rest its strain is that over k w. The strip is put there, and nothing may move.
+// Case c, linear: a strip hung by its top edge. Link i from the top bears rho g w (L - (i + 1/2) b), so at
+// rest its strain is that over k w. The strip starts with these strains, and nothing may move.
 TEST(Leapfrog, HoldsAHangingStripAtItsExactRest) {
   const double b = 0.01, length = 0.2, k = 400, rho = 0.15, g = 9.81;
   Scene scene = rectangle(linear_fabric(k, 0, 0), 0.03, length, b, true);
@@ -178,9 +178,9 @@ TEST(Leapfrog, HoldsAHangingStripAtItsExactRest) {
 }
 
 // Case k: a linear lattice is bounded at 0.99 of the step limit and grows at 1.01 of it, without and with
-// damping along springs and -m c v (which, centred, moves leapfrog's limit not at all). Threads that move
-// along themselves reach the bound exactly, neighbours against each other, in a strip and wherever the
-// outline cuts: widths and masses shrink together.
+// damping along springs and -m c v (which is centred and does not change leapfrog's limit). Yarns that move
+// along themselves, neighbours in opposite directions, reach the bound exactly in a strip and wherever the
+// outline cuts, because widths and masses shrink together.
 struct LimitCase {
   const char* name;
   Shape shape;
@@ -245,8 +245,8 @@ TEST(Leapfrog, GivesTheSameBitsHoweverAMasterGroupsItsSteps) {
   }
 }
 
-// A run that leaves the finite numbers leaves nothing behind in the room it works in: brought back to the
-// state before, the cloth goes on as if nothing had been. A disc, whose rows reach differently far.
+// A run that reaches numbers that are not finite leaves nothing behind in its workspace: after the previous
+// state is restored, the cloth moves as if nothing had happened. A disc, whose rows have different lengths.
 TEST(Leapfrog, GoesOnFromAGoodStateAfterABadOne) {
   Scene scene = cut_piece(reference::curved_fabric(), Shape::kRectangle);
   scene.pieces[0].outline = circle({0.2, 0.2}, 0.19, 64);
@@ -268,8 +268,8 @@ TEST(Leapfrog, GoesOnFromAGoodStateAfterABadOne) {
   }
 }
 
-// The mean force of a pin times the time is the momentum that gravity brought in less what the cloth still
-// has.
+// The mean force of a pin times the time is the momentum that gravity added less the momentum that the cloth
+// still has.
 TEST(Leapfrog, PinsTakeOutExactlyTheMomentumThatIsMissing) {
   // 0.05 m: corners on nodes; 0.044 m: one corner inside a cut cell, a row on two nodes.
   for (const auto& [integrator, width] : {std::pair{scene::Integrator::kLeapfrog, 0.05},
@@ -301,7 +301,8 @@ TEST(Leapfrog, PinsTakeOutExactlyTheMomentumThatIsMissing) {
   }
 }
 
-// An odd communication step is an interval of its own; afterwards the grid starts there. Order 2 is not lost.
+// A communication step off the grid is an interval of its own, and the grid restarts at its end. The order
+// stays 2.
 TEST(Leapfrog, TakesCommunicationStepsOffTheGrid) {
   Scene scene = rectangle(linear_fabric(100, 100, 10), 0.05, 0.03, 0.01);
   Assembled a = assemble(scene);
@@ -317,8 +318,8 @@ TEST(Leapfrog, TakesCommunicationStepsOffTheGrid) {
   for (std::size_t n : a.system.particle) EXPECT_NEAR(a.state.z[n], -9.81 * time * time / 2, 1e-14);
 }
 
-// The limit falls when the cloth stiffens under load, and the step with it; it grows again after 100 calm
-// intervals.
+// The limit falls when the cloth stiffens under load, and the step with it. The step grows again after 100
+// intervals without a change.
 TEST(Leapfrog, FollowsTheStepLimitDownAndUp) {
   Scene scene = rectangle(reference::curved_fabric(), 0.02, 0.3, 0.01, true);
   scene.pins = {reference::pin_edges("bar", {2})};
@@ -338,12 +339,12 @@ TEST(Leapfrog, FollowsTheStepLimitDownAndUp) {
   EXPECT_LT(a.state.steps_per_interval, largest);
 }
 
-// An interval begun with steps far above the limit is finished with smaller ones, and is as long as it should
-// be: free fall by leapfrog is exact whatever the steps.
+// An interval that began with steps far above the limit is finished with smaller ones, and keeps its length:
+// free fall by leapfrog is exact for any steps.
 TEST(Leapfrog, HalvesTheStepsLeftOfAnInterval) {
   Assembled a = assemble(reference::rectangle(reference::curved_fabric(), 0.05, 0.03, 0.01));
   a.state.steps_per_interval /= 4;
-  a.state.steps_to_limit_check = 3;  // the first look comes in the middle of the interval
+  a.state.steps_to_limit_check = 3;  // the first check of the limit comes in the middle of the interval
   const std::int64_t few = a.state.steps_per_interval;
   ASSERT_GE(few, 4);
   std::string event;
@@ -353,8 +354,9 @@ TEST(Leapfrog, HalvesTheStepsLeftOfAnInterval) {
   for (std::size_t n : a.system.particle) EXPECT_NEAR(a.state.z[n], -9.81 * 1e-6 / 2, 1e-19);
 }
 
-// The measured wool, undamped, keeps its energy: the automatic step stays far enough below the limit. Energy
-// starts at 0 and leapfrog's own ripple is a thousandth of what moves; growth would be exponential.
+// The measured wool, undamped, keeps its energy: the automatic step stays far enough below the limit. The
+// energy starts at 0, and leapfrog's own ripple is a thousandth of the energies that move; growth would be
+// exponential.
 TEST(Leapfrog, UndampedWoolKeepsItsEnergy) {
   std::vector<Problem> problems;
   Scene wool;

@@ -1,5 +1,5 @@
-// Cases with known answers that take a whole cloth: the strip pulled uniformly, the bias strip, the catenary,
-// the picture frame.
+// Cases of a whole cloth with known answers: the uniform strip, the bias strip, the catenary, the picture
+// frame.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -13,7 +13,7 @@ namespace drape::dynamics {
 using namespace tests;
 namespace {
 
-// Every node to where the flat cloth (x, y) goes under (x, y) -> (X, Y).
+// Moves every node of the flat cloth to where the map (x, y) -> (X, Y) puts it.
 template <class Map>
 void deform(Assembled& a, Map map) {
   for (std::size_t n : a.system.particle) {
@@ -23,7 +23,7 @@ void deform(Assembled& a, Map map) {
   }
 }
 
-// The diagrams as they were measured, without the calibration of the strips.
+// The measured diagrams, without the calibration on strips.
 scene::FabricSpec measured_wool() {
   std::vector<Problem> problems;
   const Scene scene = validation::scene_load(DRAPE_SOURCE_DIR "/examples/hanging_wool/scene.toml", problems);
@@ -33,7 +33,7 @@ scene::FabricSpec measured_wool() {
   return wool;
 }
 
-// The figure that a case reached, in the test's output.
+// Prints the error of a case.
 void tell(const char* what, double error) { std::printf("%s: at most %.1e off\n", what, error); }
 
 double elastic_energy(const Assembled& a) {
@@ -41,7 +41,7 @@ double elastic_energy(const Assembled& a) {
   return e.stretch + e.shear + e.bending;
 }
 
-// A strip of width W, all threads along the pull strained by e, the others not: across a cut of the strip
+// A strip of width W. All yarns along the pull are strained by e, the others not. Across a cut of the strip
 //     F = W [p(e) + sqrt(2) g(l/(sqrt(2) b) - 1) (1 + e) b/l],   l = b sqrt((1 + e)^2 + 1)
 // for every b; at the diagram's own points p(e) = F_i/w_p.
 TEST(UniformStrip, GivesTheInputCurveAndTheDiagonalsShareAtEveryCell) {
@@ -75,8 +75,8 @@ TEST(UniformStrip, GivesTheInputCurveAndTheDiagonalsShareAtEveryCell) {
   tell("case a, warp and weft", worst);
 }
 
-// A trellis of inextensible threads along x and y, stretched by l1 along the rising diagonal and by l2 =
-// sqrt(2 - l1^2) along the other: F45/w_p = dW/dl1, W the energy per area. By fourth-order differences over
+// A trellis of inextensible yarns along x and y, stretched by l1 along the rising diagonal and by l2 =
+// sqrt(2 - l1^2) along the other: F45/w_p = dW/dl1, W the energy per area. Fourth-order differences over
 // 1e-4 of smooth curves.
 TEST(BiasStrip, GivesTheInputCurveAtEveryPoint) {
   const scene::FabricSpec wool = measured_wool();
@@ -106,8 +106,8 @@ TEST(BiasStrip, GivesTheInputCurveAtEveryPoint) {
 
 // A square of side L in a hinged frame of inextensible sides, half angle phi at the pulled corners: gamma =
 // pi/2 - 2 phi, the corners are D = 2 L cos phi apart, and the force on them is dE/dD = L W'(gamma)/sin phi
-// with W the energy per area. The left side by the kernel's nodal forces along dr/dD, the right by the law's
-// curve: W = G(e1) + G(e2), 1 + e1 = sqrt(2) cos phi, 1 + e2 = sqrt(2) sin phi.
+// with W the energy per area. The left side comes from the kernel's nodal forces along dr/dD, the right side
+// from the law's curve: W = G(e1) + G(e2), 1 + e1 = sqrt(2) cos phi, 1 + e2 = sqrt(2) sin phi.
 TEST(PictureFrame, ForceIsTheShearEnergysSlope) {
   const double L = 0.06;
   Scene scene = reference::rectangle(reference::curved_fabric(), L, L, 0.01);
@@ -137,8 +137,9 @@ TEST(PictureFrame, ForceIsTheShearEnergysSlope) {
   tell("case f", worst);
 }
 
-// Bias and bending off, the ends of every warp thread held: with H the horizontal pull, tan theta_{i+1} - tan
-// theta_i = m g/H at node i. Damped to rest: what is left after c t = 80 is e^-40 of the start.
+// Bias and bending are off, and the ends of every warp yarn are held. With H the horizontal pull, tan
+// theta_{i+1} - tan theta_i = m g/H at node i. The motion is damped to rest: at c t = 80, e^-40 of the start
+// remains.
 TEST(Catenary, IsTheDiscreteChain) {
   scene::FabricSpec fabric = reference::threads(20);
   fabric.weft = reference::straight(20);

@@ -1,4 +1,4 @@
-// What stops hold on bodies that move. core/README.md, section 9.
+// The forces of contact stops on moving bodies. core/README.md, section 9.
 #include <gtest/gtest.h>
 
 #include "body_fixture.h"
@@ -9,7 +9,7 @@ namespace drape::dynamics {
 using namespace tests;
 namespace {
 
-// A square cell of cloth `height` layers over a roof's ridge, or lying on a plate.
+// A square cell of cloth, `height` contact distances above a roof's edge, or lying on a plate.
 Assembled held_up(const SceneFolder& folder, bool over_ridge, double height) {
   scene::FabricSpec fabric = linen(0.01);
   fabric.friction = {0.3, 0.3};
@@ -25,7 +25,7 @@ Assembled held_up(const SceneFolder& folder, bool over_ridge, double height) {
   return a;
 }
 
-// The sum of what is held against particles whose free acceleration is `a` along z.
+// The sum of the stop forces against particles whose free acceleration is `a` along z.
 double held(const Assembled& of, double a) {
   std::vector<contact::EdgeContactPair> pairs;
   contact::edge_narrow_phase(of.system, of.state, pairs);
@@ -39,7 +39,8 @@ double held(const Assembled& of, double a) {
   return sum;
 }
 
-// The same at rest and at any velocity; on a body that accelerates upwards as if all weighed so much more.
+// The stop forces are the same at rest and at any velocity. On a body that accelerates upwards they are
+// those of a larger gravity.
 TEST(ContactStops, HoldInTheFrameOfTheBody) {
   const SceneFolder folder;
   for (const bool over_ridge : {false, true}) {

@@ -1,5 +1,5 @@
-// Case "cut and sewn": a strip cut and sewn again on other cells is the strip. tests/bench/seams.h has the
-// set-up; `drape bench seams` prints the whole table.
+// Case "cut and sewn": a strip that is cut and sewn again on other cells behaves like the uncut strip.
+// tests/bench/seams.h describes the set-up; `drape bench seams` prints the whole table.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,8 +15,8 @@ using bench::SeamFigure;
 
 constexpr SeamCut kCuts[] = {SeamCut::kWeft, SeamCut::kWarp, SeamCut::kOblique};
 
-// Cells that coincide: the welds make of two rows of half cells one of whole cells, which the uncut strip
-// has.
+// Cells that coincide: the welds make one row of whole cells, as in the uncut strip, of two rows of half
+// cells.
 TEST(CutAndSewn, HasNoEffectOnGridsThatCoincide) {
   for (SeamCut cut : {SeamCut::kWeft, SeamCut::kWarp}) {
     const SeamFigure f = seam_figure({cut, 1, 20, false});
@@ -26,9 +26,9 @@ TEST(CutAndSewn, HasNoEffectOnGridsThatCoincide) {
   }
 }
 
-// Stiffness within 0.3 % at W/20 and 0.1 % at W/40, the strain beyond two coarse cells within 1 %. Where the
-// coarser cells are those of W/13.3, three times as large as W/40, a cut at 30 degrees is off by 0.154 %: the
-// first of these figures is asked of it.
+// Stiffness within 0.3 % at W/20 and 0.1 % at W/40; the strain beyond two coarse cells within 1 %. Where the
+// coarser cells are W/13.3, three times as large as W/40, a cut at 30 degrees is off by 0.154 %: it must
+// meet the first of these figures.
 TEST(CutAndSewn, HardlyChangesTheStrip) {
   for (SeamCut cut : kCuts)
     for (double ratio : {1.0, std::sqrt(2.0), 2.0, 3.0})
@@ -36,15 +36,15 @@ TEST(CutAndSewn, HardlyChangesTheStrip) {
         const SeamFigure f = seam_figure({cut, ratio, across, false});
         const bool coarse = across == 20 || (cut == SeamCut::kOblique && ratio == 3);
         EXPECT_LE(std::abs(f.stiffness), coarse ? 3e-3 : 1e-3) << int(cut) << " " << ratio << " " << across;
-        if (!std::isnan(f.strain)) {  // two coarse cells leave nothing of the strip
+        if (!std::isnan(f.strain)) {  // two coarse cells on either side cover the whole strip
           EXPECT_LE(f.strain, 1e-2) << int(cut) << " " << ratio << " " << across;
         }
         EXPECT_LE(f.left, 1e-9);
       }
 }
 
-// The paper's rigid links stiffen a cut at 30 degrees, on cells half as large about half as much; a strip cut
-// along the pull cannot be stretched at all.
+// The paper's rigid links stiffen a cut at 30 degrees, and about half as much on cells half as large. A
+// strip cut along the pull cannot be stretched at all.
 TEST(CutAndSewn, IsStiffWithRigidLinks) {
   for (double ratio : {1.0, std::sqrt(2.0), 2.0}) {
     const double coarse = seam_figure({SeamCut::kOblique, ratio, 20, true}).stiffness,

@@ -1,4 +1,4 @@
-// Pieces whose pins follow prescribed motions, and vectors and rotations as Eigen has them.
+// Pieces whose pins have prescribed motions, and conversions of vectors and rotations to and from Eigen.
 #pragma once
 #include <Eigen/Geometry>
 #include <numbers>
@@ -18,21 +18,22 @@ inline math::Quaternion turn_about(const V& axis, double angle) {
   return {std::cos(angle / 2), u[0], u[1], u[2]};
 }
 
-// A sheet, 4.4 by 3.7 cells, whose left edge (inside cut cells where `cut`) a clamp may turn.
+// A sheet of 4.4 by 3.7 cells (4 by 3.7 unless `cut`). A clamp drives its right edge, which lies inside cut
+// cells where `cut`.
 inline Scene sheet(scene::Drive drive, bool cut = true,
                    scene::Integrator integrator = scene::Integrator::kLeapfrog) {
   Scene scene = reference::rectangle(reference::curved_fabric(), cut ? 0.044 : 0.04, 0.037, 0.01, true);
   scene.pins = {reference::pin_edges("right", {1})};
   if (cut)
     scene.pins.push_back(
-        reference::pin_edges("left", {3}));  // takes the grid line: "right" lies in cut cells
+        reference::pin_edges("left", {3}));  // the grid line follows this pin: "right" lies in cut cells
   scene.pins[0].drive = drive;
   scene.pins[0].clamp = true;
   scene.integrator = integrator;
   return scene;
 }
 
-// Every node held by one clamp.
+// A piece with every node in one clamp.
 inline Scene rigid(scene::Drive drive) {
   Scene scene = reference::rectangle(reference::curved_fabric(), 0.03, 0.02, 0.01, true);
   scene::PinSpec pin = reference::pin_at("all", {});

@@ -1,4 +1,4 @@
-// The energy balance: kinetic and potential energies grow by what comes in less what is taken, to O(h^2).
+// The energy balance: kinetic and potential energies grow by the input less the dissipation, to O(h^2).
 // core/README.md, section 4.
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace drape::dynamics {
 using namespace tests;
 namespace {
 
-// A hanging swatch that swings in the wind: every force that takes or brings energy.
+// A hanging swatch that swings in the wind, with every force that adds or removes energy.
 Scene windy_scene() {
   Scene scene = reference::smooth_scene();
   scene.fabrics[0].damping = 2e-4;
@@ -36,7 +36,7 @@ drape_energy energy_after(const Scene& scene, double h, int steps) {
   return o.c_view.energy;
 }
 
-// Halving the step divides the error by 4; 3.4 leaves room for the next order.
+// Halving the step divides the error by 4; the bound of 3.4 allows for the next order.
 TEST(EnergyBalance, IsMetToSecondOrder) {
   const Scene scene = windy_scene();
   const drape_energy coarse = energy_after(scene, 4e-5, 2500), fine = energy_after(scene, 2e-5, 5000),
@@ -51,14 +51,14 @@ TEST(EnergyBalance, IsMetToSecondOrder) {
   EXPECT_GT(std::abs(fine.balance_error / finest.balance_error), 3.4);
 }
 
-// In free fall with -m c v the potential energy is linear, and the books close to rounding.
+// In free fall with -m c v the potential energy is linear, and the balance closes to rounding.
 TEST(EnergyBalance, ClosesExactlyWhereForcesAreConstant) {
   Scene scene = reference::rectangle(reference::curved_fabric(), 0.05, 0.03, 0.01);
   scene.damping = 3;
   scene.energy = true;
   const drape_energy e = energy_after(scene, 1e-4, 1000);
   const double m = 0.15 * 0.05 * 0.03;
-  // The kick of the start spans h/2 and the state is read a half step after the last: m h^2 g a/8 at either
+  // The first kick spans h/2, and the state is read a half step after the last kick: m h^2 g a/8 at either
   // end.
   EXPECT_NEAR(e.balance_error, 0, m * 9.81 * 9.81 * 1e-8 / 4);
   // v = (g/c) (1 - exp(-c t)), and m c times the integral of its square to t = 0.1 s.

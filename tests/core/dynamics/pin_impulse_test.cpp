@@ -9,7 +9,7 @@ namespace drape::dynamics {
 using namespace tests;
 namespace {
 
-// What the outside world saw of a pin in the last advance: impulse, and moment about the pin.
+// The impulse of a pin on the outside world in the last advance, and its moment about the pin.
 math::Wrench impulse_of(Assembled& a, std::size_t pin) {
   std::vector<math::Wrench> load;
   Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
@@ -19,7 +19,7 @@ math::Wrench impulse_of(Assembled& a, std::size_t pin) {
           arr(vec(a.state.pin_impulse[pin].torque) + half * vec(load[pin].torque))};
 }
 
-// Momentum and angular momentum about `at` of the synchronous velocities.
+// Linear momentum, and angular momentum about `at`, of the synchronous velocities.
 std::pair<V, V> momenta(Assembled& a, const V& at = V::Zero()) {
   std::vector<math::Wrench> load;
   Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
@@ -39,8 +39,8 @@ double total_mass(const Assembled& a) {
   return mass;
 }
 
-// r = p + R (X - p_0) for every node, wherever the pin is driven; the piece's centroid obeys F = M (v' - g),
-// and in the mean over an advance the force on the outside world is -M (v_1 - v_0)/H + M g. Under g = 0 and
+// r = p + R (X - p_0) for every node, at any position of the pin. The piece's centroid obeys F = M (v' - g),
+// and in the mean over an advance the force on the outside world is -M (v_1 - v_0)/H + M g. With g = 0 and
 // about a point at rest the torque is -(L_1 - L_0)/H, L = I w of a rigid body.
 TEST(PinImpulse, MovesAPieceAsARigidBody) {
   for (const bool turns : {false, true}) {
@@ -88,8 +88,8 @@ TEST(PinImpulse, MovesAPieceAsARigidBody) {
   }
 }
 
-// Impulse of all pins = weight x H - change of the cloth's momentum, in every advance, also where velocities
-// jump; for pins at rest as well as moving, on nodes and in cut cells.
+// The impulse of all pins is weight x H less the change of the cloth's momentum, in every advance, also
+// where velocities jump; for pins at rest and moving, on nodes and in cut cells.
 TEST(PinImpulse, ImpulsesBalanceTheMomentum) {
   for (const scene::Drive drive : {scene::Drive::kPosition, scene::Drive::kVelocity, scene::Drive::kBoth})
     for (const bool cut : {false, true}) {
@@ -115,8 +115,8 @@ TEST(PinImpulse, ImpulsesBalanceTheMomentum) {
     }
 }
 
-// Without gravity, the moment of a pin that turns about a point at rest is minus the change of angular
-// momentum about it.
+// Without gravity, the moment of a pin that rotates about a point at rest is minus the change of angular
+// momentum about that point.
 TEST(PinImpulse, MomentsBalanceTheAngularMomentum) {
   Scene scene = sheet(scene::Drive::kPosition, false);
   scene.gravity = {0, 0, 0};
@@ -132,7 +132,7 @@ TEST(PinImpulse, MomentsBalanceTheAngularMomentum) {
   }
 }
 
-// The paper's scheme kicks whole steps: the momentum of its own velocities balances.
+// The paper's scheme kicks whole steps: the momentum of its own velocities is balanced.
 TEST(PinImpulse, ImpulsesBalanceTheMomentumOfThePapersScheme) {
   for (const bool cut : {false, true}) {
     Assembled a = assemble(sheet(scene::Drive::kVelocity, cut, scene::Integrator::kPaper));
@@ -157,8 +157,8 @@ TEST(PinImpulse, ImpulsesBalanceTheMomentumOfThePapersScheme) {
   }
 }
 
-// Where a pin's velocity jumps by dv, the cloth takes up M^-1 A^T (A M^-1 A^T)^-1 dv at once; of a piece that
-// is held as a whole, M dv goes to the pin: in the mean force of the next advance beside the weight.
+// Where a pin's velocity jumps by dv, the cloth gains M^-1 A^T (A M^-1 A^T)^-1 dv at once. For a piece held
+// as a whole, the pin receives M dv: the mean force of the next advance contains it beside the weight.
 TEST(PinImpulse, IncludesTheImpulseOfAJump) {
   Assembled a = assemble(rigid(scene::Drive::kPosition));
   const V p0 = vec(a.system.constraints.pins[0].centre);

@@ -18,7 +18,7 @@ math::RigidMotion frame_somewhere() {
   return f;
 }
 
-// The path of a pin from the start, or from frame_somewhere.
+// The path of a pin from its start, or from frame_somewhere.
 PinPath path_to(scene::Drive drive, const math::RigidMotion& to, double length, bool from_rest = false) {
   Assembled a = assemble(rigid(drive));
   if (!from_rest) a.state.pin_motion[0] = frame_somewhere();
@@ -35,7 +35,7 @@ math::RigidMotion frame_asked() {
   return f;
 }
 
-// At z = 1 the values themselves; at z = 0 where the pin was.
+// At z = 1 the path has the given values; at z = 0 those of the pin.
 TEST(PrescribedMotion, BeginsAndEndsExactly) {
   const math::RigidMotion from = frame_somewhere(), to = frame_asked();
   for (const scene::Drive drive : {scene::Drive::kPosition, scene::Drive::kVelocity, scene::Drive::kBoth}) {
@@ -53,7 +53,7 @@ TEST(PrescribedMotion, BeginsAndEndsExactly) {
       EXPECT_EQ(end.velocity, to.velocity);
       EXPECT_EQ(end.angular_velocity, to.angular_velocity);
     }
-    // What the path says of its end is what it comes to.
+    // The values at the end are the limits of the values before it.
     const math::RigidMotion near = path_frame(path, 1 - 1e-12);
     EXPECT_NEAR((vec(near.position) - vec(end.position)).norm(), 0, 1e-11);
     EXPECT_NEAR(quat(near.orientation).angularDistance(quat(end.orientation)), 0, 1e-7);  // acos near 1
@@ -63,8 +63,8 @@ TEST(PrescribedMotion, BeginsAndEndsExactly) {
   }
 }
 
-// Velocities and accelerations are the derivatives of the path: central differences over d, whose error is
-// d^2 times the third derivative over 6 (at most about (50/H)^3 d^2 here), and rounding over d.
+// Velocities and accelerations are the derivatives of the path: central differences over d have an error of
+// d^2/6 times the third derivative (at most about (50/H)^3 d^2 here), and of rounding over d.
 TEST(PrescribedMotion, GivesTheDerivativesOfItsPath) {
   const double length = 0.5, d = 1e-5;
   for (const scene::Drive drive : {scene::Drive::kPosition, scene::Drive::kVelocity, scene::Drive::kBoth}) {
@@ -86,8 +86,8 @@ TEST(PrescribedMotion, GivesTheDerivativesOfItsPath) {
   }
 }
 
-// A turning velocity along a line, in one advance and in two: the rotation is of order 4, so halves agree
-// with the whole to a fraction 2^-4 of its error, and three halvings show the order.
+// An angular velocity that changes linearly, in one advance and in several. The rotation is of order 4:
+// halving the advances divides the error by 2^4, and three halvings show the order.
 TEST(PrescribedMotion, TurnsByItsAngularVelocityToTheFourthOrder) {
   const auto turned = [](int parts) {
     Assembled a = assemble(rigid(scene::Drive::kVelocity));
@@ -111,8 +111,8 @@ TEST(PrescribedMotion, TurnsByItsAngularVelocityToTheFourthOrder) {
   }
 }
 
-// A constant velocity v from rest: over the first advance the line from 0 to v, p = v H/2; then v H each. The
-// same bits however an advance at constant velocity is cut.
+// A constant velocity v from rest: over the first advance it goes linearly from 0 to v, p = v H/2; then the
+// pin moves by v H in each. Dividing an advance at constant velocity does not change the bits.
 TEST(PrescribedMotion, IntegratesVelocity) {
   const auto run = [](int calls) {
     Assembled a = assemble(sheet(scene::Drive::kVelocity));
@@ -134,8 +134,8 @@ TEST(PrescribedMotion, IntegratesVelocity) {
   EXPECT_EQ(one.state.pin_motion[0].orientation, ten.state.pin_motion[0].orientation);
 }
 
-// A position at rest gives the same bits in one call or ten; one that goes along a line the same but for
-// rounding, which a smooth motion of 20 ms multiplies by less than a thousand.
+// A position at rest gives the same bits in one call or twenty. One that moves along a line gives the same
+// positions up to rounding, which a smooth motion of 20 ms multiplies by less than a thousand.
 TEST(PrescribedMotion, DoesNotDependOnHowAnAdvanceIsCut) {
   const auto run = [](int calls, double reach) {
     Assembled a = assemble(sheet(scene::Drive::kPosition));
@@ -157,7 +157,7 @@ TEST(PrescribedMotion, DoesNotDependOnHowAnAdvanceIsCut) {
   }
 }
 
-// 35 turns of 10 degrees come to 350 degrees, exactly where the input says; each goes the short way round.
+// 35 rotations of 10 degrees end at 350 degrees, exactly at the input; each takes the shorter way.
 TEST(PrescribedMotion, TurnsOnBeyondHalfATurn) {
   Assembled a = assemble(rigid(scene::Drive::kPosition));
   for (int k = 1; k <= 35; ++k) {
@@ -171,7 +171,7 @@ TEST(PrescribedMotion, TurnsOnBeyondHalfATurn) {
       0, 1e-15);
 }
 
-// A node held by a point pin moves along the cubic of "both": order 2 of the free cloth in the step.
+// A point pin moves a node along the cubic of "both": the free cloth is of order 2 in the step.
 TEST(PrescribedMotion, KeepsTheSecondOrder) {
   const auto run = [](double step, bool jumps) {
     Scene scene = sheet(jumps ? scene::Drive::kPosition : scene::Drive::kBoth);
@@ -194,8 +194,8 @@ TEST(PrescribedMotion, KeepsTheSecondOrder) {
     const double h = 4e-5;
     const Eigen::VectorXd fine = run(h / 16, jumps);
     const double coarse = (run(h, jumps) - fine).norm(), half = (run(h / 2, jumps) - fine).norm();
-    // The reference itself is off by 1/256 of the coarse error: the order read is 2 + log2((1 - 1/64)/(1 -
-    // 1/256)) within 0.02.
+    // The fine solution itself is off by 1/256 of the coarse error: the measured order is 2 + log2((1 -
+    // 1/64)/(1 - 1/256)) within 0.02.
     EXPECT_NEAR(std::log2(coarse / half), 2, 0.15) << (jumps ? "position" : "both");
     std::printf("driven clamp, %s: order %.3f\n", jumps ? "position" : "both", std::log2(coarse / half));
   }

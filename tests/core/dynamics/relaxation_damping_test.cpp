@@ -1,4 +1,4 @@
-// The damping of a fit is measured within one system. core/README.md, section 4.
+// The damping of a relaxation is measured within one system. core/README.md, section 4.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,9 +11,9 @@ namespace drape::dynamics {
 using namespace tests;
 namespace {
 
-// A stretched sheet that has nearly come to rest, whose fabric then stiffens by half: over the jump the
-// forces change along the way, as if the stiffness were below 0. The damping stays that of before until a way
-// has been measured in the new system, in which no way is without stiffness: then 0 < c < 2 omega of the
+// A stretched sheet is nearly at rest when its fabric stiffens by half. Across the jump the forces change
+// along the displacement as if the stiffness were below 0. The old damping stays until a displacement has
+// been measured in the new system, in which every displacement has stiffness: then 0 < c < 2 omega of the
 // bound.
 TEST(RelaxationDamping, IsMeasuredWithinOneSystem) {
   Scene scene = reference::rectangle(linen(), 0.1, 0.1, 0.01, true);
@@ -49,7 +49,7 @@ TEST(RelaxationDamping, IsMeasuredWithinOneSystem) {
   EXPECT_LT(a.state.relaxation.damping, 2 * std::sqrt(a.state.omega2));
 }
 
-// A start has a damping after the first 16 steps; before, none.
+// A start has a damping after the first 16 steps, and none before.
 TEST(RelaxationDamping, BeginsWithinSixteenSteps) {
   Scene scene = reference::rectangle(linen(), 0.1, 0.1, 0.01, true);
   scene.mode = scene::Mode::kFit;

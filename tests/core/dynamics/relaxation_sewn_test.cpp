@@ -1,5 +1,5 @@
-// A fit that sews, on its way: it settles, its inertia shrinks slowly, it goes on as it was. core/README.md,
-// section 4.
+// A relaxation that sews: its stages, its inertia that shrinks slowly, its state that continues with the
+// same bits. core/README.md, section 4.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace drape::dynamics {
 using namespace tests;
 namespace {
 
-// Two sheets above a box, to be sewn; one is held at its outer edge.
+// Two sheets above a box, to be sewn together; one is held at its outer edge.
 Scene to_sew(const SceneFolder& folder) {
   Scene scene = reference::rectangle(linen(), 0.05, 0.05, 0.01);
   scene.mode = scene::Mode::kFit;
@@ -41,8 +41,8 @@ void sew(Assembled& a) {
   ASSERT_TRUE(is_sewn(a));
 }
 
-// While seams are open nothing weighs or rubs; then it weighs, and rubs once the forces left have first been
-// seen at 0.1 of the load.
+// While seams are open, gravity and friction are off. Then gravity acts, and friction acts once the residual
+// forces have first been measured at 0.1 of the load.
 TEST(RelaxationStages, EndsWhenATenthOfTheLoadIsLeft) {
   const SceneFolder folder;
   Assembled a = assemble(to_sew(folder));
@@ -59,17 +59,17 @@ TEST(RelaxationStages, EndsWhenATenthOfTheLoadIsLeft) {
   }
   std::printf("settled after %.3f s: %.3f of the load left, the time before %.3f\n", waited,
               a.state.relaxation.residual, before);
-  EXPECT_LT(waited, 0.9);  // not by the clock
+  EXPECT_LT(waited, 0.9);  // ended by the residual, not by the time
   EXPECT_LE(a.state.relaxation.residual, 0.1);
   EXPECT_GT(before, 0.1);
   EXPECT_EQ(friction_of(a), a.system.lattices[0].contact_law.friction);
-  crumple(a, 1e-4, 3);  // what has settled does not begin anew
+  crumple(a, 1e-4, 3);  // a stage that has ended does not restart
   sewn_advance(a, 0.01);
   EXPECT_EQ(friction_of(a), a.system.lattices[0].contact_law.friction);
 }
 
-// Where the forces left do not come down (they are not looked at while a pin is on its way), 1 s after the
-// last seam: by no more than the steps between two looks, 16.
+// Where the residual does not fall (it is not measured while a pin moves), friction acts 1 s after the last
+// seam: later by at most the 16 steps between two checks.
 TEST(RelaxationStages, EndsAfterASecondAtTheLatest) {
   const SceneFolder folder;
   Assembled a = assemble(to_sew(folder));
@@ -84,7 +84,7 @@ TEST(RelaxationStages, EndsAfterASecondAtTheLatest) {
   EXPECT_NEAR(waited, 1, 2 * 16 * h + 2 * q);
 }
 
-// An inertia grows at once, and from look to look loses 1 % at most, until it is the mass.
+// An inertia grows at once. From check to check it shrinks by 1 % at most, until it equals the mass.
 TEST(RelaxationInertia, ShrinksByAHundredthACheck) {
   Scene scene = reference::rectangle(reference::curved_fabric(), 0.05, 0.05, 0.01);
   scene.mode = scene::Mode::kFit;
@@ -114,7 +114,7 @@ TEST(RelaxationInertia, ShrinksByAHundredthACheck) {
   EXPECT_EQ(a.state.inverse_mass_scale[stiffest], 1);
 }
 
-// The bits are those of every grouping of advances, while pairs are pulled, across welds and after.
+// Every grouping of advances gives the same bits: while pairs are pulled, across welds and after.
 TEST(RelaxationSewn, BitsAreThoseOfEveryGrouping) {
   const SceneFolder folder;
   const auto run = [&](int advances) {
@@ -127,8 +127,8 @@ TEST(RelaxationSewn, BitsAreThoseOfEveryGrouping) {
   for (int advances : {20, 600}) EXPECT_EQ((run(advances) - whole).cwiseAbs().maxCoeff(), 0) << advances;
 }
 
-// A state taken up again goes on as it would have: kept before the first look, while pairs are pulled, and as
-// the cloth settles.
+// A restored state continues with the same bits: saved before the first check, while pairs are pulled, and
+// as the cloth comes to rest.
 TEST(RelaxationSewn, StateGoesOnAsItWas) {
   const SceneFolder folder;
   Assembled a = assemble(to_sew(folder));

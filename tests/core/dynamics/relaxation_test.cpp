@@ -1,4 +1,4 @@
-// Fit: the rest is that of the equations. core/README.md, section 4.
+// Relaxation: its rest is an equilibrium of the equations. core/README.md, section 4.
 #include "dynamics/relaxation.h"
 
 #include <gtest/gtest.h>
@@ -15,10 +15,10 @@ namespace drape::dynamics {
 using namespace tests;
 namespace {
 
-// Runs a fit to its rest; false if it is not there in `most` seconds of cloth.
-bool fit_run(Assembled& a, double largest) {
+// Runs a fit to its rest. Returns false if it is not at rest within `duration` (s).
+bool fit_run(Assembled& a, double duration) {
   std::string event;
-  for (double t = 0; t < largest && !a.state.relaxation.at_rest; t += 0.1)
+  for (double t = 0; t < duration && !a.state.relaxation.at_rest; t += 0.1)
     if (leapfrog_advance(a.system, a.motion, a.state, 0.1, event) != Advance::kDone) return false;
   return a.state.relaxation.at_rest;
 }
@@ -35,7 +35,7 @@ Vec3 probe_at(const Assembled& a) {
 }
 
 // The heavy elastica th'' = -beta (1 - s) cos th, th(0) = 0, th'(1) = 0, by shooting for th'(0) with RK4 and
-// bisection: how far its tip lies out and down, over the length.
+// bisection: the horizontal and vertical position of its tip, over the length.
 struct Tip {
   double out, down;
 };
@@ -70,8 +70,8 @@ Tip elastica(double beta) {
   return elastica_shot(beta, low).tip;
 }
 
-// A strip of warp that leaves a clamp level, `cells` long and two wide; the clamp lies at the share s of a
-// cell. Threads of k (N/m) strain by beta B/(l^2 k) at most: 5e-5 for beta = 10 and 200 N/m.
+// A strip of warp that leaves a clamp horizontally, `cells` long and two wide. The clamp lies at the share s
+// of a cell. Yarns of k (N/m) are strained by at most beta B/(l^2 k): 5e-5 for beta = 10 and 200 N/m.
 constexpr double kLength = 0.065, kRigidity = 4.567e-6, kDensity = 0.1;  // m, N m, kg/m^2
 enum class Held { kEdge, kRegion };
 Scene cantilever(double beta, int cells, double share, Held held, double k) {
@@ -134,8 +134,8 @@ TEST(Cantilever, IsHeldAtAnyShareOfACell) {
   }
 }
 
-// The overhang of the paper's Figure 5b, EI = 1370 uN cm2 on 30 mm, l = 65 mm: tip out (mm) against the
-// elastica of a given weight.
+// The overhang of the paper's Figure 5b, EI = 1370 uN cm2 on 30 mm, l = 65 mm: the horizontal position of
+// the tip (mm) against the elastica of a given weight.
 TEST(Cantilever, GivesTheOverhangOfTheBendingTest) {
   for (const auto& [grams, out, down] : {std::array{100.0, 14.32, 59.561}, std::array{150.0, 11.14, 60.660},
                                          std::array{200.0, 9.40, 61.284}}) {
@@ -150,8 +150,8 @@ TEST(Cantilever, GivesTheOverhangOfTheBendingTest) {
   }
 }
 
-// The rest of a fit is the judge's: nothing is left of the forces; and a damped dynamic run ends there. A cut
-// piece with a hole, on a pin inside a cell and one at a node.
+// The rest of a fit is an equilibrium of the reference solver, with forces of zero; and a damped dynamic run
+// ends there. A cut piece with a hole, on a pin inside a cell and one at a node.
 TEST(Relaxation, EndsAtTheRestOfTheDampedMotion) {
   scene::FabricSpec fabric = reference::curved_fabric();
   Scene scene = cut_piece(fabric, Shape::kDiscWithHole);
@@ -179,7 +179,7 @@ TEST(Relaxation, EndsAtTheRestOfTheDampedMotion) {
   EXPECT_LE(apart, 1e-5 * 0.05);
 }
 
-// At rest an advance moves the clock and nothing else; a tuned value wakes it.
+// At rest an advance moves only the clock; a tuned value restarts the relaxation.
 TEST(Relaxation, StaysAtRestUntilSomethingChanges) {
   Scene scene = reference::rectangle(reference::curved_fabric(), 0.04, 0.04, 0.01, true);
   scene.pins = {reference::pin_edges("bar", {2})};
@@ -201,9 +201,9 @@ TEST(Relaxation, StaysAtRestUntilSomethingChanges) {
   EXPECT_NE(positions(a), rest);
 }
 
-// What the forces were on the way there does not count: a bar that was carried off in one step, with weight
-// and without, and a cloth that starts far from rest end where the judge finds nothing left of the present
-// load.
+// The forces on the way to the rest do not count. A bar displaced in one step, with weight and without, and
+// a cloth that starts far from rest both end where the reference solver finds no residual beyond the share
+// of the present load.
 TEST(Relaxation, RestIsMeasuredByThePresentLoad) {
   for (const double carried : {0.0, 0.1, 1.0})
     for (const double weight : {9.81, 0.0}) {
@@ -228,7 +228,7 @@ TEST(Relaxation, RestIsMeasuredByThePresentLoad) {
       outside.pins[0].p[2] += 0.002;
       const reference::Residual left = reference::residual(motion, outside, positions(a));
       EXPECT_LE(left.ratio, 1.001e-5) << carried << " m, " << weight << " m/s^2";
-      // Without weight the load may be a share of the forces on the way (core/README.md, section 4).
+      // Without weight the load may be a share of earlier forces (core/README.md, section 4).
       const double load = left.force / left.ratio, reported = a.state.relaxation.load;
       EXPECT_NEAR(left.force, a.state.relaxation.residual * reported, 1e-3 * left.force + 1e-12 * reported);
       if (weight > 0) EXPECT_NEAR(reported, load, 1e-5 * load);
@@ -236,9 +236,9 @@ TEST(Relaxation, RestIsMeasuredByThePresentLoad) {
     }
 }
 
-// Springs that are damped lower the step limit too; what a fit makes of it stays bounded, beyond the hundred
-// intervals after which a dynamic run would choose its step anew. Without weight, with nothing but a clamp
-// that was turned, it comes to rest all the same.
+// Damping along springs lowers the step limit too. The relaxation stays bounded beyond the hundred intervals
+// after which a dynamic run would choose its step again. Without weight, with only a clamp that was rotated,
+// it also comes to rest.
 TEST(Relaxation, ComesToRestWithDampedSpringsAndWithoutWeight) {
   scene::FabricSpec fabric = reference::curved_fabric();
   for (double damping : {0.0, 1e-4}) {
@@ -278,8 +278,8 @@ TEST(Relaxation, EnlargesTheInertiaOfStiffCells) {
   EXPECT_NEAR(h * std::sqrt(a.state.omega2) / 2, kSafetyDamped, 1e-12);
 }
 
-// Inertia is found anew within 16 steps, and sooner where a particle would move by a fiftieth of its cell: at
-// the speed b/(50 k h), after k steps.
+// The inertia is updated within 16 steps, and sooner where a particle would move by a fiftieth of its cell:
+// at the speed b/(50 k h), after k steps.
 TEST(Relaxation, ChecksSoonerWhereTheClothMovesFast) {
   Scene scene = reference::rectangle(reference::curved_fabric(), 0.05, 0.05, 0.01);
   scene.mode = scene::Mode::kFit;

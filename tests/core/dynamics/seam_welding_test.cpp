@@ -1,4 +1,4 @@
-// Pull and weld. Equations: core/README.md, section 6.
+// Seam closing and welding. Equations: core/README.md, section 6.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 using reference::curved_fabric;
 using reference::rectangle;
 
-// Two rectangles side by side, the right one off by `gap`, on cells of their own.
+// Two rectangles side by side, the right one displaced by `gap`, each on cells of its own.
 Scene pair_of(const scene::FabricSpec& fabric, double side, double cell, double ratio, Vec3 gap) {
   Scene scene = rectangle(fabric, side, side, cell);
   scene.gravity = {0, 0, 0};
@@ -31,7 +31,7 @@ Scene pair_of(const scene::FabricSpec& fabric, double side, double cell, double 
   return scene;
 }
 
-scene::FabricSpec loose() {  // nodes without forces between them
+scene::FabricSpec loose() {  // no forces act between its nodes
   scene::FabricSpec fabric;
   fabric.name = "loose";
   fabric.areal_density = 0.15;
@@ -58,8 +58,8 @@ TEST(SeamWelding, FreeParticlesCloseCritically) {
     EXPECT_NEAR(gap_norm(a, 1), gap_norm(a, 0), 1e-14);
   }
   std::printf("closing, relative errors: %.2e %.2e %.2e %.2e\n", errors[0], errors[1], errors[2], errors[3]);
-  // The rate led on to t_n is off by (3/8) h^2 of its second derivative, and pulls 2 w times that: 3/4 (h
-  // w)^2.
+  // The rate extrapolated to t_n is off by (3/8) h^2 of its second derivative, and the closing force by 2 w
+  // times that: 3/4 (h w)^2.
   EXPECT_LE(errors[0], 0.75 * 0.1 * 0.1);
   for (std::size_t k = 0; k + 1 < errors.size(); ++k) {
     const double order = std::log2(errors[k] / errors[k + 1]);
@@ -67,7 +67,7 @@ TEST(SeamWelding, FreeParticlesCloseCritically) {
   }
 }
 
-// From afar they come at the seam's speed.
+// From afar the sides approach at the seam's speed.
 TEST(SeamWelding, ComesAtItsSpeed) {
   Scene scene = pair_of(loose(), 0.01, 0.01, 1, {1, 0, 0});
   scene.seams[0].pull = 200;
@@ -96,7 +96,7 @@ Momentum momentum_of(Assembled& a) {
   return sum;
 }
 
-// Pull and weld keep the linear momentum; the pull keeps the angular momentum too.
+// Closing and welding conserve linear momentum; closing conserves angular momentum too.
 TEST(SeamWelding, KeepsMomentum) {
   for (double ratio : {1.0, std::sqrt(2.0), 2.0}) {
     Scene scene = pair_of(curved_fabric(), 0.05, 0.01, ratio, {0.004, 0.001, 0.003});
@@ -123,8 +123,8 @@ TEST(SeamWelding, KeepsMomentum) {
   }
 }
 
-// A weld projects by the masses: with d the gap and v' the gap's velocity before, the angular momentum jumps
-// by that of the displacement and of the impulse alone; on two free particles mu d x v'.
+// A weld projects with the masses. With d the gap and v' the gap's velocity before it, the angular momentum
+// jumps only by that of the displacement and of the impulse; on two free particles by mu d x v'.
 TEST(SeamWelding, JumpsAtAWeldByWhatTheGapCarries) {
   Scene scene = pair_of(loose(), 0.01, 0.01, 1, {5e-5, 3e-5, 2e-5});
   scene.seams[0].pull = 100;
@@ -148,7 +148,7 @@ TEST(SeamWelding, JumpsAtAWeldByWhatTheGapCarries) {
   }
 }
 
-// The judge sews the same system: order 2 before the weld and after it.
+// The reference solver sews the same system: order 2 before the weld and after it.
 TEST(SeamWelding, AgreesWithTheReference) {
   for (double until : {0.012, 0.06}) {
     std::vector<double> errors;
@@ -190,9 +190,9 @@ Eigen::VectorXd welded(Assembled& a, const Eigen::VectorXd& force) {
   return left;
 }
 
-// Hinges across and links along a seam at a crumpled state that is sewn: what the welds leave of the kernel's
-// forces is what they leave of the judge's, who gives both sides half of what the kernel gives one; with no
-// net force or torque.
+// Hinges across a seam and links along it, at a crumpled state that is sewn. After the projection by the
+// welds, the kernel's forces equal those of the reference solver, which gives both sides half of what the
+// kernel gives one. There is no net force or torque.
 TEST(SeamWelding, BendsAsTheReference) {
   Scene scene = pair_of(curved_fabric(), 0.05, 0.01, 1.3, {0, 0, 0});
   scene.pieces[1].outline = {
@@ -238,8 +238,8 @@ TEST(SeamWelding, BendsAsTheReference) {
   EXPECT_NEAR(reported.stretch, expected.stretch, 1e-12 * expected.stretch);
 }
 
-// Pins hold both edges 5e-5 m apart, off the grid: their rows leave the welds next to nothing, and the welds
-// must not make up for the gap with what is left. The cloth stays as it is.
+// Pins hold both edges 5e-5 m apart, off the grid: their rows leave almost nothing to the welds, which must
+// not close the gap with that remainder. The cloth stays as it is.
 TEST(SeamWelding, LeavesToPinsWhatTheyHold) {
   Scene scene = pair_of(curved_fabric(), 0.1, 0.02, 1, {5e-5, 0, 0});
   scene.pieces[0].grain = 0.02;
@@ -253,8 +253,8 @@ TEST(SeamWelding, LeavesToPinsWhatTheyHold) {
     });
 }
 
-// Sewing does not distort the outlines: pieces that are free and unloaded once they are joined have edges of
-// the length, and corners of the angle, that were cut, within 0.5 %; the angle of a whole corner, pi/2.
+// Sewing does not distort the outlines. Once pieces are joined, free and unloaded, their edges have the
+// length and their corners the angle of the pattern, within 0.5 %; a whole corner has pi/2.
 TEST(SeamWelding, KeepsTheShapeOfOutlines) {
   for (double ratio : {1.0, std::sqrt(2.0), 3.0}) {
     Scene scene = pair_of(curved_fabric(), 0.06, 0.006, ratio, {0.004, 0.001, 0.003});
@@ -295,7 +295,7 @@ TEST(SeamWelding, KeepsTheShapeOfOutlines) {
   }
 }
 
-// A fit does not rest while a seam waits for its time or is being pulled.
+// A fit does not rest while a seam waits for its time or is being closed.
 TEST(SeamWelding, KeepsARelaxationFromResting) {
   Scene scene = pair_of(curved_fabric(), 0.05, 0.01, 1, {0.002, 0, 0});
   scene.mode = scene::Mode::kFit;
@@ -309,8 +309,8 @@ TEST(SeamWelding, KeepsARelaxationFromResting) {
             std::ptrdiff_t(a.state.sewn.size()));
 }
 
-// Pulled pairs stay bounded at 0.99 of the limit and grow at 1.01 (the nodes of single cells share nothing,
-// so that the bound is exact).
+// Pairs under the closing force are bounded at 0.99 of the limit and grow at 1.01. The nodes of single cells
+// share nothing, so the bound is exact.
 TEST(SeamWelding, ReportsTheLimitOfItsPull) {
   for (double share : {0.99, 1.01}) {
     Scene scene = pair_of(loose(), 0.01, 0.01, 1, {0.01, 0, 0});

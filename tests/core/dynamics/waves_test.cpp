@@ -1,4 +1,4 @@
-// Frequencies of the lattice by the kernel's own motion: the stretched net and plane waves in the cloth.
+// Frequencies of the lattice in the kernel's own motion: the stretched net, and plane waves in the cloth.
 // Leapfrog moves a mode of frequency w with sin(w_d h/2) = w h/2, so w = w_d [1 - (w_d h)^2/24 + O((w_d
 // h)^4/1920)].
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// The frequency of a signal cos(w_d k h) from sums over it: cos(w_d h) = sum s_k (s_{k-1} + s_{k+1})/(2 sum
-// s_k^2); corrected.
+// The frequency of a signal cos(w_d k h) from sums over it, cos(w_d h) = sum s_k (s_{k-1} + s_{k+1})/(2 sum
+// s_k^2), corrected to w.
 double frequency_of(const std::vector<double>& s, double h) {
   double top = 0, bottom = 0;
   for (std::size_t k = 1; k + 1 < s.size(); ++k)
@@ -75,10 +75,10 @@ TEST(StretchedNet, SwingsAtItsFrequencies) {
     }
 }
 
-// Case g': in-plane waves of phase (kx, ky) a cell, m = rho b^2, k_d = g'/2:
+// Case g': in-plane waves of phase (kx, ky) per cell, m = rho b^2, k_d = g'/2:
 //     m D_xx = 4 k_weft sin^2(kx/2) + 2 k_d (1 - cos kx cos ky),  m D_yy likewise,
 //     m D_xy = 2 k_d sin kx sin ky.
-// After k steps the middle node has heard of k cells around it only: it moves as in cloth without a rim.
+// After k steps the middle node depends only on k cells around it: it moves as in cloth without a rim.
 TEST(PlaneWave, RunsAtItsFrequency) {
   const double b = 0.01, rho = 0.15, warp = 300, weft = 120, bias = 60, amplitude = 1e-9;
   const int steps = 40, n = 2 * steps + 4;

@@ -1,4 +1,4 @@
-// The fabrics that come with Drape, and the worked example and the table of their page.
+// The fabrics shipped with Drape, and the worked example and the table of their page.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -26,7 +26,8 @@ std::vector<std::string> shipped() {
   return names;
 }
 
-// The fabric of a small scene that takes the file as it is: read without fault, and with laws.
+// Expects that a small scene with this file reads without fault and that the fabric has laws. Returns the
+// fabric.
 scene::FabricSpec expect_fabric(const std::filesystem::path& file) {
   const SceneFolder folder;
   std::vector<Problem> problems;
@@ -65,7 +66,7 @@ std::string end_of(const scene::DiagramSpec& d) {
   return printed("%.3g", d.force.back()) + " at " + printed("%.3g", 100 * d.elongation.back());
 }
 
-// A row of the page's table from the areal density on.
+// A row of the page's table, from the areal density on.
 std::string row_of(const scene::FabricSpec& f) {
   constexpr double kMicroNcm2 = 1e10;  // uN cm2 per N m2
   constexpr double kWidth = 0.03;      // of all bending specimens here
@@ -83,7 +84,7 @@ class ShippedFabric : public testing::TestWithParam<std::string> {};
 
 TEST_P(ShippedFabric, IsReadAndHasLaws) { expect_fabric(kFolder / (GetParam() + ".toml")); }
 
-// A reader sees at once whether a figure was measured.
+// The description states first whether a figure was measured.
 TEST_P(ShippedFabric, StatesMeasuredOrIllustrativeFirst) {
   const std::string text = text_of(kFolder / (GetParam() + ".toml"));
   const auto begins = [&](const char* word) {
@@ -115,13 +116,13 @@ TEST(FabricsPage, WorkedExampleIsAFabric) {
   const std::string block = page.substr(from, page.find("```", from) - from);
   const scene::FabricSpec f = expect_fabric(folder.write("shirting.toml", block));
   EXPECT_EQ(f.areal_density, 0.132);
-  // EI = 42046 m/A over 30 mm, as the page works it out from the sheet; typed to 10 uN cm2
+  // EI = 42046 m/A over 30 mm, as computed on the page from the sheet; given to 10 uN cm2
   const double half_digit = 5e-10 / 0.03;
   EXPECT_NEAR(f.bending_warp, 42046e-10 * 3.17 / 49.4 / 0.03, half_digit);
   EXPECT_NEAR(f.bending_weft, 42046e-10 * 3.15 / 81.2 / 0.03, half_digit);
 }
 
-// The page's sheets are read as they stand there.
+// The page's sheets are read as printed.
 TEST(FabricsPage, SheetsAreFabrics) {
   const std::string page = text_of(kFolder / "README.md");
   for (const char* sheet : {"```\n[kes]", "```\n[fast]"}) {

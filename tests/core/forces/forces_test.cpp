@@ -1,5 +1,5 @@
-// The common suite of every force: against the judge, against its own energy, and against the symmetries of
-// space. Equations: core/README.md, section 3.
+// The common suite of every force: against the reference solver, against its own energy, and against the
+// symmetries of space. Equations: core/README.md, section 3.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -52,7 +52,7 @@ const LawCase kLaws[] = {
     {"all_slits", true, true, true, true, scene::BiasModel::kOdd, 0.8, scene::Scaling::kWidth,
      Shape::kSlits}};
 
-// The rectangle: 7 x 5 whole cells and a cut row on each axis, edges and corners of every kind.
+// The rectangle: 7 x 5 whole cells and a cut row on each axis, with edges and corners of every kind.
 Scene scene_of(const LawCase& law) {
   scene::FabricSpec fabric = reference::curved_fabric();
   if (!law.warp) fabric.warp = {};
@@ -69,8 +69,8 @@ class EveryForce : public testing::TestWithParam<LawCase> {};
 INSTANTIATE_TEST_SUITE_P(Laws, EveryForce, testing::ValuesIn(kLaws),
                          [](const auto& law) { return law.param.name; });
 
-// Both sides round each of about 30 terms a node once or twice; 1e-12 of the largest force leaves room for
-// that only.
+// Both sides round each of about 30 terms a node once or twice. The tolerance of 1e-12 of the largest force
+// allows for that only.
 TEST_P(EveryForce, IsThatOfTheReference) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     Assembled a = assemble(scene_of(GetParam()));
@@ -126,7 +126,7 @@ TEST_P(EveryForce, HasNoNetForceAndNoNetTorque) {
 
 TEST_P(EveryForce, IsZeroAtRest) {
   Assembled a = assemble(scene_of(GetParam()));
-  // A length rounds to 1e-16 of itself; times the stiffness, 600 N/m of 1 cm, and 8 links.
+  // A length is rounded by 1e-16 of itself; times the stiffness, 600 N/m of 1 cm, and 8 links.
   EXPECT_LE(forces_by(dynamics::kernel_pick(), a).lpNorm<Eigen::Infinity>(), 8 * 600 * 0.01 * 4e-16);
 }
 
@@ -161,9 +161,8 @@ TEST_P(EveryForce, IsTheSameBitForBitInEveryLane) {
   EXPECT_LE((portable - expected).lpNorm<Eigen::Infinity>(), 1e-12 * expected.lpNorm<Eigen::Infinity>());
 }
 
-// The patch test: a linear map of the flat piece strains all links of a kind alike. Inside, at nodes whose
-// four cells are whole, nothing is left over; and the virial is that of the stress on the piece's whole area
-// A,
+// The patch test: a linear map of the flat piece strains all links of a kind alike. At inner nodes with four
+// whole cells the net force is zero. The virial is that of the stress on the piece's whole area A,
 //     -sum f.r = A sum over the four kinds of p(e) (1 + e),     whatever the outline cuts.
 TEST(Patch, LinearDisplacementGivesTheExactStressOnEveryCutPiece) {
   for (Shape shape : kCutShapes) {
@@ -202,7 +201,7 @@ TEST(Patch, LinearDisplacementGivesTheExactStressOnEveryCutPiece) {
   }
 }
 
-// Darts and slits give the grid twins, and with them lists beside the rows; a rectangle has none.
+// Darts and slits give the grid twins, and with them irregular elements; a rectangle has none.
 TEST(IrregularElements, IsThereWhereTheOutlineSplitsCellsAndOnlyThere) {
   for (Shape shape : {Shape::kRectangle, Shape::kDart, Shape::kSlits}) {
     const Assembled a = assemble(cut_piece(reference::curved_fabric(), shape));
@@ -214,7 +213,7 @@ TEST(IrregularElements, IsThereWhereTheOutlineSplitsCellsAndOnlyThere) {
   }
 }
 
-// psi(cos theta) = theta / sin theta to 120 degrees; its continuation meets it with two derivatives.
+// psi(cos theta) = theta / sin theta up to 120 degrees; its continuation joins with two derivatives.
 TEST(Bending, EnergyIsHalfTheAngleSquaredToASharpFoldAndSmoothBeyond) {
   for (double theta = 0.01; theta <= 2.09; theta += 0.01)
     EXPECT_NEAR(hinge_energy(std::cos(theta)), theta * theta / 2, 1e-13);

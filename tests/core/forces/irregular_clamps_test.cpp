@@ -24,7 +24,7 @@ struct ClampCase {
   std::vector<int> edges;
   std::vector<Vec2> region;
   Shape shape = Shape::kRectangle;
-  Vec2 origin{0, 0};  // of the grid; where not the first point
+  Vec2 origin{0, 0};  // of the grid, if not at the first point
 };
 const ClampCase kClamps[] = {{"node", {{0.03, 0.02}}, {}, {}},
                              {"point_in_a_cell", {{0.033, 0.024}}, {}, {}},
@@ -55,7 +55,7 @@ Scene clamped(const ClampCase& c, scene::FabricSpec fabric = reference::curved_f
   return scene;
 }
 
-// The pin turned about an axis of no direction in particular.
+// The pin's rotation, about an arbitrary axis.
 Eigen::Matrix3d turn_of(double angle) {
   return Eigen::AngleAxisd(angle, Vector3d(2, -1, 3).normalized()).matrix();
 }
@@ -91,8 +91,8 @@ TEST_P(EveryClamp, IsThatOfTheReference) {
   }
 }
 
-// F = -dE/dr; the torque on the pin is -dE/da for a turn by a about each axis. Central differences at 1e-7 m
-// and rad.
+// F = -dE/dr; the torque on the pin is -dE/da for a rotation by a about each axis. Central differences at
+// 1e-7 m and rad.
 TEST_P(EveryClamp, IsMinusTheGradientOfItsEnergy) {
   scene::FabricSpec fabric = reference::curved_fabric();
   fabric.warp = fabric.weft = fabric.bias = {};
@@ -125,7 +125,8 @@ TEST_P(EveryClamp, IsMinusTheGradientOfItsEnergy) {
   }
 }
 
-// Between cloth and pin nothing is lost: no net force on the cloth, and its net torque is minus the pin's.
+// The forces between cloth and pin balance: no net force on the cloth, and its net torque is minus the
+// pin's.
 TEST_P(EveryClamp, TurnsThePinAgainstTheCloth) {
   Assembled a = assemble(clamped(GetParam()));
   crumple(a, 0.0015, 3);

@@ -50,7 +50,7 @@ void throw_about(Assembled& a, double speed, unsigned seed) {
       (*v)[n] = any(random);
 }
 
-// What of the kernel's forces depends on velocity.
+// The part of the kernel's forces that depends on velocity.
 VectorXd rates_of(Assembled& a) {
   const VectorXd all = forces_by(dynamics::kernel_pick(), a);
   System still = a.system;
@@ -118,8 +118,7 @@ TEST(Damping, DoesNothingToRigidMotion) {
   EXPECT_LE(rates_of(a).norm(), 1e-12 * thrown);
 }
 
-// A flat plate across the wind: rho/2 C_n A v^2 against it; along the wind rho/2 C_t A v^2. The cut rows
-// count with their Core and judge, the elastic forces with those of damping and air: 1e-12 of the largest,
+// Kernel and reference solver: the elastic forces with those of damping and air, to 1e-12 of the largest,
 // for the rounding of some fifty terms a node.
 TEST(Rates, AreThoseOfTheReference) {
   for (Shape shape : {Shape::kRectangle, Shape::kTriangle, Shape::kDiscWithHole, Shape::kDart, Shape::kSlits})
@@ -142,7 +141,8 @@ TEST(Rates, AreThoseOfTheReference) {
       }
 }
 
-// area.
+// A flat plate across the wind: rho/2 C_n A v^2 against it; along the wind rho/2 C_t A v^2. Cut rows count
+// with their area.
 TEST(Air, DragOfAFlatPlateIsItsCoefficient) {
   for (Shape shape : {Shape::kRectangle, Shape::kDiscWithHole, Shape::kDart, Shape::kSlits}) {
     Assembled a = assemble(sheet(false, true, shape));
@@ -196,7 +196,8 @@ TEST(Rates, TurnWithTheCloth) {
               1e-12 * before.lpNorm<Eigen::Infinity>());
 }
 
-// u_n = v + h_o/(h_o + h_oo) (v - w): with w off by the same, forces are those of the velocity led on.
+// u_n = v + h_o/(h_o + h_oo) (v - w): with w off by the same amount, the forces are those at the
+// extrapolated velocity.
 TEST(Rates, AreTakenAtTheVelocityExtrapolatedToTheirTime) {
   Assembled a = assemble(sheet(true, true));
   crumple(a, 0.0015, 5);
@@ -235,7 +236,7 @@ TEST(Rates, AreTheSameBitForBitInEveryLaneAndOneByOne) {
   EXPECT_LE((total - Vector3d(air[0], air[1], air[2])).norm(), 1e-12 * total.norm());
 }
 
-// Steps too: rows, twins and what lies beside the rows.
+// In steps too: rows, twins and irregular elements.
 TEST(Rates, StepTheSameBitsInEveryLane) {
   const dynamics::Kernel* scalar = dynamics::kernel_named("scalar");
   if (!scalar) GTEST_SKIP() << "this processor has no AVX2 with FMA";
@@ -265,8 +266,8 @@ TEST(Rates, StepTheSameBitsInEveryLane) {
     }
 }
 
-// A level sheet falling through air: v = v_t tanh(g t/v_t), v_t^2 = 2 rho g/(rho_air C_n); order 2 with steps
-// that change.
+// A level sheet that falls through air: v = v_t tanh(g t/v_t), v_t^2 = 2 rho g/(rho_air C_n). Order 2 with
+// steps that change.
 TEST(Rates, KeepTheOrderOfLeapfrog) {
   Scene scene = reference::rectangle(reference::threads(8), 0.03, 0.03, 0.01);
   scene.has_air = true;

@@ -1,4 +1,4 @@
-// Curves read in lanes find the segment that a search from the first one finds: core/README.md, section 2.
+// Curves read in lanes use the segment that a search from the first one finds: core/README.md, section 2.
 #include "forces/tension.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 using Lane = simd::ScalarLane<false>;
 
-// Evenly spread points; points crowded at 10 % beside a lonely one at 50 %; with and without compression.
+// Evenly spaced points; points crowded at 10 % beside a single one at 50 %; with and without compression.
 std::vector<math::Curve> curves() {
   std::vector<math::Curve> all;
   for (const math::Continuation& below :
@@ -30,7 +30,8 @@ std::vector<math::Curve> curves() {
 
 void expect_read(const math::Curve& curve, double e) {
   const double value = math::curve_value(curve, e), slope = math::curve_slope(curve, e);
-  // Both round some ten terms, of which the largest is no larger than force or slope and their like at 50 %.
+  // Both round some ten terms, the largest of which is no larger than the force or slope and their values at
+  // 50 %.
   EXPECT_NEAR(CurveTension{&curve}(Lane(e)).v, value, 1e-14 * (std::abs(value) + 10)) << e;
   EXPECT_NEAR(CurveTension{&curve}.slope(Lane(e)).v, slope, 1e-12 * (std::abs(slope) + 1e3)) << e;
 }
@@ -56,8 +57,8 @@ TEST(Tension, IsTheCurvesBetweenAtAndBesideItsPoints) {
   }
 }
 
-// A segment is never taken for its neighbour, although a bin may begin in either: the force at an end is the
-// next segment's own, to the last bit.
+// A segment is never mistaken for its neighbour, although a bin may begin in either: the force at an end is
+// that of the next segment, bit for bit.
 TEST(Tension, TakesTheSegmentThatBeginsAtAnEnd) {
   for (const math::Curve& curve : curves())
     for (int k = 1; k < curve.segments; ++k) {

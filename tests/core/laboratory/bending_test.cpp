@@ -1,4 +1,4 @@
-// Bending tests on simulated cloth, read by the heavy elastica. Equations: core/README.md, section 5.
+// Bending tests on simulated cloth, evaluated by the heavy elastica. Equations: core/README.md, section 5.
 #include "laboratory/bending.h"
 
 #include <gtest/gtest.h>
@@ -20,8 +20,8 @@ scene::FabricSpec strip_fabric() {
   return f;
 }
 
-// Both tests on the mesh and on one of half the cell: of order 2 towards B. The order of the sequence itself
-// is that of hinges at the clamp, 2, to 0.3 as the meshes are coarse.
+// Both tests on the mesh and on one of half the cell: order 2 towards B. The order of the sequence itself is
+// 2, that of hinges at the clamp, within 0.3 since the meshes are coarse.
 TEST(BendingTests, GiveBackTheRigidityWithOrderTwo) {
   const scene::FabricSpec f = strip_fabric();
   std::vector<Problem> problems;

@@ -1,4 +1,4 @@
-// Calibrations and their place in the text of a fabric. Equations: core/README.md, section 5.
+// Calibrations, and where they are written in the text of a fabric. Equations: core/README.md, section 5.
 #include "laboratory/calibrate.h"
 
 #include <gtest/gtest.h>
@@ -62,15 +62,15 @@ TEST(Calibration, LetsStripsGiveBackTheirDiagrams) {
   }
 }
 
-// A second one has nothing to do.
+// A second calibration changes nothing.
 TEST(Calibration, StartsFromStoredCorrections) {
   const Calibration c = calibrated(calibrated(read(kText)).fabric);
   ASSERT_TRUE(c.converged);
   EXPECT_EQ(c.residuals.size(), 1u);
 }
 
-// Its sweeps are few: three that place points, and what mixing leaves of the others (without it, the last
-// points of half-wool take 15).
+// It takes few sweeps: three that place points, and those that Anderson mixing needs for the others (without
+// it, the last points of half-wool take 15).
 TEST(Calibration, TakesFewSweeps) {
   std::vector<Problem> problems;
   for (const char* name : {"cotton", "half_wool", "quilting_cotton"}) {
@@ -84,7 +84,8 @@ TEST(Calibration, TakesFewSweeps) {
   }
 }
 
-// Slack toes: no force is told where the diagram has none, and the rest is given back.
+// Slack toes: where the diagram has no force, the calibration asks for none, and the strip gives back the
+// rest.
 TEST(Calibration, LetsDiagramsBeSlackAtFirst) {
   std::string text(kText);
   for (const auto& [from, to] : {std::pair{"[\n  0, # nothing\n  6,", "[\n  0, # nothing\n  0,"},
@@ -96,8 +97,8 @@ TEST(Calibration, LetsDiagramsBeSlackAtFirst) {
   EXPECT_NEAR(c.residuals.back(), 0, 1e-4);
 }
 
-// A tuned point keeps its correction: with all forces of a fabric times a factor, all laws are, and so are
-// the simulated strips, but for bending (1e-6 of the forces).
+// A tuned point keeps its correction. With all forces of a fabric times a factor, all laws are, and so are
+// the simulated strips, except for bending (1e-6 of the forces).
 TEST(Calibration, StaysWithTunedPoints) {
   scene::FabricSpec f = calibrated(read(kText)).fabric;
   for (scene::DiagramSpec* d : {&f.warp, &f.weft, &f.bias})
@@ -107,7 +108,7 @@ TEST(Calibration, StaysWithTunedPoints) {
     EXPECT_LE(off(f, along, 0.0125), 1.1e-4);
 }
 
-// Diagonals that pull harder than the warp's whole diagram cannot be taken out of it.
+// Diagonals that pull harder than the warp's whole diagram cannot be subtracted from it.
 TEST(Calibration, ReportsWhyItDoesNotConverge) {
   scene::FabricSpec f = read(kText);
   f.warp.force = {0, 0.05, 0.1};
@@ -117,7 +118,7 @@ TEST(Calibration, ReportsWhyItDoesNotConverge) {
   EXPECT_FALSE(c.residuals.empty());
 }
 
-// The text but for the lines and entries added is the user's, byte by byte; read again, it has the
+// Apart from the lines and entries added, the text is the user's, byte for byte. Read again, it has the
 // corrections.
 TEST(WriteCalibration, KeepsTheText) {
   for (const bool crlf : {false, true}) {
@@ -148,14 +149,14 @@ TEST(WriteCalibration, KeepsTheText) {
       for (std::size_t k = 0; k < a.correction.size(); ++k)
         EXPECT_NEAR(a.correction[k] / b.correction[k], 1, 1e-5);
     }
-    // Stored anew, only figures change.
+    // Written again, only figures change.
     const std::string twice = write_calibration(stored, c, "2027-01-01", problems);
     EXPECT_EQ(twice.size(), stored.size());
     EXPECT_NE(twice.find("2027-01-01"), std::string::npos);
   }
 }
 
-// A diagram whose jaws went away loses the corrections of its elongations, in a table and on a line.
+// A diagram that loses its jaws loses the corrections of its elongations, in a table and on a line.
 TEST(WriteCalibration, RemovesWhatNoLongerHolds) {
   for (const bool inline_table : {false, true}) {
     std::string text(kText);
@@ -180,7 +181,7 @@ TEST(WriteCalibration, RemovesWhatNoLongerHolds) {
   }
 }
 
-// Diagrams of a sheet have no table of their own: their corrections stand in [calibration].
+// Diagrams of a data sheet have no table of their own: their corrections are in [calibration].
 TEST(WriteCalibration, KeepsASheet) {
   const std::string text =
       "thickness = 0.0004\n[fast]\nW = 168\nC = [15, 14.5]\nE5 = [0.67, 0.4]\nE20 = [1.87, 1.87]\n"

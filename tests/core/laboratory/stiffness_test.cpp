@@ -11,8 +11,8 @@ namespace drape::laboratory {
 using namespace tests;
 namespace {
 
-// K = -dF/dr by central differences over 1e-7 m: curvatures of the laws over lengths of a cell leave 1e-6 of
-// the largest entry. A cut piece with links beside the rows, and a clamp.
+// K = -dF/dr by central differences over 1e-7 m: the curvature of the laws over the length of a cell leaves
+// 1e-6 of the largest entry. A cut piece with irregular elements, and a clamp.
 TEST(Stiffness, IsMinusTheDerivativeOfTheForces) {
   Scene scene = cut_piece(reference::curved_fabric(), Shape::kSlits);
   scene::PinSpec pin = reference::pin_edges("edge", {0});

@@ -57,8 +57,9 @@ TEST_P(ShippedStrip, GivesBackItsDiagrams) {
   }
 }
 
-// Every strip finds its rest on cells of width/8 and width/32 too; across the ends of the 45 degree strip an
-// even share of the width, corners are nodes, and its forces change with order 1 or more.
+// Every strip also finds its equilibrium on cells of width/8 and width/32. Along the ends of the 45 degree
+// strip the points have equal shares of the width, corners are nodes, and the forces converge with order 1
+// or more.
 TEST_P(ShippedStrip, FindsItsRestOnOtherCells) {
   const scene::FabricSpec f = shipped(GetParam());
   std::vector<Problem> problems;
@@ -84,7 +85,7 @@ TEST(StripOrder, IsThePowerOfTheCell) {
   EXPECT_TRUE(std::isnan(order_of(b, 1e-3, 2e-3)));  // changes that grow
 }
 
-// Slack threads and short strips (ASTM D5035), whose jaws hold rows that nearly say the same.
+// Slack yarns and short strips (ASTM D5035), whose jaws hold nearly dependent rows.
 TEST(Strip, FindsItsRestWhereClothIsSlackOrShort) {
   for (const auto& [width, gauge] : {std::pair{0.05, 0.075}, std::pair{0.025, 0.075}, std::pair{0.05, 0.1}})
     for (double compression : {1.0, 0.0}) {
@@ -97,8 +98,8 @@ TEST(Strip, FindsItsRestWhereClothIsSlackOrShort) {
     }
 }
 
-// With the bias law off and nothing to bend, a warp strip between jaws is threads side by side: the input at
-// every cell, to what rest leaves (1e-7 of the load).
+// With the bias law and bending off, a warp strip between jaws consists of independent yarns: it gives the
+// input at every cell, to the residual of the equilibrium (1e-7 of the load).
 TEST(Strip, OfYarnsAloneIsItsDiagramAtEveryCell) {
   scene::FabricSpec f = shipped("cotton");
   f.bias = {};
@@ -113,7 +114,8 @@ TEST(Strip, OfYarnsAloneIsItsDiagramAtEveryCell) {
     }
 }
 
-// The rest of Newton's method is the judge's: nothing is left of the forces, and the pins carry what it says.
+// The equilibrium of Newton's method is one of the reference solver: its residual is zero, and the pins bear
+// the stated forces.
 TEST(Strip, IsAtRestForTheReference) {
   const scene::FabricSpec f = shipped("half_wool");
   const Scene scene = strip_scene(f, model::YarnDirection::kBias, f.strip_width / 8);
@@ -131,8 +133,8 @@ TEST(Strip, IsAtRestForTheReference) {
     EXPECT_NEAR(rest.force[0][std::size_t(k)], -rest.force[1][std::size_t(k)], 1e-6 * -rest.force[1][1]);
 }
 
-// Fit mode finds the same rest by motion, to the 1e-5 of the load at which it stops: as forces on soft
-// strips, 1e-3 of the pull.
+// Fit mode finds the same equilibrium by motion, to the 1e-5 of the load at which it stops: as forces on
+// soft strips, 1e-3 of the pull.
 TEST(Strip, IsTheRestOfAFit) {
   const scene::FabricSpec f = shipped("half_wool");
   Scene scene = strip_scene(f, model::YarnDirection::kBias, f.strip_width / 4);
@@ -153,8 +155,8 @@ TEST(Strip, IsTheRestOfAFit) {
   EXPECT_NEAR(-load[1].force[1] / newton.force[0], 1, 1e-3);
 }
 
-// A trellis of inextensible threads: S = w_p [g(L) + g(|e2|) l1/l2], which the odd law without jaws solves
-// for F; exact but for the differences of the homogeneous lattice, 1e-9.
+// A trellis of inextensible yarns: S = w_p [g(L) + g(|e2|) l1/l2], which the odd law without jaws solves for
+// F; exact except for the differences of the homogeneous lattice, 1e-9.
 TEST(Strip, WithoutJawsIsTheTrellis) {
   scene::FabricSpec f = shipped("wool");
   f.bias.correction.clear();
@@ -166,7 +168,7 @@ TEST(Strip, WithoutJawsIsTheTrellis) {
   }
 }
 
-// Jaws stiffen a linear 45 degree strip about as K = r (r - 1.25)/(r - 1)^2 says: within 15 % for r = 4.
+// Jaws stiffen a linear 45 degree strip about as K = r (r - 1.25)/(r - 1)^2 predicts: within 15 % for r = 4.
 TEST(Strip, IsStiffenedByJawsAboutAsKPredicts) {
   scene::FabricSpec f = shipped("cotton");
   for (scene::DiagramSpec* d : {&f.warp, &f.weft, &f.bias})
@@ -180,9 +182,9 @@ TEST(Strip, IsStiffenedByJawsAboutAsKPredicts) {
       1e-9);
 }
 
-// The diagonals' share of a uniform strip is sqrt(2) g (1 + e)/l w_p, l = hypot(1 + e, 1), while it is as
-// wide as at first; it may narrow, and then they pull less. What is left to expect of a calibrated one is its
-// 1e-4 on the cells of the calibration.
+// The diagonals' share of a uniform strip is sqrt(2) g (1 + e)/l w_p, l = hypot(1 + e, 1), while the strip
+// keeps its width. If it narrows, they pull less. For a calibrated strip the expected excess is its 1e-4 on
+// the cells of the calibration.
 TEST(StripExcess, OfWeftIsTheShareOfTheDiagonalsAtMost) {
   scene::FabricSpec f = shipped("wool");
   f.weft.correction.clear();

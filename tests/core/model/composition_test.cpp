@@ -1,4 +1,4 @@
-// The methods of order 4 and 6: their conditions, their order on smooth cloth, and their limit.
+// The methods of order 4 and 6: their conditions, their order on smooth cloth, and their step limit.
 #include "model/composition.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ class CompositionOf : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Orders, CompositionOf, testing::Values(4, 6),
                          [](const auto& p) { return "order_" + std::to_string(p.param); });
 
-// Straight diagrams, large turns: smooth, but not linear.
+// Straight diagrams, large rotations: smooth, but not linear.
 scene::FabricSpec smooth_fabric() {
   scene::FabricSpec f;
   f.name = "smooth";
@@ -32,7 +32,7 @@ scene::FabricSpec smooth_fabric() {
   return f;
 }
 
-// Palindromes whose kicks and drifts fill the step.
+// Palindromes whose kicks and drifts add up to the step.
 TEST_P(CompositionOf, AddsUpToOneStepAndBack) {
   const Composition& of = *composition_of(GetParam());
   double kicks = 0, drifts = 0;
@@ -44,7 +44,7 @@ TEST_P(CompositionOf, AddsUpToOneStepAndBack) {
   for (int k = 0; k < of.stages; ++k) EXPECT_EQ(of.drift[k], of.drift[of.stages - 1 - k]);
 }
 
-// The trace of one step over x'' = -w^2 x less 2, in size: above 0 the oscillator grows.
+// The absolute trace of one step of x'' = -w^2 x, less 2: above 0 the oscillator grows.
 double excess(const Composition& of, double angle) {
   double m[2][2] = {{1, 0}, {0, 1}};
   for (int k = 0; k <= of.stages; ++k)
@@ -85,8 +85,9 @@ TEST_P(CompositionOf, IsBoundedUpToItsLimitWithDamping) {
     }
 }
 
-// One cell that breathes along the warp: w^2 = 4 k/(rho b^2). Bounded at 0.99 of the limit; beyond it the
-// method of order 4 grows at once, that of order 6 by sqrt(excess) a step in a tongue 0.0003 wide.
+// One cell that oscillates along the warp: w^2 = 4 k/(rho b^2). It is bounded at 0.99 of the limit. Beyond
+// it the method of order 4 grows at once; that of order 6 grows by sqrt(excess) a step in a tongue 0.0003
+// wide.
 TEST_P(CompositionOf, MovesAnOscillatorWithinItsLimit) {
   scene::FabricSpec fabric;
   fabric.name = "linear";
@@ -110,7 +111,8 @@ TEST_P(CompositionOf, MovesAnOscillatorWithinItsLimit) {
   }
 }
 
-// A cloth on two pins swings: positions, synchronous velocities and pin forces at one time, with `n` steps.
+// A cloth that swings on two pins: positions, synchronous velocities and pin forces at one time, with `n`
+// steps.
 struct Swung {
   Eigen::VectorXd r, v;
   double force;    // N, mean of the peg over the advance
@@ -152,8 +154,8 @@ Swung swung(int order, int n, double damping, bool driven = false,
       outputs::energy_sum(e) - a.state.energy_start - (now.input + a.motion.held.work) + now.dissipated};
 }
 
-// Error = C h^p (1 + O(h^2)): halving the step divides it by 2^p. Against the method of order 6 in steps
-// eight times as small as the smallest, whose error is 8^-6 of it or, at order 4, less.
+// Error = C h^p (1 + O(h^2)): halving the step divides it by 2^p. The exact solution is the method of order
+// 6 in steps eight times as small as the smallest; its error is 8^-6 of theirs or, at order 4, less.
 void expect_order(int order, double damping, bool driven) {
   const Swung exact = swung(6, 512, damping, driven);
   const int first = order == 4 ? 32 : 24;
@@ -168,14 +170,14 @@ void expect_order(int order, double damping, bool driven) {
   }
   for (std::size_t what = 0; what < 3; ++what)
     EXPECT_NEAR(std::log2(errors[0][what] / errors[2][what]) / 2, order, 0.35) << what;
-  // The work of pins that accelerate is of order 2. Energies of 2e-4 J, sums of
-  // a hundred terms, are rounded by 3e-18 J at most, where order 6 already is after one halving.
+  // The work of accelerating pins is of order 2. Energies of 2e-4 J, sums of a hundred terms, are rounded by
+  // at most 3e-18 J, which order 6 reaches after one halving.
   if (driven) EXPECT_NEAR(std::log2(errors[0][3] / errors[2][3]) / 2, 2, 0.35);
   else EXPECT_LE(errors[1][3], 1.5 * errors[0][3] / std::pow(2, order) + 3e-18);
 }
 
-// Diagrams are C2 at their points, so the step in which a link passes one errs by h^4: order 4 is left of 6,
-// with a small constant.
+// Diagrams are C2 at their points, so the step in which a link passes one errs by h^4: of order 6 only order
+// 4 remains, with a small constant.
 TEST_P(CompositionOf, HasOrder4AcrossPointsOfDiagrams) {
   scene::FabricSpec fabric = smooth_fabric();
   fabric.warp = reference::diagram({0, 0.002, 0.005, 0.01, 0.02}, {0, 0.002, 0.008, 0.02, 0.06});
@@ -233,8 +235,8 @@ TEST_P(CompositionOf, GivesTheSameBitsOnThreads) {
   EXPECT_TRUE(moved(3) == one);
 }
 
-// The mean force of a pin times the time is the momentum that gravity brought in less what the cloth still
-// has.
+// The mean force of a pin times the time is the momentum that gravity added less the momentum that the cloth
+// still has.
 TEST_P(CompositionOf, PinsTakeOutExactlyTheMomentumThatIsMissing) {
   for (const double width : {0.05, 0.044}) {
     Scene scene = rectangle(reference::curved_fabric(), width, 0.05, 0.01, true);

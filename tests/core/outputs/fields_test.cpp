@@ -12,7 +12,7 @@ namespace drape::outputs {
 using namespace tests;
 namespace {
 
-// A cloth that has fallen onto a ball, which moves.
+// A cloth that has fallen onto a moving ball.
 Assembled on_ball(const SceneFolder& folder) {
   Scene scene = reference::rectangle(linen(), 0.2, 0.2, 0.01);
   scene.pieces[0].place.origin = {-0.07, -0.1, 0.0507};
@@ -23,7 +23,7 @@ Assembled on_ball(const SceneFolder& folder) {
   return a;
 }
 
-// The field and the summary tell the same: count, largest pressure.
+// The field and the summary agree: count, largest pressure.
 TEST(Fields, PressureIsThatOfTheSummary) {
   const SceneFolder folder;
   const Assembled a = on_ball(folder);
@@ -40,8 +40,8 @@ TEST(Fields, PressureIsThatOfTheSummary) {
   EXPECT_NEAR(weight, 0.04, 1e-12);
 }
 
-// At rest on a table every particle is pressed by its weight over its area, rho g, whether the penalty holds
-// it or is too soft and the stop does; with a hole, and cells that the outline cuts. What the body bears is
+// At rest on a table the pressure on every particle is its weight over its area, rho g, whether the penalty
+// supports it or is too soft and the stop does; with a hole, and cells that the outline cuts. The body bears
 // the sum.
 TEST(Fields, PressureAtRestIsWeightOverArea) {
   const SceneFolder folder;
@@ -77,8 +77,8 @@ TEST(Fields, PressureAtRestIsWeightOverArea) {
     }
 }
 
-// Particles at the bottom of a groove touch both of its sides: each counts once, and so does one that touches
-// two bodies.
+// Particles at the bottom of a groove touch both of its sides. Each counts once, and so does one that
+// touches two bodies.
 TEST(Fields, AParticleCountsOnceByHoweverManySurfaces) {
   const SceneFolder folder;
   const Mesh groove{
@@ -99,7 +99,7 @@ TEST(Fields, AParticleCountsOnceByHoweverManySurfaces) {
       body_add(scene, folder, "groove", groove);
     }
     Assembled a = assemble(scene);
-    for (std::size_t n : a.system.particle) {  // all into the bottom, within both layers
+    for (std::size_t n : a.system.particle) {  // all into the bottom, within the contact distance of both sides
       a.state.x[n] = 0;
       a.state.z[n] = 0.0004 * std::sqrt(2.0);
     }
@@ -108,7 +108,7 @@ TEST(Fields, AParticleCountsOnceByHoweverManySurfaces) {
   }
 }
 
-// Of one piece, the elongations are the strains of the cloth; means of particles lie between them.
+// For a single piece, the elongations are the strains of the cloth; the means of particles lie between them.
 TEST(Fields, ElongationIsThatOfTheSummary) {
   const SceneFolder folder;
   const Assembled a = on_ball(folder);

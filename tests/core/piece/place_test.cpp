@@ -11,11 +11,10 @@ namespace {
 double dot(Vec3 a, Vec3 b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Vec3 minus(Vec3 a, Vec3 b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-// Upright plane y = 2 rolled about the z axis: P' at the distance R from the axis, at the same height; arcs
-// as long as the lines they were; and the middle line, straight above the axis along the normal, keeps its
-// direction.
+// The upright plane y = 2 rolled about the z axis: P' has the distance R from the axis and the same height.
+// Arcs have the lengths of the lines. The middle line, above the axis along the normal, keeps its direction.
 TEST(Place, CylinderKeepsHeightsAndLengths) {
-  for (const double side : {2.0, -2.0, 0.0}) {  // before, behind, through the axis
+  for (const double side : {2.0, -2.0, 0.0}) {  // in front of the axis, behind it, through it
     scene::PlaceSpec place;
     place.origin = {0, side, 1};
     place.axis_y = {0, 0, 1};  // axis_x x axis_y = -y
@@ -37,8 +36,8 @@ TEST(Place, CylinderKeepsHeightsAndLengths) {
   }
 }
 
-// The ellipse x = a sin f, y = b cos f: P' lies on it, at the arc length that the plane had, by Simpson's
-// rule (n = 2000 pieces of f: (f/n)^4/180 of the fourth derivative of s', below 1e-10 for a ratio of 3).
+// The ellipse x = a sin f, y = b cos f: P' lies on it, at the arc length of the plane's point. Simpson's
+// rule (n = 2000 intervals of f: (f/n)^4/180 of the fourth derivative of s', below 1e-10 for a ratio of 3).
 TEST(Place, EllipseKeepsArcLengths) {
   for (const Vec2 radius : {Vec2{0.2, 0.12}, {0.1, 0.3}, {0.3, 0.3}})
     for (const double side : {2.0, -2.0}) {
@@ -53,7 +52,7 @@ TEST(Place, EllipseKeepsArcLengths) {
         const double out = side > 0 ? 1 : -1;
         EXPECT_NEAR(p[2], 1.4, 1e-15);
         EXPECT_NEAR(p[0] * p[0] / (a * a) + p[1] * p[1] / (b * b), 1, 1e-14);
-        // the angle of the place, taken to the turn in which x lies
+        // The angle of the position, in the turn in which x lies.
         double f = std::atan2(p[0] / a, out * p[1] / b), s = 0;
         const auto arc = [&](double to) {
           double sum = 0;
@@ -72,8 +71,8 @@ TEST(Place, EllipseKeepsArcLengths) {
     }
 }
 
-// A chord of the arc length h is h (1 - (k h)^2/24 + ...) long, k the curvature, on an ellipse at most
-// max(a, b)/min(a, b)^2: placed cloth starts strained by less than that.
+// A chord of the arc length h has the length h (1 - (k h)^2/24 + ...), with k the curvature, on an ellipse
+// at most max(a, b)/min(a, b)^2: placed cloth starts strained by less than that.
 TEST(Place, EllipseStrainsByTheChordOnly) {
   scene::PlaceSpec place;
   place.origin = {0, 2, 0};
@@ -90,7 +89,7 @@ TEST(Place, EllipseStrainsByTheChordOnly) {
   }
 }
 
-// Off the ellipse the imperfection goes along its normal: (x/a^2, y/b^2).
+// The imperfection is along the normal of the ellipse: (x/a^2, y/b^2).
 TEST(Place, ImperfectionOfAnEllipseIsNormal) {
   scene::PieceSpec piece = rectangle(0, 0, 1, 1, 0.1);
   piece.place.origin = {0, 2, 0};
@@ -139,7 +138,7 @@ TEST(Place, ImperfectionIsTheSumOfItsWaves) {
     EXPECT_LE(std::abs(h), 0.01);
     EXPECT_NE(h, 0);
   }
-  // another seed and another piece have waves of their own: the state of piece 1 is seed + 1000003
+  // Another seed and another piece have other waves: the state of piece 1 is seed + 1000003.
   const Vec3 here = place_start(scene, 0, {0.5, 3});
   scene.pieces.push_back(scene.pieces[0]);
   const Vec3 other = place_start(scene, 1, {0.5, 3});

@@ -18,7 +18,7 @@ struct Points {
   std::vector<double> e{0}, f{0};
 };
 
-// Rising points with flat stretches and kinks: every fourth force step is 0, the others span three decades.
+// Rising points with flat stretches and kinks: every fourth force step is 0; the others span three decades.
 Points random_points(unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(0, 1);
@@ -88,8 +88,8 @@ TEST(ReferenceCurve, StraightDiagramIsExact) {
   }
 }
 
-// On segment i |f''| <= (6 |j| + 60 |q|) t (1 - t)/d, so the mean of f'' over a reach delta next to a point
-// is at most (6 |j| + 60 |q|) delta/(2 d^2), which vanishes with delta; a jump of f'' would stay.
+// On segment i |f''| <= (6 |j| + 60 |q|) t (1 - t)/d. So the mean of f'' over a distance delta next to a
+// point is at most (6 |j| + 60 |q|) delta/(2 d^2), which vanishes with delta; a jump of f'' would stay.
 TEST(ReferenceCurve, CurvatureVanishesAtEveryPoint) {
   const Points p = random_points(3);
   const Curve c = curve_make(p.e, p.f, Below::kOdd);
@@ -190,8 +190,8 @@ TEST(ReferenceOddLaw, LeavesOutPointsBeyondLocking) {
   EXPECT_DOUBLE_EQ(curve_slope(g, 0.45), g.f[1] / 0.1);
 }
 
-// A slack toe: the short diagonal, strained by a little more than L, would pull behind it, g(L) = -g(|e2|)
-// l1/l2 < 0. The law stays at 0 there, and solves its equation at the points beyond.
+// A slack toe: the short diagonal, strained by a little more than L, would need a pull of the opposite sign,
+// g(L) = -g(|e2|) l1/l2 < 0. The law stays at 0 there, and solves its equation at the points beyond.
 TEST(ReferenceOddLaw, DoesNotFallBehindASlackToe) {
   const std::vector<double> e{0, 0.02, 0.04, 0.06}, P{0, 0, 18, 30};
   const Curve g = odd_law(e, P);

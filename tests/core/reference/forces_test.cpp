@@ -1,5 +1,5 @@
-// The common suite of every law: force = -grad E, no net force or torque, nothing at rest, turns with the
-// cloth; and the lattice's masses, widths and laws against their own equations.
+// The common suite of every law: force = -grad E, no net force or torque, zero at rest, rotates with the
+// cloth. Also the lattice's masses, widths and laws against their own equations.
 #include "reference/forces.h"
 
 #include <gtest/gtest.h>
@@ -51,9 +51,9 @@ int sharp_folds(const Lattice& lattice, const VectorXd& r) {
   return count;
 }
 
-// Central differences at h and h/2, combined to fourth order: the error is O((h/L)^4) of the force with L the
-// length over which the laws bend (0.05 b at least), and rounding epsilon E/(h F), E/F about b: 1e-11 and
-// 1e-12 for h = 1e-4 b.
+// Central differences at h and h/2, combined to fourth order. The error is O((h/L)^4) of the force, with L
+// the length over which the laws curve (at least 0.05 b), and rounding epsilon E/(h F), E/F about b: 1e-11
+// and 1e-12 for h = 1e-4 b.
 TEST(ReferenceForces, AreMinusTheGradientOfTheirEnergy) {
   for (scene::BiasModel model :
        {scene::BiasModel::kOdd, scene::BiasModel::kTension, scene::BiasModel::kPaper}) {
@@ -114,7 +114,7 @@ TEST(ReferenceForces, TurnWithTheCloth) {
   }
 }
 
-// At rest a link's strain is rounding, some epsilon |r|/b, and its force k w times that.
+// At rest a link's strain is rounding, a few epsilon |r|/b, and its force is k w times that.
 TEST(ReferenceForces, VanishAtRest) {
   const Lattice lattice = cut_lattice();
   const double k = 400, b = 0.01, reach = 0.05;
@@ -131,7 +131,7 @@ TEST(ReferenceForces, StretchedLinkPullsWithItsDiagram) {
   const double b = 0.01, e = 0.25, F_strip = 18;
   for (const Scene& scene : {whole, paper}) {
     const Lattice lattice = lattice_make(scene);
-    // one inner warp column stretched to the diagram's point 2, and only one of its links pulls
+    // One inner warp column is stretched to the diagram's point 2, and only one of its links pulls.
     const int middle = 2 * 5 + 2, above = middle + 5;
     VectorXd r = lattice.position;
     for (int row = 0; row < 5; ++row) r[3 * (5 * row + 2) + 1] *= 1 + e;
@@ -149,7 +149,7 @@ TEST(ReferenceForces, StretchedLinkPullsWithItsDiagram) {
   }
 }
 
-// F S_cell/S_pr on a whole link, S_pr = H w_p: for threads and diagonals alike.
+// F S_cell/S_pr on a whole link, S_pr = H w_p: for yarns and diagonals alike.
 TEST(ReferenceForces, PaperAreaGivesTheDiagonalsTheCellsShare) {
   Scene scene = rectangle(curved_fabric(), 0.04, 0.04, 0.01);
   scene.scaling = scene::Scaling::kPaperArea;
@@ -160,7 +160,7 @@ TEST(ReferenceForces, PaperAreaGivesTheDiagonalsTheCellsShare) {
   EXPECT_NEAR(lattice.bias[0].width * curve_value(lattice.laws[2].curve, e), asked, 1e-13 * asked);
 }
 
-// Rolled along one thread with every hinge at the angle a: E = sum B w/b a^2/2, and the hinges' widths,
+// Rolled along one yarn direction with every hinge at the angle a: E = sum B w/b a^2/2. The hinges' widths,
 // halves at the two rims, add up to the width of the cloth on each of the inner rows.
 TEST(ReferenceForces, RolledClothHoldsTheBendingEnergy) {
   const double b = 0.01, a = 0.3, nu = 0.2, width = 0.04;
@@ -253,16 +253,16 @@ TEST(ReferenceFold, IsAngleOverSineToBeyondARightAngle) {
   }
 }
 
-// Beyond 120 degrees psi parts from theta/sin(theta) by psi_3 x^3/6 (1 + O(x)), so value, slope and curvature
-// are those of the angle. psi_3 = (5 y psi_2 + 4 psi_1)/(1 - y^2) at y = -1/2: differentiate (1 - y^2) psi' =
-// y psi - 1 three times.
+// Beyond 120 degrees psi departs from theta/sin(theta) by psi_3 x^3/6 (1 + O(x)), so value, slope and
+// curvature are those of the angle. psi_3 = (5 y psi_2 + 4 psi_1)/(1 - y^2) at y = -1/2: differentiate (1 -
+// y^2) psi' = y psi - 1 three times.
 TEST(ReferenceFold, ContinuationAgreesToThirdOrder) {
   const double psi_0 = 4 * kPi / (3 * std::sqrt(3.0)), psi_1 = (-psi_0 / 2 - 1) / 0.75;
   const double psi_2 = (psi_0 - 1.5 * psi_1) / 0.75, psi_3 = (-2.5 * psi_2 + 4 * psi_1) / 0.75;
   for (double d : {1e-3, 2e-3, 4e-3}) {
     const double theta = std::acos(-0.5 - d), gap = fold_at(theta).psi - theta / std::sin(theta);
     EXPECT_NEAR(gap / (psi_3 * d * d * d / 6), 1, 4 * d) << d;
-    // the energy's gap is the integral of psi's: psi_3 d^4/24, beyond rounding
+    // The difference in energy is the integral of that in psi: psi_3 d^4/24, beyond rounding.
     const double lost = fold_at(theta).energy - theta * theta / 2;
     EXPECT_NEAR(lost, psi_3 * d * d * d * d / 24, 4 * d * std::abs(psi_3) * d * d * d * d / 24 + 8 * kEpsilon)
         << d;

@@ -1,4 +1,5 @@
-// The judge in motion against exact solutions: falls, hanging cloths, conservation, and the order of ERKStep.
+// The reference solver against exact solutions: falls, hanging cloths, conservation, and the order of
+// ERKStep.
 #include "reference/motion.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +48,7 @@ TEST(ReferenceMotion, FallsWithDamping) {
   }
 }
 
-// Spring i, counted from the hem, carries rho g w (i + 1/2) b: its strain is rho g (i + 1/2) b/k.
+// Spring i, counted from the hem, bears rho g w (i + 1/2) b: its strain is rho g (i + 1/2) b/k.
 VectorXd hung_strip(const Lattice& lattice, double b, int cells, double k) {
   VectorXd r = lattice.position;
   for (int j = cells - 1; j >= 0; --j) {
@@ -59,8 +60,8 @@ VectorXd hung_strip(const Lattice& lattice, double b, int cells, double k) {
   return r;
 }
 
-// Case c: the discrete answer balances, and a damped strip comes to it. The slowest mode has w_1 < pi/2
-// sqrt(k/rho)/L; with c = 2 w_1 it fades as e^{-c t/2} (1 + c t/2), below 1e-10 after 0.06 s.
+// Case c: the discrete solution is in equilibrium, and a damped strip converges to it. The slowest mode has
+// w_1 < pi/2 sqrt(k/rho)/L. With c = 2 w_1 it decays as e^{-c t/2} (1 + c t/2), below 1e-10 after 0.06 s.
 TEST(ReferenceMotion, HangingStripComesToItsDiscreteAnswer) {
   const double k = 20, b = 0.01;
   const int cells = 6;
@@ -94,20 +95,21 @@ TEST(ReferenceMotion, SlackStripHangsAsADiscreteCatenary) {
   const Eigen::Index n = 3 * motion.lattice.count;
   const VectorXd y = state_at(motion, 1.2, {1e-11, 8, 0}).y;
   const VectorXd rate = motion_rate(motion, standing(motion), y);
-  ASSERT_LE(rate.segment(n, n).lpNorm<Eigen::Infinity>(), 1e-7 * kG);  // at rest
+  ASSERT_LE(rate.segment(n, n).lpNorm<Eigen::Infinity>(), 1e-7 * kG);  // it is at rest
 
   const double H = rate[2 * n + 1] / 2;  // of each of the two threads, along y
   const auto slope = [&](int j) {
     const Vector3d d = y.segment<3>(3 * (2 * (j + 1))) - y.segment<3>(3 * (2 * j));
     return d[2] / d[1];
   };
-  EXPECT_LT(slope(0), -0.2);  // it does hang
+  EXPECT_LT(slope(0), -0.2);  // it does sag
   for (int j = 0; j + 1 < cells; ++j) {
     EXPECT_NEAR(slope(j + 1) - slope(j), m * kG / H, 1e-6 * m * kG / H) << "joint " << j;
   }
 }
 
-// The slope over a halving is P where the first term of the error rules; the next can feign one order more.
+// The slope over a halving is P where the first term of the error dominates; the next term can imitate one
+// order more.
 TEST(ReferenceMotion, EachMethodShowsItsOrder) {
   const Motion motion = motion_make(smooth_scene());
   const double until = 0.016;
@@ -140,8 +142,8 @@ TEST(ReferenceMotion, ErrorStaysWithinTheTolerance) {
   }
 }
 
-// Linear relations between the states survive every Runge-Kutta step: M v + c M (r - r_0) + J = M v_0 + M g
-// t. One pin's point lies in a cell of which the other pin fixes a corner.
+// Every Runge-Kutta step keeps linear relations between the states: M v + c M (r - r_0) + J = M v_0 + M g t.
+// The point of one pin lies in a cell of which the other pin fixes a corner.
 TEST(ReferenceMotion, PinsReceiveAllMomentum) {
   Scene scene = smooth_scene();
   scene.pieces[0].velocity = {0.1, 0.2, -0.3};

@@ -1,4 +1,5 @@
-// The judge's rows: columns, outputs against exact solutions, and what it says when it cannot run.
+// The rows of the reference solver: columns, outputs against exact solutions, and messages where it cannot
+// run.
 #include "reference/run.h"
 
 #include <gtest/gtest.h>
@@ -36,8 +37,8 @@ Table run_table(const Scene& scene, const Options& options) {
 }
 
 // One cell hung from its upper edge: each lower particle is a damped oscillator, x'' = g - c x' - w^2 x with
-// w^2 = (k/2)/m, x the way down. The pins carry their own weight and the threads: -2 (m g + k/2 mean x), and
-// by the equation itself mean x = (g - [v + c x]/t)/w^2.
+// w^2 = (k/2)/m and x the displacement downwards. The pins bear their own weight and the yarns: -2 (m g +
+// k/2 mean x). By the equation itself mean x = (g - [v + c x]/t)/w^2.
 TEST(ReferenceRun, HangingCellSwingsExactly) {
   const double k = 40, b = 0.01, m = 0.15 * b * b / 4, c = 60, rtol = 1e-11;
   Scene scene = rectangle(threads(k), b, b, b, true);
@@ -58,7 +59,8 @@ TEST(ReferenceRun, HangingCellSwingsExactly) {
   EXPECT_NEAR(table.at(0, "pin.bar.force[3]"), -2 * m * kG, 1e-13 * m * kG);
   for (std::size_t i = 1; i < table.rows.size(); ++i) {
     const double t = table.at(i, "time"), before = table.at(i - 1, "time");
-    // an error dv of the velocity swings as dv/W in the position; J is controlled to rtol times 4 m 1 m/s
+    // An error dv of the velocity oscillates as dv/W in the position; J is controlled to rtol times 4 m 1
+    // m/s.
     const long steps = std::lround(table.at(i, "step.count"));
     const double slack_v = velocity_slack(steps, rtol, kG / W),
                  slack_x = position_slack(steps, rtol, b, b, kG / W, 1 / W);
@@ -73,7 +75,7 @@ TEST(ReferenceRun, HangingCellSwingsExactly) {
   }
 }
 
-// A point inside a cell stays where it is though all four particles around it move.
+// A point inside a cell stays at its position although all four particles around it move.
 TEST(ReferenceRun, HoldsPointsInsideCells) {
   Scene scene = smooth_scene();
   scene.probes = {{"held", 0, {0.017, 0.024}}, {"free", 0, {0.03, 0.03}}};

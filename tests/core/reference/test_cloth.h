@@ -1,4 +1,4 @@
-// Small cloths for the judge's own tests, and what error control allows them.
+// Small cloths for the tests of the reference solver, and the errors that its error control allows.
 #pragma once
 #include <random>
 
@@ -24,7 +24,7 @@ inline scene::FabricSpec threads(double k) {
   return fabric;
 }
 
-// Curved laws whose points lie far apart, so that differences over a micrometre see smooth functions; bending
+// Curved laws with widely spaced points, so that they are smooth over differences of a micrometre. Bending
 // differs between warp and weft.
 inline scene::FabricSpec curved_fabric() {
   scene::FabricSpec fabric;
@@ -88,8 +88,8 @@ inline Eigen::VectorXd crumpled(const Lattice& lattice, double amplitude, unsign
   return r;
 }
 
-// What error control allows at most while errors do not grow: each step adds rtol (|v| + 1 m/s) to a velocity
-// and rtol (|r| + cell) to a position, which then moves with the wrong velocity.
+// The largest error that the error control allows while errors do not grow. Each step adds rtol (|v| + 1
+// m/s) to a velocity and rtol (|r| + cell) to a position, which then moves with the wrong velocity.
 inline double velocity_slack(long steps, double rtol, double v) { return double(steps) * rtol * (v + 1); }
 inline double position_slack(long steps, double rtol, double r, double cell, double v, double time) {
   return double(steps) * rtol * (r + cell) + velocity_slack(steps, rtol, v) * time;

@@ -1,4 +1,4 @@
-// Seam layout: counts, ends and spacings (core/README.md, section 6; model case m).
+// Seam layout: counts, ends and spacings (core/README.md, section 6; case m of the model).
 #include "seam/layout.h"
 
 #include <gtest/gtest.h>
@@ -104,7 +104,8 @@ TEST(SeamLayout, GivesBothSidesAsManyParticlesAndBothEnds) {
   }
 }
 
-// pi r/2 of a quarter, to the sagitta of its chords: 8/3 s^2/c^2 relative with c^2 = 8 r s, s = b/1000.
+// pi r/2 of a quarter circle, to the sagitta of its chords: 8/3 s^2/c^2 relative with c^2 = 8 r s, s =
+// b/1000.
 TEST(SeamLayout, MeasuresAlongTheCurve) {
   const Scene scene = two_pieces(quarter(0.1, 0.01), square(0.1, 0.01));
   const SeamLayout layout = seam_layout(scene, scene.seams[0]);
@@ -125,7 +126,7 @@ TEST(SeamLayout, RunsOverSeveralEdgesEitherWay) {
   EXPECT_TRUE(seam_chain(scene.pieces[0], side).empty());
 }
 
-// Whole outlines: the last particle would be the first.
+// Whole outlines: the last particle would coincide with the first.
 TEST(SeamLayout, ClosesOnItself) {
   Scene scene = two_pieces(square(0.1, 0.01), square(0.1, 0.01));
   for (scene::SeamSide& side : scene.seams[0].side) side.edges = {1, 2, 3, 0};
@@ -134,7 +135,7 @@ TEST(SeamLayout, ClosesOnItself) {
   EXPECT_EQ(layout.point[0][0], (Vec2{0.1, 0}));
 }
 
-// Across the outline, to the cloth, whichever way the outline and the seam run.
+// The direction across the outline to the cloth, whichever way the outline and the seam run.
 TEST(SeamLayout, KnowsTheInside) {
   for (bool clockwise : {false, true})
     for (bool reverse : {false, true}) {
@@ -146,7 +147,7 @@ TEST(SeamLayout, KnowsTheInside) {
     }
 }
 
-// The points of a flat half disc go round the other way than its outline with the arc does.
+// The points of a flat half disc are in the opposite order to its outline with the arc.
 TEST(SeamLayout, KnowsTheInsideOfCurves) {
   for (double bow : {5e-4, -5e-4}) {
     scene::PieceSpec piece = square(0.1, 0.01);

@@ -1,4 +1,4 @@
-// The heavy elastica, and what two bending tests make of it.
+// The heavy elastica, and two bending tests based on it.
 #include "standards/cantilever.h"
 
 #include <gtest/gtest.h>
@@ -43,8 +43,8 @@ double drop_from_the_clamp(double beta) {
   return drop;
 }
 
-// Two ways to the same curve, each of fourth order: from the clamp (30/4000)^4 = 3e-9, from the end what
-// kStep leaves, 3e-8.
+// Two ways to compute the same curve, each of fourth order: from the clamp (30/4000)^4 = 3e-9, from the end
+// with kStep 3e-8.
 TEST(Elastica, FromTheEndAsFromTheClamp) {
   for (const double beta : {0.2, 1.0, 5.0, 8.004, 30.0}) {
     const double drop = drop_from_the_clamp(beta);
@@ -64,12 +64,13 @@ TEST(Elastica, Limits) {
   EXPECT_NEAR((1 - soft.drop) / contact_distance, 1, 1 / std::sqrt(soft.beta));
 }
 
-// Peirce's angle: the line to the end falls by 41.5 degrees at beta = 8.004, so that c = O/2 has B = W c^3 g.
+// Peirce's angle: the line to the end falls by 41.5 degrees at beta = 8.004, so that c = O/2 has B = W c^3
+// g.
 TEST(Elastica, Peirce) {
   EXPECT_NEAR(cantilever_of_slope(41.5 / kDegrees).beta, 8.004, 0.0005);  // half of the last digit
 }
 
-// Found by load, drop and slope; each to what rounding leaves of the root of its own quantity.
+// Found by load, drop and slope, each to the rounding of the root of its own quantity.
 TEST(Elastica, IsFoundByLoadDropAndSlope) {
   for (const double beta : {0.01, 1.0, 8.0, 40.0, 1000.0}) {
     const Cantilever c = cantilever_of_load(beta);
@@ -79,7 +80,7 @@ TEST(Elastica, IsFoundByLoadDropAndSlope) {
   }
 }
 
-// Where it ends the shape is the cantilever, by steps of another size: h^4 of both, 3e-8.
+// At its end the shape is the cantilever, by steps of another size: h^4 of both, 3e-8.
 TEST(Elastica, ShapeEndsWhereItsCantileverDoes) {
   for (const double beta : {0.01, 8.0, 1000.0}) {
     const Cantilever c = cantilever_of_load(beta);
@@ -110,8 +111,8 @@ constexpr Row kReport[] = {{0.66, 66.5, 125.81, 220.57}, {0.64, 62, 35.49, 758.2
                            {0.24, 61, 30.92, 326.36},    {0.26, 54.5, 14.79, 739.14},
                            {0.74, 62, 35.49, 876.70},    {0.75, 55.5, 15.63, 2017.6}};
 
-// EI = 42046 m/A to the digits of 42046, with the elastica's load for A; and with the report's A the report's
-// EI, to its digits.
+// EI = 42046 m/A to the digits of 42046, with the elastica's load for A. With the report's A it is the
+// report's EI, to its digits.
 TEST(Gost10550, Rigidity) {
   for (const Row& row : kReport) {
     const double beta = cantilever_with(row.f / 70).beta,
@@ -121,8 +122,8 @@ TEST(Gost10550, Rigidity) {
   }
 }
 
-// The standard's A is beta of the elastica: a strip of the load A drops as far as the report read, to the
-// half millimetre of its scale.
+// The standard's A is beta of the elastica: a strip of the load A drops by the report's value, to the half
+// millimetre of its scale.
 TEST(Gost10550, TableIsTheElastica) {
   for (const Row& row : kReport) {
     double low = 0.01, high = 0.99;

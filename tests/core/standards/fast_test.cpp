@@ -37,8 +37,9 @@ scene::FabricSpec sheared(double g) {
   return fabric;
 }
 
-// The law gives the shear stress back, tau = (cos g/2)[g(e1)/l1 + g(|e2|)/l2] = G g: exactly at the diagram's
-// points, and between them within the x^2/24, x = sin g, by which the law departs from a straight line.
+// The law reproduces the shear stress, tau = (cos g/2)[g(e1)/l1 + g(|e2|)/l2] = G g: exactly at the
+// diagram's points, and between them within the x^2/24, x = sin g, by which the law departs from a straight
+// line.
 TEST(Trellis, LawHasTheShearStress) {
   const double shear = 0.9 * kKesShear;
   std::vector<Problem> problems;
@@ -58,7 +59,7 @@ TEST(Trellis, LawHasTheShearStress) {
   EXPECT_NEAR(stress(at_a_point) / (shear * at_a_point), 1, 1e-12);
 }
 
-// Shear holds no jaws: the law is the same whether the scene takes them out of diagrams or not.
+// Shear has no jaws: the law is the same whether or not the scene takes jaws out of diagrams.
 TEST(Trellis, JawsAreNotTakenOut) {
   std::vector<Problem> problems;
   fabric::LawOptions with, without;

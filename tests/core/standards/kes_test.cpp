@@ -1,4 +1,4 @@
-// KES-F: units, and a diagram that gives the sheet's figures back.
+// KES-F: units, and a diagram that reproduces the figures of the sheet.
 #include "standards/kes.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ TEST(Kes, Units) {
 }
 
 // LT = WT/(Fm EMT/2) on six denims: EMT, WT and LT of a published table, doi 10.1155/2016/4614168, table 5,
-// columns B, D, F, whose figures agree among themselves (means of warp and weft: the last digit of each,
+// columns B, D, F, whose figures agree with each other (means of warp and weft: the last digit of each,
 // twice).
 TEST(Kes, LinearityOfAPublishedSheet) {
   EXPECT_NEAR(kes_linearity(5.735, 9.400, 500), 0.655, 0.001);
@@ -44,9 +44,9 @@ TEST(Kes, TensionGivesTheFiguresBack) {
     }
 }
 
-// Between, it is the exponential: with F(EMT/2)/Fm = 1/(exp(a/2) + 1), all points lie on it, it has slopes
-// above 0, and its own LT = 2 [1/a - 1/(exp(a) - 1)] is that of the sheet but for the interpolation, of
-// fourth order in a/10 a segment.
+// Between these points the diagram is the exponential: with F(EMT/2)/Fm = 1/(exp(a/2) + 1), all points lie
+// on it and its slopes are above 0. Its own LT = 2 [1/a - 1/(exp(a) - 1)] is that of the sheet except for
+// the interpolation, of fourth order in a/10 a segment.
 TEST(Kes, TensionIsExponential) {
   for (const double lt : {0.2, 0.5, 0.676, 1.2, 1.8}) {
     const Diagram d = kes_tension(4, kes_energy(4, lt, 500), 500);

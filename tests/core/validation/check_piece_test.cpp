@@ -1,4 +1,4 @@
-// Faults in what makes a cloth of any outline: curves, holes, grain, cylinders, regions, clamps, air, fit.
+// Faults of a cloth of any outline: mode, order, air, friction, curves, holes, grain, cylinders.
 #include "fault_case.h"
 
 namespace drape::validation {

@@ -1,4 +1,4 @@
-// Bad input that no single key shows: outlines, cells, pins, probes; and the fabric file with its diagrams.
+// Faults that involve several keys: outlines, cells, pins, probes; and the fabric file with its diagrams.
 #include "fault_case.h"
 
 namespace drape::validation {
@@ -82,7 +82,7 @@ const Case kGeometry[] = {
 
 INSTANTIATE_TEST_SUITE_P(Geometry, GeometryFault, testing::ValuesIn(kGeometry), name_of);
 
-// ---- The fabric file: diagrams and what they rest on
+// ---- The fabric file: diagrams and the keys that they need
 
 class FabricFault : public testing::TestWithParam<Case> {};
 

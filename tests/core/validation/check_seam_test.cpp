@@ -1,4 +1,4 @@
-// Bad input about seams.
+// Faults of seams.
 #include "fault_case.h"
 
 namespace drape::validation {

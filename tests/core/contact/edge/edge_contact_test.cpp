@@ -25,8 +25,8 @@ Scene over_roof(double side, double cell, double height, double angle, const Sce
   return scene;
 }
 
-// A cloth falls on a roof that turns and rocks: over every advance, what the cloth's momentum gains is the
-// weight's impulse less what the roof is told.
+// A cloth falls on a roof that turns and rocks. Over every advance, the momentum gained by the cloth is the
+// weight's impulse less the impulse reported to the roof.
 TEST(EdgeContact, MomentumIsBalancedOverEveryAdvance) {
   const SceneFolder folder;
   Scene scene = over_roof(0.1, 0.01, 0.002, 0.6, folder);
@@ -50,7 +50,7 @@ TEST(EdgeContact, MomentumIsBalancedOverEveryAdvance) {
     to.velocity = {0, 0, 0.02 * 50 * std::cos(0.05 * k)};
     to.angular_velocity = {0, 3, 0};
     to.orientation = math::rotation_exp({0, 3 * 1e-3 * k, 0});
-    std::string event;  // every other advance begins anew from the synchronous velocities, as with a tuning
+    std::string event;  // every other advance restarts from the synchronous velocities, as with a tuning
     const auto anew = [&](double) {
       if (k % 2 == 0) dynamics::leapfrog_complete(a.system, a.motion, a.state);
       return k % 2 == 0;
@@ -70,7 +70,8 @@ TEST(EdgeContact, MomentumIsBalancedOverEveryAdvance) {
   EXPECT_LT(worst, 1e-9 * largest);
 }
 
-// Where a line through x = y = 0 along z meets the cloth, if it does: the height there of its bilinear cells.
+// The height of the cloth's bilinear cells on the line x = y = 0 along z. Returns false if the line does not
+// meet the cloth.
 bool height_over_tip(const Assembled& a, double& height) {
   const model::Lattice& l = a.system.lattices[0];
   bool met = false;
@@ -101,8 +102,8 @@ bool height_over_tip(const Assembled& a, double& height) {
   return met;
 }
 
-// A cloth thrown at 50 m/s onto a pyramid whose tip is between its nodes, and onto a roof between its nodes,
-// at the automatic step.
+// A cloth is thrown at 50 m/s, with the automatic step, onto a pyramid whose tip is between its nodes, and
+// onto a roof between its nodes.
 TEST(EdgeContact, NoTipOrEdgeGetsThroughAtFiftyMetresPerSecond) {
   const SceneFolder folder;
   std::mt19937 random(7);
@@ -143,7 +144,7 @@ TEST(EdgeContact, NoTipOrEdgeGetsThroughAtFiftyMetresPerSecond) {
   std::printf("nearest %.3g m\n", nearest);
 }
 
-// At rest over a roof and over a pyramid by its weight: the residual of the fit, and the weight on the body.
+// At rest by its weight over a roof and over a pyramid: the residual of the fit, and the weight on the body.
 TEST(EdgeContact, AClothRestsOnRoofAndTip) {
   const SceneFolder folder;
   for (const bool tip : {false, true}) {
@@ -159,7 +160,7 @@ TEST(EdgeContact, AClothRestsOnRoofAndTip) {
   }
 }
 
-// One result for every kernel and grouping of advances.
+// The same bits for every kernel and grouping of advances.
 TEST(EdgeContact, BitsAreThoseOfEveryKernelAndGrouping) {
   const SceneFolder folder;
   const Scene scene = over_roof(0.1, 0.01, 0.0009, 0.6, folder);
@@ -227,7 +228,7 @@ Scene over_fold(const SceneFolder& folder, int links, double left, double height
   return scene;
 }
 
-// How high the links across it are over the fold.
+// The height over the fold of the links that cross it.
 double over_fold_height(const Assembled& a) {
   const model::Lattice& l = a.system.lattices[0];
   const std::size_t n = l.node(0, 0), m = l.node(1, 0);
@@ -235,10 +236,11 @@ double over_fold_height(const Assembled& a) {
   return (1 - t) * a.state.z[n] + t * a.state.z[m];
 }
 
-// A link lies 1.3 layers over a fold, 0.3 of its length beyond one end. That end jumps down by 5 layers in a
-// single step, as a pin takes it there, or as it is welded to what a pin holds there: the link by 1.5, past
-// the fold. It is stopped in that step, or was seen out of the fold before it and comes out again: of a
-// sheet, only such links do.
+// A link lies 1.3 contact distances over a fold, with one end beyond it by 0.3 of the length. In a single
+// step that end jumps down by 5 contact distances, because a pin moves it there or because it is welded to a
+// point that a pin holds there. The link then moves by 1.5 contact distances, past the fold. Either the link
+// is stopped in that step, or its side was recorded before the step and the contact pushes it out again. In
+// a sheet only such links can do this.
 TEST(EdgeContact, AJumpMovesNoLinkThroughUndetected) {
   const SceneFolder folder;
   const double contact_distance = 0.0005;
@@ -269,9 +271,10 @@ TEST(EdgeContact, AJumpMovesNoLinkThroughUndetected) {
   }
 }
 
-// What the penalties of pairs add to omega^2: with k the stiffness of a pair, the rows of M^-1/2 W k W^T
-// M^-1/2 sum up to at most (|W_k|/S) W^2/2, S = sum |W_j|. A link over a knife whose foot slides from half a
-// link before its beginning to half a link beyond its end: weights from -1/2 to 3/2.
+// The penalties of pairs add this to omega^2: with k the stiffness of a pair, each row of M^-1/2 W k W^T
+// M^-1/2 sums to at most (|W_k|/S) W^2/2, S = sum |W_j|. The link lies over a sharp edge whose closest point
+// slides from half a link before its beginning to half a link beyond its end: the weights go from -1/2 to
+// 3/2.
 TEST(EdgeContact, PenaltyStaysWithinTheBoundOfTheStep) {
   const SceneFolder folder;
   Scene scene = reference::rectangle(linen(0.01), 0.01, 0.01, 0.01);
@@ -285,7 +288,7 @@ TEST(EdgeContact, PenaltyStaysWithinTheBoundOfTheStep) {
   for (int at = 0; at < 450; ++at) {
     const double foot = -0.62 + 0.005 * at, tilt = foot < 0.5 ? -1.15 : 1.15;
     for (int j = 0; j < 2; ++j)
-      for (int i = 0; i < 2; ++i) {  // a plane tilted about y, 0.6 layers over the ridge
+      for (int i = 0; i < 2; ++i) {  // a plane tilted about y, 0.6 contact distances over the edge
         const double along = (i - foot) * 0.01, up = 0.6 * l.contact_law.distance;
         const std::size_t n = l.node(i, j);
         a.state.x[n] = along * std::cos(tilt) + up * std::sin(tilt);
@@ -314,7 +317,7 @@ TEST(EdgeContact, PenaltyStaysWithinTheBoundOfTheStep) {
   EXPECT_GT(largest, 0.99);
 }
 
-// A body without sharp edges has no ridges, and the cloth nothing for them.
+// A body without sharp edges has no features, and the cloth no pairs with them.
 TEST(EdgeContact, ASmoothBodyCostsNothing) {
   const SceneFolder folder;
   Scene scene = reference::rectangle(linen(), 0.1, 0.1, 0.01);
@@ -328,7 +331,7 @@ TEST(EdgeContact, ASmoothBodyCostsNothing) {
   EXPECT_TRUE(any_near(a.state));
 }
 
-// Links that start through a ridge, or in its layer deeper than they may be, are one fault.
+// Links that start through a sharp edge, or too deep within its contact distance, give one fault.
 TEST(EdgeContact, AStartThroughItIsOneFault) {
   const SceneFolder folder;
   for (const double height : {-0.0005, 0.00003, 0.0002}) {

@@ -15,7 +15,7 @@ using namespace math::vector3;
 
 constexpr double kPi = std::numbers::pi;
 
-// A strip of `links` links along x over the roof, one cell wide, whose ends are pulled down by pins.
+// A strip of `links` links along x over the roof, one cell wide. Pins pull its ends down.
 struct Strip {
   Assembled a;
   double cell;
@@ -32,7 +32,7 @@ struct Strip {
     return (1 / norm(e)) * e;
   }
   double strain(int i) const { return norm(node(i + 1) - node(i)) / cell - 1; }
-  // The link over x = 0, and how far it is from the ridge there.
+  // The index of the link over x = 0, and its distance from the edge there.
   int over() const {
     int i = 0;
     while (node(i + 1)[0] < 0) ++i;
@@ -64,7 +64,7 @@ Strip strip_over_roof(const SceneFolder& folder, int links, double cell, double 
   return {assemble(scene), cell};
 }
 
-// Pulls the ends to angles below the horizontal, at `stretch` times the length from the ridge.
+// Moves the ends to these angles below the horizontal, at `stretch` times their distance from the edge.
 void strip_pull(Strip& s, double left, double right, double stretch, double time) {
   dynamics::Inputs& to = s.a.motion.inputs;
   const double was[2] = {norm(Vec3{to.pin[0].position[0], 0, 0}), norm(Vec3{to.pin[1].position[0], 0, 0})};
@@ -75,8 +75,9 @@ void strip_pull(Strip& s, double left, double right, double stretch, double time
   advance(s.a, time);
 }
 
-// A taut frictionless strip rests on the ridge by one link. What the body carries is what the links beside it
-// pull, and is at right angles to the link; of both, up to the forces that a fit leaves: 1e-5 of the pins'.
+// A taut frictionless strip rests on the edge by one link. The force on the body equals the pull of the
+// neighbouring links, and is normal to the link. Both hold up to the residual of a fit, 1e-5 of the pins'
+// forces.
 TEST(EdgeContactStrip, ATautStripRestsOnItByALink) {
   const SceneFolder folder;
   for (const double shift : {0.0, 0.0021}) {
@@ -101,13 +102,13 @@ TEST(EdgeContactStrip, ATautStripRestsOnItByALink) {
   }
 }
 
-// A strip that is pulled over the ridge by one link, with friction: with the angles a, c of the links beside
-// it from the straddling one, which the body pushes by P across and mu P along,
+// A strip is pulled over the edge, which touches one link, with friction. Let a and c be the angles between
+// that link and its neighbours. The body pushes the link by P across and mu P along:
 //
 //   T2 cos c - T1 cos a = mu P,  P = T1 sin a + T2 sin c:   T2/T1 = (cos a + mu sin a)/(cos c - mu sin c),
 //
-// which is (1 + mu tan(D/2))/(1 - mu tan(D/2)) for a = c = D/2. The strip sings as it slides: means over the
-// last half.
+// which is (1 + mu tan(D/2))/(1 - mu tan(D/2)) for a = c = D/2. The strip vibrates as it slides, so means
+// over the last part are compared.
 TEST(EdgeContactStrip, TensionGrowsOverItAsRoundACapstan) {
   const SceneFolder folder;
   for (const double mu : {0.0, 0.3}) {

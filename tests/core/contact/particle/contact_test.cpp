@@ -1,4 +1,4 @@
-// Contact within the motion: cases h and h' of the equations' page, momentum, and what must never happen.
+// Contact in motion: cases h and h' of the model, momentum, and what must never happen.
 #include "contact/particle/contact.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 
 using namespace math::vector3;
 
-// The depth at which the penalty holds the acceleration g: omega^2 phi(e) = g.
+// The depth e at which the penalty balances the acceleration g: omega^2 phi(e) = g.
 double depth_under(const model::ContactLaw& law, double g) {
   const double blend = kContactBlend * law.distance;
   double low = 0, high = law.distance;
@@ -31,7 +31,7 @@ double depth_under(const model::ContactLaw& law, double g) {
   return low;
 }
 
-// A square on a table whose gravity leans by the angle; it lies at rest on its penalty.
+// A square at rest on a table by its penalty. Gravity is inclined by the angle.
 Assembled on_incline(const SceneFolder& folder, double mu, double angle) {
   Scene scene = reference::rectangle(linen(), 0.05, 0.05, 0.01);
   scene.fabrics[0].friction = {mu, mu};
@@ -45,7 +45,7 @@ Assembled on_incline(const SceneFolder& folder, double mu, double angle) {
   return assemble(scene);
 }
 
-// h: sticks iff tan a <= mu.
+// Case h: the cloth sticks iff tan a <= mu.
 TEST(Contact, SticksOnAnInclineUpToTheCoefficient) {
   const SceneFolder folder;
   const double mu = 0.4;
@@ -59,7 +59,7 @@ TEST(Contact, SticksOnAnInclineUpToTheCoefficient) {
   EXPECT_GT((positions(above) - start).maxCoeff(), 0.9 * way);
 }
 
-// h: x = g (sin a - mu cos a) t^2/2.
+// Case h: x = g (sin a - mu cos a) t^2/2.
 TEST(Contact, SlidesDownAnIncline) {
   const SceneFolder folder;
   const double mu = 0.4, a = 0.6, t = 0.4;
@@ -81,7 +81,7 @@ TEST(Contact, SticksForTenSeconds) {
   EXPECT_LT((positions(cloth) - start).cwiseAbs().maxCoeff(), 1e-6);
 }
 
-// Friction that lets go at 0.5 slides at 0.3.
+// A static coefficient of 0.5 and a kinetic one of 0.3: once the cloth slides, the kinetic one acts.
 TEST(Contact, KineticFrictionActsOnceItSlides) {
   const SceneFolder folder;
   Assembled cloth = on_incline(folder, 0.5, std::atan(0.4));
@@ -95,9 +95,9 @@ TEST(Contact, KineticFrictionActsOnceItSlides) {
   EXPECT_NEAR((positions(cloth) - start)[0], way, 0.02 * way);
 }
 
-// h': a strip pulled round a cylinder. At each node that slides, T2/T1 = (1 + mu tan(D/2))/(1 - mu tan(D/2)),
-// D the turn of the thread there. The facets' normals are off by up to pi/1440; the ratio by 2 of that times
-// tan(D/2).
+// Case h': a strip pulled round a cylinder. At each sliding node T2/T1 = (1 + mu tan(D/2))/(1 - mu
+// tan(D/2)), D the angle of the yarn there. The facets' normals are off by up to pi/1440, and the ratio by
+// twice that times tan(D/2).
 TEST(Contact, TensionGrowsRoundACapstan) {
   const SceneFolder folder;
   const double mu = 0.3, radius = 0.05, cell = 0.005;
@@ -120,10 +120,10 @@ TEST(Contact, TensionGrowsRoundACapstan) {
   scene.pins = {first, last};
   body_add(scene, folder, "capstan", cylinder(radius, 0.1, 720));
   Assembled a = assemble(scene);
-  // The last edge goes along its tangent until everything slides.
+  // The last edge moves along its tangent until everything slides.
   const Vec3 start = a.state.pin_motion[1].position;
   const double angle = 8 * cell / r;
-  // The strip sings as it slides: means over the last advances.
+  // The strip vibrates as it slides, so means over the last advances are compared.
   const int advances = 300, measured = 100;
   std::array<double, 17> strain{}, turn{};
   const auto node = [&](int i) {
@@ -159,8 +159,8 @@ Synchronous synchronous(Assembled& a) {
   return s;
 }
 
-// A cloth that falls, meets a moving ball with friction and slides off: over every advance, what the cloth's
-// momentum gains is the weight's impulse less what the ball is told.
+// A cloth falls, meets a moving ball with friction and slides off. Over every advance, the momentum gained
+// by the cloth is the weight's impulse less the impulse reported to the ball.
 TEST(Contact, MomentumIsBalancedOverEveryAdvance) {
   const SceneFolder folder;
   Scene scene = reference::rectangle(linen(), 0.2, 0.2, 0.01);
@@ -193,7 +193,7 @@ TEST(Contact, MomentumIsBalancedOverEveryAdvance) {
   EXPECT_LT(worst, 1e-9 * largest);
 }
 
-// At 50 m/s against a thin plate and against a sharp ridge, at the automatic step.
+// At 50 m/s against a thin plate and against a sharp edge, with the automatic step.
 TEST(Contact, NothingGetsThroughAtFiftyMetresPerSecond) {
   const SceneFolder folder;
   Mesh feature;  // a roof of 20 degrees, closed below
@@ -225,8 +225,8 @@ TEST(Contact, NothingGetsThroughAtFiftyMetresPerSecond) {
   }
 }
 
-// Nor through a body of small triangles that is reached from afar, in steps that were chosen for free flight:
-// a ball of 0.05 m, whose facets lie within 1e-4 m of it.
+// Nor through a body of small triangles that is reached from afar, in steps chosen for free flight: a ball
+// of 0.05 m, whose facets lie within 1e-4 m of it.
 TEST(Contact, NothingGetsThroughFromAfar) {
   const SceneFolder folder;
   scene::FabricSpec dust = linen();
@@ -248,8 +248,8 @@ TEST(Contact, NothingGetsThroughFromAfar) {
   }
 }
 
-// A frictionless cloth pressed onto a table by a leaning gravity, in touch all the time: order 2 against the
-// judge.
+// A frictionless cloth pressed onto a table by inclined gravity stays in contact: order 2 against the
+// reference solver.
 TEST(Contact, OrderIsTwoWhileNoContactOpensOrCloses) {
   const SceneFolder folder;
   Scene scene = reference::smooth_scene();
@@ -275,7 +275,7 @@ TEST(Contact, OrderIsTwoWhileNoContactOpensOrCloses) {
   EXPECT_LT(errors.back(), 1e-8);
 }
 
-// One result for every kernel, thread and grouping of advances.
+// The same bits for every kernel, thread count and grouping of advances.
 TEST(Contact, BitsAreThoseOfEveryKernelAndGrouping) {
   const SceneFolder folder;
   Scene scene = reference::rectangle(linen(), 0.2, 0.2, 0.01);
@@ -297,7 +297,7 @@ TEST(Contact, BitsAreThoseOfEveryKernelAndGrouping) {
   EXPECT_LT((run("portable", 1) - whole).cwiseAbs().maxCoeff(), 1e-6);
 }
 
-// What a body was told when something touched it is not told again once nothing does.
+// A load reported while something touches a body is not reported again once nothing does.
 TEST(Contact, PastLoadsAreNotReportedAgain) {
   const SceneFolder folder;
   Assembled a = on_incline(folder, 0.4, 0.1);
@@ -313,7 +313,7 @@ TEST(Contact, PastLoadsAreNotReportedAgain) {
   EXPECT_EQ(a.state.body[0].impulse.force, (Vec3{0, 0, 0}));
 }
 
-// A state taken up again goes on as it would have.
+// A restored state continues with the same bits.
 TEST(Contact, StateGoesOnAsItWas) {
   const SceneFolder folder;
   Scene scene = reference::rectangle(linen(), 0.2, 0.2, 0.01);
@@ -324,7 +324,7 @@ TEST(Contact, StateGoesOnAsItWas) {
   expect_goes_on(a, 0.03);
 }
 
-// Energies, friction and the motion of a body are all booked: the balance closes with order 2 of the step.
+// The balance counts all energies, friction and the motion of the body: it closes with order 2 of the step.
 TEST(Contact, EnergyIsBalanced) {
   const SceneFolder folder;
   Scene scene = reference::rectangle(linen(), 0.1, 0.1, 0.01);

@@ -1,4 +1,4 @@
-// Which particles a body is asked about after a step. core/README.md, section 7.
+// Which particles are checked against a body after a step. core/README.md, section 7.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 namespace drape::contact {
 namespace {
 
-// Particles that go about with velocities that are new in every stage. Due are the blocks with a particle
-// that is past its budget or would be after a step more, |r + h v - from| >= budget, and no others, whichever
-// groups sleep; also where the stages of a step go partly back in time.
+// Particles move with velocities that are new in every stage. A block becomes stale when one of its
+// particles is past its free distance or would be after one more step: |r + h v - from| >= free distance. No
+// other block does, whichever groups are skipped; also where the stages of a step go partly back in time.
 TEST(Proximity, FindsWhatEveryComparisonWould) {
   constexpr std::size_t kNodes = 5 * kProximityGroup + math::kRowUnit, kBlocks = kNodes / math::kRowUnit;
   constexpr double kForward[] = {1}, kStep = 1e-3;

@@ -1,4 +1,5 @@
-// What touches a body and is not alone: tied to others by a weld, or in a groove. core/README.md, section 7.
+// Particles in contact that share constraints with others, by a weld or in a groove. core/README.md, section
+// 7.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +14,8 @@ namespace drape::contact {
 using namespace tests;
 namespace {
 
-// Two squares of linen side by side, sewn together; the cells of the left one are `ratio` of the right ones.
+// Two squares of linen side by side, sewn together. The cell size of the left one is `ratio` times that of
+// the right one.
 Scene sewn_pair(double side, double ratio, double mu_left, double mu_right) {
   Scene scene = reference::rectangle(linen(), side, side, side / 5);
   scene.fabrics.push_back(scene.fabrics[0]);
@@ -27,7 +29,7 @@ Scene sewn_pair(double side, double ratio, double mu_left, double mu_right) {
   return scene;
 }
 
-// On a table whose gravity leans by the angle to +x.
+// On a table; gravity is inclined by the angle towards +x.
 Assembled pair_on_incline(const SceneFolder& folder, double angle, double ratio) {
   Scene scene = sewn_pair(0.05, ratio, 0.2, 0.6);
   scene.gravity = {9.81 * std::sin(angle), 0, -9.81 * std::cos(angle)};
@@ -44,8 +46,8 @@ double speed_along(const Assembled& a) {
   return sum / mass;
 }
 
-// The halves have equal weights, so that the cloth slides by the mean of their coefficients, 0.4. (Of cells
-// of two sizes, the smaller ones have the stiffer penalty and carry more of the seam.)
+// The halves have equal weights, so the cloth slides by the mean of their coefficients, 0.4. (With cells of
+// two sizes, the smaller ones have the stiffer penalty and bear more of the seam.)
 TEST(WarmStart, SewnHalvesSlideByTheMeanOfTheirCoefficients) {
   const SceneFolder folder;
   const double angle = std::atan(0.5), t = 0.2;
@@ -67,14 +69,14 @@ TEST(WarmStart, SewnHalvesStickBelowIt) {
   EXPECT_LT((positions(a) - start).cwiseAbs().maxCoeff(), 1e-9);
 }
 
-// Runs a fit to its rest; false if it is not there in `most` seconds of cloth.
-bool rests(Assembled& a, double largest) {
-  for (double t = 0; t < largest && !a.state.relaxation.at_rest; t += 0.1) sewn_advance(a, 0.1);
+// Runs a fit to its rest. Returns false if it is not at rest within `duration` (s).
+bool rests(Assembled& a, double duration) {
+  for (double t = 0; t < duration && !a.state.relaxation.at_rest; t += 0.1) sewn_advance(a, 0.1);
   return a.state.relaxation.at_rest;
 }
 
-// One half lies on a table, the other hangs over its edge, and friction holds it by the seam, which lies on
-// the edge: of its nodes some touch and some do not.
+// One half lies on a table, the other hangs over its edge, and friction holds it by the seam. The seam lies
+// on the edge: some of its nodes touch and some do not.
 TEST(WarmStart, AHangingHalfRestsByItsSeam) {
   const SceneFolder folder;
   Scene scene = sewn_pair(0.1, 1.6, 0.7, 0.7);
@@ -121,8 +123,9 @@ TEST(WarmStart, AStripRestsInAGroove) {
   expect_weight(a);
 }
 
-// Welds that no contact touches in a step are not met again: that leaves them as they are, up to rounding,
-// against all of them met again. Two sewn squares fall onto a ball below the seam, or on a box with ridges.
+// Welds that no contact touches in a step are not projected again. That leaves them as they are, up to
+// rounding, compared with projecting all again. Two sewn squares fall onto a ball below the seam, or on a
+// box with sharp edges.
 TEST(WarmStart, WeldsLeftAloneAreSatisfiedAlready) {
   const SceneFolder folder;
   const auto run = [&](bool features, bool all) {
@@ -138,7 +141,7 @@ TEST(WarmStart, WeldsLeftAloneAreSatisfiedAlready) {
     EXPECT_FALSE(a.motion.contact.touched.empty());
     if (all) a.motion.contact.touched.clear();
     outputs::energy_begin(a.system, a.state);
-    int met = 0;  // advances whose last step touched a weld
+    int met = 0;  // advances whose last step had contact at a weld
     for (int k = 0; k < 60; ++k) {
       sewn_advance(a, 1e-3);
       met += std::count(a.motion.contact.touched.begin(), a.motion.contact.touched.end(), 1) > 0;

@@ -1,4 +1,4 @@
-// Cloth against cloth within the motion: cases with known answers, momentum, and what must never happen.
+// Cloth against cloth in motion: cases with known answers, momentum, and what must never happen.
 #include <gtest/gtest.h>
 
 #include "contact/self/search.h"
@@ -17,7 +17,7 @@ namespace {
 
 using namespace math::vector3;
 
-// A held sheet, and a smaller one above it at the height z, whose nodes lie over no nodes.
+// A held sheet, and at the height z a smaller one above it whose nodes lie over no nodes.
 Scene on_a_sheet(double z, double mu = 0.3) {
   Scene scene = reference::rectangle(linen(), 0.2, 0.1, 0.01);
   scene.self_contact = true;
@@ -42,9 +42,9 @@ double mass_of(const System& system, int piece) {
   return sum;
 }
 
-// At rest the middles are the thickness apart, less what carries the weight: a particle that bore its own
-// weight alone, k = W^2 m/8, would be pressed in by e, W^2 phi(e) = 8 g; those of the lower sheet help. The
-// pin carries both sheets.
+// At rest the middle surfaces are the thickness apart, less the depth that supports the weight. A particle
+// that bore its own weight alone, k = W^2 m/8, would be pressed in by e with W^2 phi(e) = 8 g; the particles
+// of the lower sheet share the load. The pin bears both sheets.
 TEST(SelfContact, RestsAtTheThickness) {
   Scene scene = on_a_sheet(1.2e-3);
   scene.damping = 30;
@@ -85,7 +85,7 @@ Momenta momenta(const Assembled& a) {
   return m;
 }
 
-// Two free sheets collide askew, with friction: both momenta stay, step by step.
+// Two free sheets collide obliquely, with friction. Both momenta are constant in every step.
 TEST(SelfContact, KeepsMomentumAndAngularMomentum) {
   Scene scene = reference::rectangle(linen(), 0.1, 0.1, 0.01);
   scene.self_contact = true;
@@ -108,7 +108,7 @@ TEST(SelfContact, KeepsMomentumAndAngularMomentum) {
   EXPECT_EQ(crossings(a), 0);
 }
 
-// A sheet on a held one, under a gravity that leans by the angle, after it has come to rest on it.
+// A sheet on a held one, with gravity inclined by the angle once it has come to rest.
 Assembled leaning(double mu, double angle) {
   Scene scene = on_a_sheet(1e-3, mu);
   Assembled a = assemble(scene);
@@ -136,7 +136,7 @@ TEST(SelfContact, SticksUpToTheCoefficient) {
   advance(below, 0.2);
   const double settled = mean_x(below);
   advance(below, 0.8);
-  EXPECT_LT(std::abs(settled - x), 1e-5);  // while the gravity that leans of a sudden shakes it
+  EXPECT_LT(std::abs(settled - x), 1e-5);  // the sudden inclination of gravity shakes it
   EXPECT_LT(std::abs(mean_x(below) - settled), 1e-8);
   advance(above, 0.2);
   const double angle = std::atan(1.001 * mu), way = 9.81 * (std::sin(angle) - mu * std::cos(angle)) * 0.02;
@@ -152,7 +152,7 @@ TEST(SelfContact, SlidesAgainstTheCoefficient) {
   EXPECT_NEAR(mean_x(a) - x, way, 1e-3 * way);
 }
 
-// Layers that start at a third of their thickness keep that distance: not a node moves.
+// Sheets that start at a third of their thickness keep that distance: no node moves.
 TEST(SelfContact, LayersThatStartTooNearStayAsTheyAre) {
   Scene scene = on_a_sheet(0.33e-3);
   scene.gravity = {0, 0, 0};
@@ -163,7 +163,7 @@ TEST(SelfContact, LayersThatStartTooNearStayAsTheyAre) {
   EXPECT_LT((positions(a) - start).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-// A loop that collapses under its weight onto a held sheet: its layers stay apart.
+// A loop that collapses under its weight onto a held sheet. Its sides stay apart.
 Scene loop() {
   Scene scene = reference::rectangle(linen(0.5e-3), 0.14, 0.06, 0.02);
   scene.self_contact = true;
@@ -204,7 +204,7 @@ TEST(SelfContact, AFoldStaysApart) {
   EXPECT_GT(smallest, 0.1 * 0.5e-3);
 }
 
-// One result for every kernel and grouping of advances.
+// The same bits for every kernel and grouping of advances.
 TEST(SelfContact, BitsAreThoseOfEveryKernelAndGrouping) {
   const Scene scene = loop();
   const auto run = [&](const char* kernel, int advances) {
@@ -225,25 +225,25 @@ TEST(SelfContact, BitsAreThoseOfEveryKernelAndGrouping) {
   }
 }
 
-// A state taken up again goes on as it would have.
+// A restored state continues with the same bits.
 TEST(SelfContact, StateGoesOnAsItWas) {
   Assembled a = assemble(loop());
   advance(a, 0.1);
   expect_goes_on(a, 0.03);
 }
 
-// What touches does not depend on when it was searched for.
+// The contacts do not depend on the time of the search.
 TEST(SelfContact, SearchChangesNothing) {
   Assembled a = assemble(loop()), b = assemble(loop());
   for (int k = 0; k < 120; ++k) {
     advance(a, 1e-3);
-    b.state.self.margin = 0;  // searches anew
+    b.state.self.margin = 0;  // forces a new search
     advance(b, 1e-3);
   }
   EXPECT_EQ((positions(a) - positions(b)).cwiseAbs().maxCoeff(), 0.0);
 }
 
-// Friction, damping and the penalty are booked: the balance closes.
+// The balance counts friction, damping and the penalty: it closes.
 TEST(SelfContact, EnergyIsBalanced) {
   Scene scene = on_a_sheet(1e-3);
   scene.energy = true;
@@ -269,7 +269,7 @@ TEST(SelfContact, AFitRestsOnTheSheetBelow) {
   }
 }
 
-// Off, nothing of it is there.
+// Without self-contact, nothing of it is allocated or computed.
 TEST(SelfContact, OffCostsNothing) {
   Scene scene = on_a_sheet(1e-3);
   scene.self_contact = false;
@@ -280,7 +280,7 @@ TEST(SelfContact, OffCostsNothing) {
   EXPECT_TRUE(a.motion.self.touches.index.empty());
 }
 
-// A tube is sewn from a sheet rolled up: its edges come together though they are cloth, and the seam closes.
+// A rolled sheet is sewn into a tube: its edges come together although they are cloth, and the seam closes.
 TEST(SelfContact, SeamsCloseThroughIt) {
   Scene scene = loop();
   scene.gravity = {0, 0, 0};
@@ -302,7 +302,7 @@ TEST(SelfContact, SeamsCloseThroughIt) {
   for (model::Sewn s : a.state.sewn) EXPECT_EQ(s, model::Sewn::kWelded);
 }
 
-// A hanging sheet dropped on a held one crumples there: no edge of it goes through cloth.
+// A hanging sheet dropped on a held one crumples there: no edge of it passes through cloth.
 TEST(SelfContact, ACrumpledDropDoesNotTunnel) {
   Scene scene = reference::rectangle(linen(0.8e-3), 0.3, 0.3, 0.02);
   scene.self_contact = true;

@@ -1,5 +1,5 @@
-// Cloths that touch themselves, and a second opinion on what is near and what goes through what: every pair,
-// one by one.
+// Cloths in contact with themselves, and an independent check of distances and crossings: every pair, one by
+// one.
 #pragma once
 #include "cloth_fixture.h"
 #include "math/vector3.h"
@@ -22,7 +22,7 @@ inline scene::PieceSpec& sheet_add(Scene& scene, const std::string& name, double
   return scene.pieces.back();
 }
 
-// All of the first piece is held.
+// A pin that holds all of the first piece.
 inline scene::PinSpec hold_all(double width, double height) {
   scene::PinSpec pin;
   pin.name = "hold";
@@ -50,7 +50,7 @@ inline std::vector<PlainTriangle> triangles_of(const System& system) {
 
 inline Vec3 at_node(const State& s, std::size_t n) { return {s.x[n], s.y[n], s.z[n]}; }
 
-// Sides of triangles that go through triangles of cells that do not adjoin theirs.
+// The number of triangle sides that pass through triangles of cells that are not their neighbours.
 inline int crossings(const Assembled& a) {
   using namespace math::vector3;
   const std::vector<PlainTriangle> all = triangles_of(a.system);

@@ -1,5 +1,4 @@
-// One hash for every instruction set with fused multiply-add and every number of threads; and for every
-// machine.
+// One hash for every instruction set with fused multiply-add, every number of threads and every machine.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -19,8 +18,8 @@ constexpr int kSteps = 200;
 constexpr double kStep = 1e-5;  // s
 constexpr std::uint64_t kGolden = 1263720844775631442;
 
-// Curved laws, different rigidities, slits, air, damping along the springs: every stage of the kernel. No
-// sine and no power on the way, which libraries round differently.
+// Curved laws, different rigidities, slits, air, damping along the springs: every stage of the kernel. The
+// scene needs no sine and no power, which libraries round differently.
 Assembled cloth_of(const char* kernel, int threads) {
   scene::FabricSpec fabric = reference::curved_fabric();
   fabric.damping = 1e-5;
@@ -50,7 +49,7 @@ Eigen::VectorXd moved(const char* kernel, int threads, int rounding = FE_TONEARE
   return positions(a);
 }
 
-std::uint64_t hash(const Eigen::VectorXd& v) {  // Fowler, Noll and Vo's, by number
+std::uint64_t hash(const Eigen::VectorXd& v) {  // the FNV hash of Fowler, Noll and Vo, applied to whole numbers
   std::uint64_t h = 14695981039346656037u;
   for (double x : v) h = (h ^ std::bit_cast<std::uint64_t>(x)) * 1099511628211u;
   return h;
@@ -66,7 +65,7 @@ TEST(Golden, OneHashForAllFusedKernelsAndThreads) {
   if (!seen) GTEST_SKIP() << "this processor has no AVX2 with FMA";
 }
 
-// A master may have set another rounding: every lane and thread follows it alike.
+// A master may have set another rounding mode: every lane and thread uses it alike.
 TEST(Golden, LanesAndThreadsRoundAlikeInEveryMode) {
   if (!kernel_named("scalar")) GTEST_SKIP() << "this processor has no AVX2 with FMA";
   const std::uint64_t nearest = hash(moved("scalar", 1));
@@ -81,8 +80,8 @@ TEST(Golden, LanesAndThreadsRoundAlikeInEveryMode) {
   }
 }
 
-// Each step rounds coordinates of 0.1 m, 1e-17 m, and the laws some ten times as much; 200 steps of the
-// stiffest motion add that up, and let it grow by the square of their number at most: 200^2/2 x 1e-16 m =
+// Each step rounds coordinates of 0.1 m by 1e-17 m, and the laws by some ten times as much. 200 steps of the
+// stiffest motion add that up, with a growth of at most the square of their number: 200^2/2 x 1e-16 m =
 // 2e-12 m.
 TEST(Golden, ThePortableKernelIsWithinRounding) {
   if (!kernel_named("scalar")) GTEST_SKIP() << "this processor has no AVX2 with FMA";

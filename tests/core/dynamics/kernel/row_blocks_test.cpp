@@ -1,4 +1,4 @@
-// Rows shared out to threads: the same bits as from one.
+// Rows divided among threads give the same bits as one thread.
 #include "dynamics/kernel/row_blocks.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 struct Cloth {
   const char* name;
   bool curved, bending, air;
-  double springs;  // s, damping along them
+  double springs;  // s, damping along the springs
 };
 const Cloth kCloths[] = {{"plain", false, false, false, 0},
                          {"hinges", false, true, false, 0},
@@ -61,7 +61,7 @@ TEST_P(RowBlocks, GiveTheBitsOfOneThread) {
   }
 }
 
-// Every row in one block, whatever the threads.
+// Every row is in exactly one block, for any number of threads.
 TEST(RowBlocks, CoverEveryRowOnce) {
   Assembled a = assemble(scene_of(kCloths[0], Shape::kSlits));
   for (int threads = 1; threads <= 40; ++threads) {

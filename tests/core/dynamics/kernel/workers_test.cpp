@@ -1,4 +1,4 @@
-// The crew that shares a step.
+// The worker threads that share a step.
 #include "dynamics/kernel/workers.h"
 
 #include <gtest/gtest.h>

@@ -10,7 +10,7 @@ namespace drape::dynamics {
 using namespace tests;
 namespace {
 
-// The largest eigenvalue of M^-1/2 K M^-1/2, K the judge's stiffness by central differences.
+// The largest eigenvalue of M^-1/2 K M^-1/2, with K the reference solver's stiffness by central differences.
 double omega2_true(const Assembled& a) {
   const reference::Lattice lattice = reference::lattice_make(a.scene);
   const Eigen::VectorXd r = positions(a);
@@ -30,7 +30,7 @@ double omega2_true(const Assembled& a) {
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
 }
 
-// Without bending the bound is rigorous; the differences err by 1e-6 of it.
+// Without bending the bound is rigorous; the error of the differences is 1e-6 of it.
 TEST(StepLimit, BoundsEveryCrumpledLatticeWithoutBending) {
   double closest = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
@@ -47,7 +47,7 @@ TEST(StepLimit, BoundsEveryCrumpledLatticeWithoutBending) {
   std::printf("40 crumpled lattices: the true omega reaches %.4f of the bound\n", std::sqrt(closest));
 }
 
-// Bending beside it: sharp folds stiffen by their geometry too, which the automatic step's safety factor
+// With bending: sharp folds also stiffen by their geometry, which the safety factor of the automatic step
 // covers.
 TEST(StepLimit, BoundsCrumpledLatticesWithBendingWithinTheSafetyFactor) {
   double closest = 0;
@@ -64,8 +64,8 @@ TEST(StepLimit, BoundsCrumpledLatticesWithBendingWithinTheSafetyFactor) {
               std::sqrt(closest));
 }
 
-// Pieces that the outline cuts and splits: the bound knows no outline. Without bending it is rigorous; with
-// it, hinges are stiffened by sharp folds only within the safety factor.
+// Pieces that the outline cuts and splits: the bound does not depend on the outline. Without bending it is
+// rigorous; with bending, sharp folds stiffen hinges only within the safety factor.
 TEST(StepLimit, BoundsCrumpledCutPieces) {
   for (const bool bending : {false, true}) {
     double closest = 0;
@@ -84,8 +84,8 @@ TEST(StepLimit, BoundsCrumpledCutPieces) {
   }
 }
 
-// Clamps inside cells are stiffer than the hinges they replace, by up to 1/s^2 at s = 0.2: their own term
-// covers them. Bending alone, much stiffer than the threads, at rest and folded up to the safety factor.
+// Clamps inside cells are stiffer than the hinges they replace, by up to 1/s^2 at s = 0.2: a term of their
+// own covers them. Bending alone, much stiffer than the yarns, at rest and folded up to the safety factor.
 TEST(StepLimit, BoundsClampedPieces) {
   double closest = 0, unaided = 0;
   for (const bool region : {false, true})
@@ -114,8 +114,8 @@ TEST(StepLimit, BoundsClampedPieces) {
               std::sqrt(closest), std::sqrt(unaided));
 }
 
-// At rest mass and stiffness of a cut cell shrink together: the outline lowers neither the bound nor the true
-// limit.
+// At rest the mass and stiffness of a cut cell shrink together: the outline lowers neither the bound nor the
+// true limit.
 TEST(StepLimit, IsNotLoweredByTheOutline) {
   scene::FabricSpec fabric = reference::curved_fabric();
   fabric.bending_warp *= 100;
@@ -130,7 +130,7 @@ TEST(StepLimit, IsNotLoweredByTheOutline) {
   }
 }
 
-// At rest: [4 max k + 8 k_d + 16 (B1 + B2)/b^2]/(rho b^2), and the worst link has a name.
+// At rest: [4 max k + 8 k_d + 16 (B1 + B2)/b^2]/(rho b^2), and the limiting link has a name.
 TEST(StepLimit, AtRestIsTheFormulaOfAFlatLattice) {
   scene::FabricSpec fabric;
   fabric.name = "linear";

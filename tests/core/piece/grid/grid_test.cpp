@@ -19,7 +19,7 @@ double share_at(const Grid& g, int i, int j) {
   return cell < 0 ? 0 : g.cells[std::size_t(cell)].share;
 }
 
-// Shares of the columns and of the rows, in pieces whose other direction has a whole cell.
+// Shares of the columns or of the rows, in pieces with a whole cell in the other direction.
 std::vector<double> shares_along(const Grid& g, int axis) {
   std::vector<double> shares(std::size_t(axis ? g.rows : g.columns) - 1);
   for (const GridCell& c : g.cells)
@@ -57,7 +57,7 @@ TEST(Grid, CutCellLiesAwayFromTheFirstVertex) {
   EXPECT_EQ(share_at(g, 0, 1), 0.5);
   EXPECT_EQ(share_at(g, 1, 0), 0.75);
   EXPECT_EQ(share_at(g, 1, 1), 1);
-  EXPECT_EQ(g.x0, -0.5);  // node (0,0) lies outside by what is missing of its cell
+  EXPECT_EQ(g.x0, -0.5);  // node (0,0) lies outside by the missing part of its cell
   EXPECT_EQ(g.y0, -0.25);
 }
 
@@ -70,7 +70,7 @@ TEST(Grid, GridLinesPassThroughTheFirstPinnedEdgeAlongEachAxis) {
   EXPECT_EQ(shares_along(grid_of(piece, {3}), 0), (Shares{1, 1, 0.5}));
   EXPECT_EQ(shares_along(grid_of(piece, {0, 2}), 1), (Shares{1, 1, 1, 0.75}));
   EXPECT_EQ(shares_along(grid_of(piece, {2, 0}), 1), (Shares{0.75, 1, 1, 1}));
-  // a pin of another piece, or one that holds points, does not count; nor does a curved edge
+  // A pin of another piece, or one that holds points, does not count; nor does a curved edge.
   Scene two = scene_of(piece, {2});
   two.pieces.push_back(piece);
   EXPECT_EQ(shares_along(grid_make(two, 1), 1), (Shares{1, 1, 1, 0.75}));
@@ -80,7 +80,7 @@ TEST(Grid, GridLinesPassThroughTheFirstPinnedEdgeAlongEachAxis) {
   scene::PieceSpec curved = piece;
   curved.curves = {{2, {{1.25, 3.5}}}};
   EXPECT_EQ(grid_of(curved, {2}).y0, 0);
-  // turned with its grain a piece has the same cells
+  // Rotated together with its grain, a piece has the same cells.
   scene::PieceSpec turned = piece;
   turned.grain = 0.7;
   for (Vec2& p : turned.outline)
@@ -88,7 +88,7 @@ TEST(Grid, GridLinesPassThroughTheFirstPinnedEdgeAlongEachAxis) {
   const Grid a = grid_of(piece, {2}), b = grid_of(turned, {2});
   ASSERT_EQ(a.cells.size(), b.cells.size());
   for (std::size_t c = 0; c < a.cells.size(); ++c) EXPECT_NEAR(a.cells[c].share, b.cells[c].share, 1e-14);
-  // and an origin given far away shifts it by whole cells
+  // A distant origin shifts it by whole cells.
   scene::PieceSpec far = piece;
   far.grid_origin = Vec2{-1e4 + 0.25, 0.5};
   EXPECT_EQ(grid_of(far).x0, -0.75);
@@ -103,19 +103,19 @@ TEST(Grid, RemainderBelowAFifthIsMerged) {
   EXPECT_EQ(shares(1), (Shares{1}));
   EXPECT_EQ(shares(3 + 1e-10), (Shares{1, 1, 1}));
   EXPECT_EQ(shares(3 - 1e-10), (Shares{1, 1, 1}));
-  // from the high side: node 0 lies inside by the remainder
+  // From the high side: node 0 lies inside by the remainder.
   const Grid g = grid_of(rectangle(0, 0, 2.125, 1, 1), {1});
   EXPECT_EQ(shares_along(g, 0), (Shares{1.125, 1}));
   EXPECT_EQ(g.x0, 0.125);
-  // a small corner goes with its small neighbours
+  // A small corner merges with its small neighbours.
   const Grid corner = grid_of(rectangle(0, 0, 2.125, 3.125, 1));
   EXPECT_EQ(corner.cells.size(), 6u);
   EXPECT_EQ(share_at(corner, 1, 2), 1.125 * 1.125);
 }
 
-// sum a = area of the polygon. Coordinates up to 50 m over cells of 0.01 m carry 1e-12 cells of rounding
-// each, which move an outline of up to 400 cells, half of them each way, and leave an area of 1e3 cells or
-// more; pieces of a few cells have little to round.
+// The areas of the nodes sum to the area of the polygon. Coordinates up to 50 m over cells of 0.01 m carry a
+// rounding of 1e-12 cells each. That moves an outline of up to 400 cells, half of them each way, around an
+// area of 1e3 cells or more; pieces of a few cells have little rounding.
 TEST(Grid, AreasOfNodesAddUpToThePolygon) {
   RandomPiece random(2015);
   double worst = 0;
@@ -139,7 +139,7 @@ TEST(Grid, AreasOfNodesAddUpToThePolygon) {
   std::printf("1,000 random pieces: sum of areas off by at most %.1e\n", worst);
 }
 
-// The same with corners on grid lines and nodes, edges along them, holes that touch them.
+// The same with corners on grid lines and nodes, edges along them, and holes that touch them.
 TEST(Grid, CornersOnGridLinesLoseNoArea) {
   RandomPiece random(7);
   for (int trial = 0; trial < 20000; ++trial) {
@@ -181,7 +181,7 @@ TEST(Grid, PiecesOfOneCell) {
   EXPECT_EQ(share_at(grid_of(small), 1, 1), 0.75);
 }
 
-// A part stays below 0.2 only where its going would tear the piece or there is none to take it.
+// A part stays below 0.2 only where its merging would tear the piece, or no neighbour can absorb it.
 TEST(Grid, NoSmallPartIsLeftAtASmoothRim) {
   RandomPiece random(5);
   for (int trial = 0; trial < 200; ++trial) {
@@ -194,9 +194,9 @@ TEST(Grid, NoSmallPartIsLeftAtASmoothRim) {
   }
 }
 
-// A linear displacement strains all links alike; with unit tension along them the stress is sum of width x
-// rest length over the area. sum of w b over warp links = over weft links = sum of w sqrt(2) b over either
-// diagonal = sum of b^2 phi = A.
+// A linear displacement strains all links alike. With unit tension along them the stress is the sum of width
+// x rest length over the area. The sums of w b over warp links, of w b over weft links, of w sqrt(2) b over
+// either diagonal and of b^2 phi are all A.
 TEST(Grid, WidthsCarryTheAreaOnce) {
   RandomPiece random(3);
   for (int trial = 0; trial < 200; ++trial) {
@@ -221,7 +221,7 @@ TEST(Grid, WidthsCarryTheAreaOnce) {
   }
 }
 
-// The mass of a cut cell counts at its centre: the piece's centroid is off by O(b^2).
+// The mass of a cut cell is placed at the cell's centre: the piece's centroid is off by O(b^2).
 TEST(Grid, CentroidIsOffBySecondOrder) {
   const auto error = [](double cell) {
     RandomPiece random(17);
@@ -256,7 +256,7 @@ TEST(Grid, PaperKeepsWholeCells) {
   EXPECT_EQ(g.columns, 3);
   EXPECT_EQ(g.rows, 4);
   EXPECT_EQ(g.cells.size(), 6u);
-  // node (2,3): a quarter of a cell, half of the parts (2,2) and (1,3) that it borders, all of the corner
+  // Node (2,3): a quarter of a cell, half of the parts (2,2) and (1,3) that it borders, all of the corner.
   EXPECT_EQ(g.area[11], 0.25 + 0.5 / 2 + 0.75 / 2 + 0.375);
   EXPECT_EQ(g.area[0], 0.25);
   EXPECT_NEAR(grid_area(g), 2.5 * 3.75, 1e-14);

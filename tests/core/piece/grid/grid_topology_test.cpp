@@ -1,4 +1,4 @@
-// How the cells of a grid hang together: slits, notches, darts, combs, necks and spirals.
+// The topology of a grid: slits, notches, darts, combs, necks and spirals.
 #include "piece/grid/grid.h"
 
 #include "piece_fixture.h"
@@ -21,7 +21,7 @@ std::vector<int> twins_per_place(const Grid& g) {  // how many places have one t
   return places;
 }
 
-// Where all features are wider than two cells, the cells hang together as the piece does: nodes - sides +
+// Where all features are wider than two cells, the cells have the topology of the piece: nodes - sides +
 // cells = 1 - holes.
 TEST(GridTopology, CellsHangTogetherAsThePieceDoes) {
   RandomPiece random(11);
@@ -40,8 +40,8 @@ TEST(GridTopology, CellsHangTogetherAsThePieceDoes) {
   }
 }
 
-// A slit of no width to speak of, from below up into the piece, parts the cells on either side of it: twins
-// at every node place beside it, but none at its end.
+// A slit of negligible width, from below into the piece, separates the cells on either side of it: there are
+// twins at every node place beside it, but none at its end.
 TEST(GridTopology, SlitPartsTheClothUpToItsEnd) {
   for (const double x : {2.5, 2.0, 2.0 - 1e-4}) {
     const double w = 1e-4;
@@ -52,10 +52,10 @@ TEST(GridTopology, SlitPartsTheClothUpToItsEnd) {
     const Shape shape = shape_of(g);
     EXPECT_EQ(shape.pieces, 1);
     EXPECT_EQ(shape.euler, 1);
-    // the part of row 2 goes round the slit's end and joins both sides at y = 2; below, in two rows, the slit
-    // parts two columns of nodes, or one that it runs along
+    // The part of row 2 goes round the slit's end and joins both sides at y = 2. In the two rows below, the
+    // slit separates two columns of nodes, or one that it runs along.
     EXPECT_EQ(twins_per_place(g), (std::vector<int>{x == 2.5 ? 4 : 2}));
-    // left and right of the slit no node is common
+    // No node is common to the left and the right of the slit.
     std::set<int> left, right;
     for (const GridPart& p : g.parts) {
       const GridCell& c = g.cells[std::size_t(p.cell)];

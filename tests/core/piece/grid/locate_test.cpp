@@ -1,4 +1,4 @@
-// Points in their cells: core/README.md, section 1.
+// The cell and the weights of a point: core/README.md, section 1.
 #include "piece_fixture.h"
 
 namespace drape::piece {
@@ -7,7 +7,7 @@ using namespace tests;
 namespace {
 
 // sum w = 1 and sum w X = X: bilinear weights reproduce linear functions, inside a piece, on its rim and
-// (continued) in merged parts. Coordinates of up to 60 m in cells of 0.01 m: 1e-12 cells.
+// (extrapolated) in merged parts. Coordinates of up to 60 m in cells of 0.01 m: 1e-12 cells.
 TEST(Locate, PointsAreReproduced) {
   RandomPiece random(1);
   for (int trial = 0; trial < 500; ++trial) {
@@ -29,7 +29,7 @@ TEST(Locate, PointsAreReproduced) {
         x += at.weight[k] * g.place(at.node[k])[0];
         y += at.weight[k] * g.place(at.node[k])[1];
         if (!g.paper) {
-          ASSERT_LE(std::abs(at.weight[k]), 4);  // less than a cell beyond its own
+          ASSERT_LE(std::abs(at.weight[k]), 4);  // less than a cell beyond its own cell
         }
       }
       ASSERT_NEAR(sum, 1, 1e-14);
@@ -69,12 +69,13 @@ TEST(Locate, EitherSideOfASlit) {
     for (int a = 0; a < 4; ++a)
       for (int b = 0; b < 4; ++b)
         common += left.node[a] == right.node[b] && left.weight[a] != 0 && right.weight[b] != 0;
-    // below y = 1 none; the cells above share their upper nodes; the one at the slit's end is one
+    // Below y = 1 none is common; the cells above share their upper nodes; the cell at the slit's end is a
+    // single one.
     EXPECT_EQ(common, y <= 1 ? 0 : y < 2 ? 2 : 4) << y;
   }
 }
 
-// Off the piece by a rounding, or by a cell: the nearest part.
+// Off the piece by a rounding error, or by a cell: the nearest part.
 TEST(Locate, PointsOffThePiece) {
   const Grid g = grid_make(scene_of(piece_of({{0, 0}, {4, 0}, {0, 4}}, 1)), 0);
   EXPECT_EQ(grid_cell_of(g, {2.5, 1.5 + 1e-9}), grid_cell_of(g, {2.5, 1.5 - 1e-9}));

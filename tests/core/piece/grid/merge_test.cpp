@@ -1,4 +1,4 @@
-// Merging leaves the shape of a piece: core/README.md, section 1.
+// Merging small parts keeps the topology of a piece: core/README.md, section 1.
 #include "piece/grid/merge.h"
 
 #include "piece_fixture.h"
@@ -20,7 +20,8 @@ Cut cut_of(const scene::PieceSpec& piece) {
   return cut_make(loops);
 }
 
-// The parts that remain, with their corners' sets as nodes; parts of the same four nodes count once.
+// The parts that remain, with the node sets of their corners as nodes. Parts of the same four nodes count
+// once.
 Shape shape_of_parts(const Cut& cut, const Merged& merged) {
   std::map<PartRef, GridCell> cells;
   int nodes = 0;
@@ -40,8 +41,8 @@ Shape shape_of_parts(const Cut& cut, const Merged& merged) {
   return shape_of(grid);
 }
 
-// Connected pieces stay as many; nodes - sides + cells comes no farther from 1 - holes. (Before merging, two
-// parts of one cell can close a hole between them that lies within the cell.)
+// The number of connected pieces stays; nodes - sides + cells moves no farther from 1 - holes. (Before
+// merging, two parts of one cell can enclose a hole that lies within the cell.)
 TEST(Merge, KeepsTheShape) {
   RandomPiece random(1);
   int small = 0, kept = 0;
@@ -72,7 +73,7 @@ TEST(Merge, KeepsTheShape) {
 }
 
 // Three small parts in a row between two large ones are a neck: all stay. A single one at the end of a row
-// goes.
+// is merged.
 TEST(Merge, KeepsANeck) {
   const Cut cut = cut_of(piece_of({{0, 0},
                                    {1, 0},

@@ -1,4 +1,4 @@
-// The polygons of a piece: at rest they are the piece.
+// The polygons of a piece: at rest their union is the piece.
 #include "piece/grid/surface.h"
 
 #include <cmath>
@@ -10,7 +10,7 @@ namespace drape::piece {
 using namespace tests;
 namespace {
 
-// Where a corner lies at rest.
+// The position of a corner at rest.
 Vec2 corner_at(const Grid& grid, const Surface& surface, int corner) {
   if (corner < grid.nodes()) return grid.place(corner);
   const GridPoint& point = surface.points[std::size_t(corner - grid.nodes())];
@@ -20,7 +20,7 @@ Vec2 corner_at(const Grid& grid, const Surface& surface, int corner) {
   return at;
 }
 
-// Every corner by its place, to 1e-9 m: there are no two at one.
+// Corners by their position, to 1e-9 m: no two are at one position.
 std::map<std::pair<long, long>, int> corners_by_place(const Grid& grid, const Surface& surface) {
   std::map<std::pair<long, long>, int> corner_in;
   for (const int corner : surface.corner) {
@@ -82,7 +82,7 @@ TEST(Surface, IsThePieceAtRest) {
   EXPECT_EQ(surface.end.size(), whole + grid.parts.size());  // no part has a hole of its own
 }
 
-// Any piece: 1e-12 of a cell at coordinates of up to 60 m (grid_test), on every point of the rim.
+// For any piece: 1e-12 of a cell at coordinates of up to 60 m (grid_test), at every point of the rim.
 TEST(Surface, HasTheAreaOfAnyPiece) {
   RandomPiece random(20);
   for (int k = 0; k < 200; ++k) {
@@ -98,7 +98,7 @@ TEST(Surface, HasTheAreaOfAnyPiece) {
   }
 }
 
-// Holes that lie within a cell, several in one: their part falls into polygons without holes.
+// Holes within a cell, several in one: their part is divided into polygons without holes.
 TEST(Surface, OpensHolesWithinACell) {
   scene::PieceSpec piece = rectangle(0, 0, 0.05, 0.04, 0.01);
   const auto hole = [](double x, double y, double size) {
@@ -117,8 +117,8 @@ TEST(Surface, OpensHolesWithinACell) {
   }
 }
 
-// The lines that open holes are no lines of the grid, and their polygons are moved there and back: where two
-// of them meet there is still one corner. Two holes in each of many cells, anywhere.
+// The lines that open holes are no lines of the grid, and their polygons are rotated there and back: where
+// two polygons meet there is still one corner. Two holes at random positions in each of many cells.
 TEST(Surface, JoinsThePolygonsOfOpenedHoles) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> at(0.0005, 0.0035), size(0.0003, 0.0006);
@@ -135,8 +135,8 @@ TEST(Surface, JoinsThePolygonsOfOpenedHoles) {
   corners_by_place(grid, surface);
 }
 
-// Neighbours share their corners, beside merged parts too: one corner a place, and every side belongs to two
-// polygons or to the rim.
+// Neighbours share their corners, beside merged parts too: one corner at each position, and every side
+// belongs to two polygons or to the rim.
 TEST(Surface, HasNoCracks) {
   for (const scene::OutlineModel outline : {scene::OutlineModel::kCutCell, scene::OutlineModel::kPaper}) {
     scene::PieceSpec piece = piece_of({}, 0.01);

@@ -28,8 +28,8 @@ std::vector<std::string> faults_of(const scene::PieceSpec& piece) {
   return texts;
 }
 
-// |p - centre| = r for every point of an arc, and it goes round as told: area under the chord = r^2 (a - sin
-// a)/2 less what the chords cut off, at most 2/3 of the sag along the arc.
+// Every point of an arc has |p - centre| = r, and the arc has the specified direction: the area under the
+// chord is r^2 (a - sin a)/2 less what the chords cut off, at most 2/3 of the sag along the arc.
 TEST(Outline, ArcsLieOnTheirCircleAndTurnAsSpecified) {
   for (const double radius : {1.0, 1.2, 7.0, 1e4})
     for (const bool large : {false, true})
@@ -44,7 +44,7 @@ TEST(Outline, ArcsLieOnTheirCircleAndTurnAsSpecified) {
         const std::vector<Vec2> points = outline_edge(piece, 0);
         EXPECT_EQ(points.front(), (Vec2{0, 0}));
         EXPECT_EQ(points.back(), (Vec2{2, 0}));
-        // edge 0 runs along +x: where the angle rises the arc bulges to -y; its centre is above or below
+        // Edge 0 runs along +x: where the angle rises the arc bulges to -y. Its centre is above or below.
         const double angle = 2 * (large ? kPi - std::asin(1 / radius) : std::asin(1 / radius));
         const double centre = std::sqrt(radius * radius - 1) * (large == right ? -1 : 1);
         for (const Vec2& p : points)
@@ -60,7 +60,7 @@ TEST(Outline, ArcsLieOnTheirCircleAndTurnAsSpecified) {
       }
 }
 
-// Chords stay within b/1000 of the curve: its points at the middle of each chord's parameter.
+// Chords stay within b/1000 of the curve: the curve's points at the middle of each chord's parameter range.
 TEST(Outline, BezierChordsStayWithinTheirSag) {
   scene::PieceSpec piece = square();
   for (const double cell : {0.5, 0.1, 0.02})

@@ -1,4 +1,4 @@
-// What pins hold: core/README.md, section 4.
+// The points and rows that pins hold: core/README.md, section 4.
 #include "piece/support/support.h"
 
 #include "piece_fixture.h"
@@ -43,7 +43,7 @@ scene::PinSpec region_pin(const Points& region) {
   return pin;
 }
 
-// (i, j) of both ends, y and q_c.
+// The indices (i, j) of both ends, y and q_c.
 struct Slope {
   std::array<int, 2> from, to;
   double clamp, series;
@@ -59,10 +59,10 @@ std::vector<Slope> slopes_along(const Held& h, bool warp) {
 TEST(Support, EdgeIsHeldAtItsCornersAndCrossings) {
   EXPECT_EQ(held(rectangle(0, 0, 2.5, 2, 1), edges_pin({2})).hold.points,
             (Points{{0, 2}, {1, 2}, {2, 2}, {2.5, 2}}));
-  // the last node lies inside, the corner beyond it
+  // The last node lies inside, the corner beyond it.
   EXPECT_EQ(held(rectangle(0, 0, 2.125, 2, 1), edges_pin({2})).hold.points,
             (Points{{0, 2}, {1, 2}, {2, 2}, {2.125, 2}}));
-  // edges that meet share their corner; the edge across the cut row crosses the threads between nodes
+  // Edges that meet share their corner. The edge across the cut row crosses the yarns between nodes.
   const scene::PieceSpec piece = rectangle(0, 0, 2.125, 2, 1);
   scene::PieceSpec fixed = piece;
   fixed.grid_origin = Vec2{0, 0};
@@ -84,9 +84,9 @@ TEST(Support, PointsAreHeldOnce) {
   EXPECT_NEAR(h.hold.centre[0], (2.5 + 0.3 + 1 + 0.3 + 1) / 5, 1e-9);
 }
 
-// An arc of radius r about (0, 0), turned by its grain: points within the sag of r, each on a thread (or an
-// end), one for each thread that it crosses and that runs nearer to its normal than the other kind: along the
-// quarter circle the warp at x <= 1/sqrt 2, the weft at y <= 1/sqrt 2.
+// An arc of radius r about (0, 0), rotated with its grain. Its points lie within the sag of r, each on a
+// yarn (or at an end). There is one point for each yarn that the arc crosses and that is nearer to its
+// normal than the other kind: along the quarter circle the warp at x <= 1/sqrt 2, the weft at y <= 1/sqrt 2.
 TEST(Support, CurvedEdgeIsHeldWhereItCrossesYarns) {
   for (const double grain : {0.0, 0.4}) {
     scene::PieceSpec piece = piece_of({{1, 0}, {0, 1}, {0, 0.5}, {0.5, 0}}, 0.1);
@@ -104,17 +104,17 @@ TEST(Support, CurvedEdgeIsHeldWhereItCrossesYarns) {
         EXPECT_TRUE(at[0] == std::floor(at[0]) || at[1] == std::floor(at[1]));
       }
     }
-    if (grain == 0) {  // threads at 0, 0.1, ..., 0.7 and the ends at 1
+    if (grain == 0) {  // yarns at 0, 0.1, ..., 0.7 and the ends at 1
       EXPECT_EQ(on_warp, 9);
       EXPECT_EQ(on_weft, 9);
     }
-    // the mean by length of a quarter circle: 2/pi along either axis
+    // The mean over the length of a quarter circle: 2/pi along either axis.
     for (double v : h.hold.centre) EXPECT_NEAR(v, 2 / std::numbers::pi, 1e-4);
   }
 }
 
-// Each thread that an oblique edge holds has two nodes beside it, of which no other held point takes part but
-// those at the corners: the rows leave one motion of the two.
+// Each yarn that an oblique edge holds has two nodes beside it, in which no other held point takes part
+// except those at the corners: the rows leave one motion of the two.
 TEST(Support, ObliqueEdgeLeavesOneMotionOfEachYarn) {
   for (const double slope : {0.3, 0.7, 1.0, 1.6, 4.0})
     for (const double shift : {0.0, 0.13, 0.61}) {
@@ -131,7 +131,7 @@ TEST(Support, ObliqueEdgeLeavesOneMotionOfEachYarn) {
         EXPECT_EQ(p[slope > 1 ? 1 : 0], std::round(p[slope > 1 ? 1 : 0])) << slope;
         const GridPoint& at = h.hold.at[k];
         if (std::count(at.weight, at.weight + 4, 0.0) < 2)
-          continue;  // of a merged cell: its neighbour's nodes
+          continue;  // of a merged cell: it has its neighbour's nodes
         for (int n = 0; n < 4; ++n) {
           rows[at.node[n]] += at.weight[n] != 0;
           EXPECT_LE(rows[at.node[n]], 1) << slope << " " << shift;
@@ -140,8 +140,8 @@ TEST(Support, ObliqueEdgeLeavesOneMotionOfEachYarn) {
     }
 }
 
-// Along a grid line s = 1; half a cell beyond it s = 1/2, or 1.1 where the strip of 0.1 cells is merged;
-// below 0.2: 0.2 where it is none.
+// Along a grid line s = 1. Half a cell beyond it s = 1/2, or 1.1 where the strip of 0.1 cells is merged.
+// Where it is not merged, shares below 0.2 become 0.2.
 TEST(Clamp, EdgeAcrossTheYarns) {
   for (const double top : {3.0, 2.5, 2.1}) {
     scene::PieceSpec piece = rectangle(0, 0, 4, top, 1);
@@ -158,14 +158,14 @@ TEST(Clamp, EdgeAcrossTheYarns) {
       EXPECT_NEAR(k.series, s * s, 1e-14);
     }
     for (const HeldSlope& k : h.hold.slopes) EXPECT_TRUE(k.pivot);
-    // along the edge itself threads do not leave it but for those through its ends, which lie on the sides
+    // Along the edge itself no yarn leaves it except those through its ends, which lie on the sides.
     EXPECT_EQ(slopes_along(h, false).size(), 0u);
   }
   EXPECT_TRUE(held(rectangle(0, 0, 4, 3, 1), edges_pin({2})).hold.slopes.empty());
 }
 
-// An edge at 45 degrees, cloth below left: every thread that crosses it leaves downwards or to the left from
-// the crossing, s = the distance to its next node.
+// An edge at 45 degrees, with the cloth below left: every yarn that crosses it leaves downwards or to the
+// left from the crossing, with s the distance to its next node.
 TEST(Clamp, ObliqueEdge) {
   for (const double shift : {0.0, 0.25, 0.5, 0.9}) {
     scene::PieceSpec piece = piece_of({{0, 0}, {6 + shift, 0}, {0, 6 + shift}}, 1);
@@ -175,11 +175,11 @@ TEST(Clamp, ObliqueEdge) {
       const Held h = held(piece, edges_pin({reversed ? 0 : 1}), true);
       for (const bool warp : {true, false}) {
         const std::vector<Slope> slopes = slopes_along(h, warp);
-        EXPECT_EQ(slopes.size(), shift == 0 ? 6u : 7u) << shift;  // one past the sharp corner leaves no cloth
+        EXPECT_EQ(slopes.size(), shift == 0 ? 6u : 7u) << shift;  // the one past the sharp corner leaves no cloth
         for (const Slope& k : slopes) {
           EXPECT_EQ(k.from[warp], k.to[warp] + 1);
           EXPECT_EQ(k.from[!warp], k.to[!warp]);
-          // the thread meets the edge at x + y = 6 + shift
+          // The yarn meets the edge at x + y = 6 + shift.
           const double s = 6 + shift - k.to[0] - k.to[1];
           EXPECT_NEAR(k.clamp, 1 / std::pow(std::max(s, 0.2), 2), 1e-12);
           EXPECT_NEAR(k.clamp * k.series, 1, 1e-14);
@@ -219,7 +219,7 @@ Points disc(Vec2 centre, double radius, int n) {
   return points;
 }
 
-// Nodes within the disc, those hardly outside, and the share of each leaving link outside it.
+// Nodes within the disc, those barely outside, and for each leaving link the share outside the disc.
 TEST(Support, DiscRegion) {
   RandomPiece random(4);
   for (int trial = 0; trial < 50; ++trial) {
@@ -245,8 +245,8 @@ TEST(Support, DiscRegion) {
       const auto from = clamped.grid.index(s.from), to = clamped.grid.index(s.to);
       EXPECT_EQ(held_nodes.count(from), 1u);
       EXPECT_EQ(held_nodes.count(to), 0u);
-      // the distance from the circle to x1 along the thread, which meets it at up to 64 degrees; the polygon
-      // lies within r (1 - cos(pi/90)) of it
+      // The distance from the circle to x1 along the yarn, which meets it at up to 64 degrees. The polygon
+      // lies within r (1 - cos(pi/90)) of the circle.
       const double sag = r * (1 - std::cos(std::numbers::pi / 90)) / std::sqrt(1 - 0.81);
       const double across = s.warp ? to[0] - c[0] : to[1] - c[1],
                    along = s.warp ? to[1] - c[1] : to[0] - c[0];
@@ -259,7 +259,7 @@ TEST(Support, DiscRegion) {
         EXPECT_GE(free, 0.2 - sag);
       }
     }
-    // every link from a held node to a free one has its slope
+    // Every link from a held node to a free one has a slope.
     std::set<std::pair<int, int>> links;
     std::set<int> held_at;
     for (const GridPoint& at : clamped.hold.at) held_at.insert(at.node[0]);
@@ -272,8 +272,8 @@ TEST(Support, DiscRegion) {
   }
 }
 
-// A region that holds all cloth of a cut cell holds its corners beyond the piece too; one far larger than the
-// piece, all.
+// A region that holds all cloth of a cut cell also holds its corners beyond the piece. A region far larger
+// than the piece holds all.
 TEST(Support, RegionHoldsCellsWhoseClothLiesInside) {
   scene::PieceSpec piece = rectangle(0, 0, 2.5, 2, 1);
   EXPECT_EQ(held(piece, region_pin({{1, -1}, {2.5, -1}, {2.5, 3}, {1, 3}})).hold.points,
@@ -284,7 +284,7 @@ TEST(Support, RegionHoldsCellsWhoseClothLiesInside) {
   EXPECT_EQ(all.hold.points.size(), 12u);
   EXPECT_TRUE(all.hold.slopes.empty());
   EXPECT_TRUE(held(piece, region_pin({{8, 8}, {9, 8}, {9, 9}})).hold.points.empty());
-  // on the rim counts; a concave region that spares the cell between its arms
+  // Points on the rim count. A concave region leaves out the cell between its arms.
   EXPECT_EQ(held(rectangle(0, 0, 3, 1, 1),
                  region_pin({{0, 0}, {3, 0}, {3, 1}, {2, 1}, {2, 0.5}, {1, 0.5}, {1, 1}, {0, 1}}))
                 .hold.points.size(),

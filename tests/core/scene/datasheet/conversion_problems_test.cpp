@@ -1,5 +1,5 @@
-// Faults of data sheets: one edit of a good sheet, and the messages it gives, in the keys and units of the
-// sheet.
+// Faults of data sheets: one edit of a correct sheet, and the messages that it gives in the keys and units
+// of the sheet.
 #include <gtest/gtest.h>
 
 #include "fault_case.h"
@@ -15,7 +15,7 @@ const std::string kSceneText =
 
 class DatasheetFault : public testing::TestWithParam<Case> {};
 
-// The name's beginning tells which sheet is edited.
+// The first letter of the name selects the sheet.
 TEST_P(DatasheetFault, GivesItsMessages) {
   const SceneFolder folder;
   const char first = GetParam().name[0];

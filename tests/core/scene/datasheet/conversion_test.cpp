@@ -1,5 +1,4 @@
-// Figures as laboratory sheets state them land as the cloth that they describe; bad ones are told in their
-// own keys and units.
+// Figures of laboratory sheets, converted to the cloth that they describe.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,10 +41,10 @@ TEST(DatasheetConversion, KesIsConverted) {
   EXPECT_NEAR(f.warp.force.back(), 490.3325 * 0.05, 1e-13);
   EXPECT_NEAR(f.warp.elongation.back(), 0.05735, 1e-17);
   EXPECT_NEAR(f.weft.elongation.back(), 0.05135, 1e-17);
-  EXPECT_LT(f.warp.force[5], f.warp.force[10] / 2);  // LT < 1: it stiffens
+  EXPECT_LT(f.warp.force[5], f.warp.force[10] / 2);  // LT < 1: the cloth stiffens
   EXPECT_NEAR(f.bending_warp, 0.09 * 9.80665e-5, 1e-19);
   EXPECT_NEAR(f.bending_weft, 0.07 * 9.80665e-5, 1e-19);
-  // G, the mean of both: F/width = 4 G e for small e, and holds no jaws
+  // G, the mean of both: F/width = 4 G e for small e, without jaws
   EXPECT_FALSE(f.bias.jaws);
   EXPECT_NEAR(f.bias.force[1] / (0.05 * 4 * 0.55 * 56.188 * 0.01), 1, 0.03);
   EXPECT_TRUE(f.warp.jaws);
@@ -57,12 +56,12 @@ TEST(DatasheetConversion, FastIsConverted) {
   EXPECT_NEAR(f.thickness, 0.00052, 1e-18);
   expect_near(f.warp.elongation, {0, 0.0067, 0.0187, 0.046});
   expect_near(f.weft.force, {0, 4.903325 * 0.05, 19.6133 * 0.05, 98.0665 * 0.05});
-  EXPECT_NEAR(f.bending_warp, 5.56e-6, 0.005e-6);  // the sheet's own B
+  EXPECT_NEAR(f.bending_warp, 5.56e-6, 0.005e-6);  // the B printed on the sheet
   EXPECT_NEAR(f.bending_weft, 5.02e-6, 0.005e-6);
   EXPECT_NEAR(f.bias.force[1] / (0.05 * 4 * (123 / 4.7) * 0.01), 1, 0.03);
 }
 
-// A strip by the name of its standard; forces on the width that it has.
+// A strip by the name of its standard: forces are on the width of that strip.
 TEST(DatasheetConversion, StripsByName) {
   const auto strip = [](const std::string& name) {
     const FabricSpec f = fabric_of(kFast + "", "strip = \"" + name + "\"\n");
@@ -102,7 +101,7 @@ TEST(DatasheetConversion, Bending) {
   EXPECT_NEAR(pt2, 2700e-10 / 0.03, 10e-10 / 0.03);  // the worked example of examples/fabrics
 }
 
-// What the scene says goes before what the fabric's file says, by whatever key.
+// The values of the scene override those of the fabric's file, whatever keys they use.
 TEST(DatasheetConversion, SceneOverridesTheFile) {
   const FabricSpec f = fabric_of(kKes,
                                  "areal_density = 0.3\nbending = { rigidity_uN_cm2 = [2000, 1500] }\n"
@@ -119,7 +118,7 @@ TEST(DatasheetConversion, SceneOverridesTheFile) {
   EXPECT_EQ(g.warp.force.back(), 7);
 }
 
-// One figure of a strip over a standard's leaves the other.
+// One value of a strip beside the name of a standard overrides that value only.
 TEST(DatasheetConversion, PartOfAStripOverridesItsName) {
   const FabricSpec f = fabric_of("areal_density = 0.2\nthickness = 1e-3\nstrip = \"ASTM D5035 2R\"\n",
                                  "strip = { width = 0.025 }\n");

@@ -1,4 +1,4 @@
-// The resolved text stands alone, and reading it gives the same scene, bit for bit.
+// The text with its files inlined needs no other file, and reading it gives the same scene, bit for bit.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -88,7 +88,7 @@ TEST(InlineFiles, StandsAlone) {
   expect_round_trip(kCloth, kFabric);
 }
 
-// Sheets are resolved to plain keys: nothing is left to convert, on whatever machine the text is read.
+// Data sheets become plain keys: nothing remains to be converted, on whatever machine the text is read.
 TEST(InlineFiles, SheetsBecomePlainKeys) {
   const std::string own = "areal_density = 0.2\nwarp.force = [0, 3, 9]\n", scene = with(kScene, own, "");
   for (const std::string& fabric : {kKes, kFast, kStrips, kPt2}) {
@@ -136,8 +136,8 @@ second line \"\"\" \t end é"""
 )"));
 }
 
-// A correction belongs to the points that it was found for: forces given in a scene keep that of the file, as
-// tuned ones do; elongations do not.
+// A correction belongs to the points for which it was found. Forces given in a scene keep the corrections of
+// the file, as tuned ones do; elongations do not.
 TEST(SceneRead, DiagramsOfItsOwnDoNotTakeTheFilesCorrections) {
   constexpr const char* kBegin = "[scene]\nname = \"a\"\n[fabric.f]\nfile = \"f.toml\"\nwarp = { ";
   constexpr const char* kEnd =

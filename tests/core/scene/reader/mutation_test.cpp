@@ -1,5 +1,4 @@
-// Whatever the text, reading it ends in a scene or in at least one problem, and a scene without problem can
-// be laid out.
+// Any text gives a scene or at least one problem, and a scene without problems can be laid out.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -13,8 +12,8 @@ namespace drape::scene {
 using namespace tests;
 namespace {
 
-// A few random edits: bytes and lines changed, dropped, doubled or swapped, words and numbers from a list put
-// in.
+// A few random edits: bytes and lines changed, deleted, doubled or swapped; words and numbers from a list
+// inserted.
 std::string mutated(std::string text, std::mt19937_64& random) {
   static const std::vector<std::string> kWords = {"nan",
                                                   "inf",
@@ -83,7 +82,7 @@ std::string mutated(std::string text, std::mt19937_64& random) {
   return text;
 }
 
-// Everything that is laid out from a scene stays on its grid.
+// Everything laid out from a scene stays on its grid.
 void expect_laid_out(const Scene& scene, const std::string& text) {
   for (std::size_t k = 0; k < scene.pieces.size(); ++k) {
     const piece::Grid grid = piece::grid_make(scene, int(k));
@@ -135,7 +134,7 @@ TEST(SceneMutation, EndsInASceneOrInProblems) {
     if (problems.empty()) ++good, expect_laid_out(read, scene);
     else ++bad;
   }
-  // Both ends are met often enough to mean something.
+  // Both outcomes occur often enough to be significant.
   EXPECT_GT(good, 100);
   EXPECT_GT(bad, 1000);
   RecordProperty("good", good);

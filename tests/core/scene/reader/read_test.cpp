@@ -1,4 +1,4 @@
-// A scene without fault lands in SI units, and what is left out takes its default.
+// A scene without faults is read in SI units, and omitted keys take their defaults.
 #include "validation/load.h"
 
 #include <gtest/gtest.h>
@@ -116,7 +116,7 @@ TEST(SceneRead, FabricFileAndItsOverridesAreReadInSiUnits) {
   EXPECT_NEAR(f.bending_warp, 1370 * 1e-10 / 0.03, 1e-15 * f.bending_warp);
   EXPECT_NEAR(f.bending_weft, 900 * 1e-10 / 0.03, 1e-15 * f.bending_weft);
   EXPECT_EQ(f.warp.elongation, (std::vector<double>{0, 0.01, 0.025}));
-  EXPECT_EQ(f.warp.force, (std::vector<double>{0, 3, 9}));  // one key of a table within: the scene's
+  EXPECT_EQ(f.warp.force, (std::vector<double>{0, 3, 9}));  // one key of an inner table: the scene's
   EXPECT_EQ(f.warp.correction, (std::vector<double>{1, 0.9, 0.95}));
   EXPECT_EQ(f.weft.elongation, (std::vector<double>{0, 0.04}));
   EXPECT_TRUE(f.weft.correction.empty());
@@ -173,7 +173,7 @@ outline = [[0, 0], [0, 2], [-1, 2], [-1, 0]]
   EXPECT_EQ(s.pieces[0].place.axis_y, (Vec3{0, 1, 0}));
 }
 
-// Axes typed to seven digits become orthonormal to rounding; exact ones are left as they are.
+// Axes given to seven digits become orthonormal to rounding; exact ones are unchanged.
 TEST(SceneRead, AxesAreMadeOrthonormal) {
   const SceneFolder folder;
   std::string text = kScene;
@@ -191,8 +191,8 @@ TEST(SceneRead, AxesAreMadeOrthonormal) {
   EXPECT_NEAR(place.axis_y[2], 0.8164966, 1e-6);
 }
 
-// What says nothing may be said: one number for both frictions, no curves and no holes, an air that only has
-// a density, the values of the keys that have only one.
+// Keys without effect are allowed: one number for both frictions, empty curves and holes, an air with only a
+// density, the values of keys that allow only one.
 TEST(SceneRead, WhatStatesNothing) {
   const SceneFolder folder;
   std::string text = kScene;
@@ -210,7 +210,7 @@ TEST(SceneRead, WhatStatesNothing) {
   EXPECT_TRUE(s.pieces[0].curves.empty() && s.pieces[0].holes.empty());
 }
 
-// A cylinder's axis typed to seven digits becomes parallel to the plane to rounding.
+// A cylinder's axis given to seven digits becomes parallel to the plane to rounding.
 TEST(SceneRead, CylinderAxisIsMadeParallelToThePlane) {
   const SceneFolder folder;
   std::string text = kCloth;
@@ -223,7 +223,7 @@ TEST(SceneRead, CylinderAxisIsMadeParallelToThePlane) {
   EXPECT_NEAR(place.axis[0], 0.6, 1e-6);
 }
 
-// Length of the list and last points as the source of the figures has them.
+// The lengths of the lists and their last points are those of the source.
 TEST(SceneRead, MeasuredWool) {
   const SceneFolder folder;
   const std::string file = std::string(DRAPE_SOURCE_DIR) + "/examples/fabrics/wool.toml";
@@ -243,7 +243,7 @@ outline = [[0, 0], [1, 0], [1, 1], [0, 1]]
   ASSERT_EQ(f.warp.force.size(), 29u);
   ASSERT_EQ(f.weft.force.size(), 29u);
   ASSERT_EQ(f.bias.force.size(), 15u);
-  // 0.05 m times the measured 2998.027613 and 1052.158273 N/m, retyped to 1e-5 N
+  // 0.05 m times the measured 2998.027613 and 1052.158273 N/m, entered to 1e-5 N
   EXPECT_NEAR(f.warp.force.back(), 0.05 * 2998.027613, 1e-5);
   EXPECT_NEAR(f.weft.force.back(), 0.05 * 1052.158273, 1e-5);
   // F = 0.05 m tau 2 l/cos g, l = sqrt(1 + sin g), with tau = 59.986 N/m at g = 0.14

@@ -1,4 +1,4 @@
-// Bad input that single keys show: unknown and missing keys, kinds, ranges, names, files.
+// Faults of single keys: unknown and missing keys, types, ranges, names, files.
 #include "fault_case.h"
 
 namespace drape::scene {
@@ -203,7 +203,7 @@ TEST(SceneFile, ThatHoldsNoScene) {
                       "scene.toml: piece is missing; wanted: at least one [[piece]]"}));
 }
 
-// What follows the place is the parser's own wording.
+// After the location the message is the parser's own.
 TEST(SceneFile, ThatIsNotToml) {
   const auto starts = [](const Messages& messages, const std::string& start) {
     return messages.size() == 1 && messages[0].compare(0, start.size(), start) == 0;
