@@ -76,9 +76,9 @@ void kernel_forces(const Kernel& kernel, const System& system, const State& stat
 double velocity_extrapolation(const System& system, const State& state);
 
 // The fastest kernel of this processor. The environment variable DRAPE_SIMD = portable | scalar | avx2 |
-// avx512 picks one where the processor has it; `scalar` is a slow yardstick with fused arithmetic.
+// avx512 picks one where build and processor have it; `scalar` is a slow yardstick with fused arithmetic.
 const Kernel& kernel_pick();
-const Kernel* kernel_named(const char* name);  // null: unknown, or not on this processor
+const Kernel* kernel_named(const char* name);  // null: not in this build, or not on this processor
 
 extern const Kernel kKernelPortable, kKernelScalar, kKernelAvx2, kKernelAvx512;
 
