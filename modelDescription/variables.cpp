@@ -39,30 +39,53 @@ constexpr Row output_discrete(int needs, const char* unit) {
   return {Causality::kOutput, Variability::kDiscrete, unit, kAny, needs};
 }
 
-void add(Table& table, const std::string& name, double* value, const Row& row,
+// Where a value is kept. An output comes as a constant, and is read only.
+struct Storage {
+  const double* value;
+  double* setting;
+
+  Storage(const double* v) : value(v), setting(nullptr) {}
+  Storage(double* v) : value(v), setting(v) {}
+  Storage operator+(int k) const {
+    Storage shifted = *this;
+    shifted.value += k;
+    if (setting) shifted.setting += k;
+    return shifted;
+  }
+};
+
+void add(Table& table, const std::string& name, const Storage& storage, const Row& row,
          const std::string& description) {
-  table.push_back({name, "", description, "", row.causality, row.variability, row.unit, row.range, value,
-                   nullptr, row.needs});
+  double* const setting = row.causality == Causality::kOutput ? nullptr : storage.setting;
+  table.push_back({name, "", description, "", row.causality, row.variability, row.unit, row.range,
+                   storage.value, setting, nullptr, row.needs});
 }
 
 // name[1] to name[3], along x, y and z.
-void add_vector(Table& table, const std::string& name, double* value, const Row& row,
+void add_vector(Table& table, const std::string& name, const Storage& storage, const Row& row,
                 const std::string& description) {
   for (int k = 0; k < 3; ++k) {
-    add(table, name, value + k, row, description);
+    add(table, name, storage + k, row, description);
     table.back().index = "[" + std::to_string(k + 1) + "]";
     table.back().detail = std::string(1, "xyz"[k]);
   }
 }
 
-// An input of several numbers, each named by a letter, and its rates.
-void add_input(Table& table, const std::string& name, double* value, double* rate, const Row& row,
-               std::string_view letters, const std::string& description) {
-  for (std::size_t k = 0; k < letters.size(); ++k) {
-    add(table, name, value + k, row, description);
+// The numbers of an input, and their rates. Each number has a letter.
+struct InputStorage {
+  double* value;
+  double* rate;
+  std::string_view letters;
+};
+
+// name[1] to name[n], one for each letter.
+void add_input(Table& table, const std::string& name, const InputStorage& storage, const Row& row,
+               const std::string& description) {
+  for (std::size_t k = 0; k < storage.letters.size(); ++k) {
+    add(table, name, storage.value + k, row, description);
     table.back().index = "[" + std::to_string(k + 1) + "]";
-    table.back().detail = std::string(1, letters[k]);
-    table.back().rate = rate + k;
+    table.back().detail = std::string(1, storage.letters[k]);
+    table.back().rate = storage.rate + k;
   }
 }
 
@@ -78,12 +101,13 @@ void add_diagram(Table& table, const std::string& name, const drape_diagram& dia
   }
 }
 
-void add_strain(Table& table, const std::string& name, drape_strain& strain, const std::string& direction) {
-  add(table, name + ".min", &strain.min, output(DRAPE_STRAIN, "1"),
+void add_strain(Table& table, const std::string& name, const drape_strain& strain,
+                const std::string& direction) {
+  add(table, name + ".min", &strain.min, output(DRAPE_OUT_STRAIN, "1"),
       "smallest strain of the cloth " + direction);
-  add(table, name + ".max", &strain.max, output(DRAPE_STRAIN, "1"),
+  add(table, name + ".max", &strain.max, output(DRAPE_OUT_STRAIN, "1"),
       "largest strain of the cloth " + direction);
-  add(table, name + ".mean", &strain.mean, output(DRAPE_STRAIN, "1"),
+  add(table, name + ".mean", &strain.mean, output(DRAPE_OUT_STRAIN, "1"),
       "mean strain of the cloth " + direction + ", weighted by area");
 }
 
@@ -149,23 +173,23 @@ void add_parameters(Table& table, drape_parameters& p) {
 
 void add_inputs(Table& table, drape_inputs& u, drape_inputs& rates) {
   if (u.has_wind)
-    add_input(table, "wind", u.wind, rates.wind, input(scene::kWind), "xyz", "velocity of the air");
+    add_input(table, "wind", {u.wind, rates.wind, "xyz"}, input(scene::kWind), "velocity of the air");
   for (int i = 0; i < u.pin_count; ++i) {
     drape_pin_input &pin = u.pin[i], &rate = rates.pin[i];
     const std::string name = "pin." + name_part(pin.name);
     if (pin.drive & DRAPE_DRIVE_POSITION)
-      add_input(table, name + ".position", pin.position, rate.position, input(scene::kPinPosition), "xyz",
+      add_input(table, name + ".position", {pin.position, rate.position, "xyz"}, input(scene::kPinPosition),
                 "where the pin is to be at the end of the step");
     if (pin.drive & DRAPE_DRIVE_POSITION && pin.clamp)
-      add_input(table, name + ".orientation", pin.orientation, rate.orientation,
-                input(scene::kPinOrientation), "wxyz",
+      add_input(table, name + ".orientation", {pin.orientation, rate.orientation, "wxyz"},
+                input(scene::kPinOrientation),
                 "rotation of the clamp since the start, a quaternion of any length above 0");
     if (pin.drive & DRAPE_DRIVE_VELOCITY)
-      add_input(table, name + ".velocity", pin.velocity, rate.velocity, input(scene::kPinVelocity), "xyz",
+      add_input(table, name + ".velocity", {pin.velocity, rate.velocity, "xyz"}, input(scene::kPinVelocity),
                 "velocity that the pin is to have at the end of the step");
     if (pin.drive & DRAPE_DRIVE_VELOCITY && pin.clamp)
-      add_input(table, name + ".angular_velocity", pin.angular_velocity, rate.angular_velocity,
-                input(scene::kPinAngularVelocity), "xyz",
+      add_input(table, name + ".angular_velocity", {pin.angular_velocity, rate.angular_velocity, "xyz"},
+                input(scene::kPinAngularVelocity),
                 "angular velocity that the clamp is to have at the end of the step");
   }
 }
@@ -174,119 +198,123 @@ void add_bodies(Table& table, drape_inputs& u, drape_inputs& rates) {
   for (int i = 0; i < u.body_count; ++i) {
     drape_pin_input &body = u.body[i], &rate = rates.body[i];
     const std::string name = "body." + name_part(body.name);
-    add_input(table, name + ".position", body.position, rate.position, input(scene::kPinPosition), "xyz",
+    add_input(table, name + ".position", {body.position, rate.position, "xyz"}, input(scene::kPinPosition),
               "where the body's origin is to be at the end of the step");
-    add_input(table, name + ".orientation", body.orientation, rate.orientation, input(scene::kPinOrientation),
-              "wxyz", "rotation of the body from its mesh, a quaternion of any length above 0");
-    add_input(table, name + ".velocity", body.velocity, rate.velocity, input(scene::kPinVelocity), "xyz",
+    add_input(table, name + ".orientation", {body.orientation, rate.orientation, "wxyz"},
+              input(scene::kPinOrientation),
+              "rotation of the body from its mesh, a quaternion of any length above 0");
+    add_input(table, name + ".velocity", {body.velocity, rate.velocity, "xyz"}, input(scene::kPinVelocity),
               "velocity that the body's origin is to have at the end of the step");
-    add_input(table, name + ".angular_velocity", body.angular_velocity, rate.angular_velocity,
-              input(scene::kPinAngularVelocity), "xyz",
+    add_input(table, name + ".angular_velocity", {body.angular_velocity, rate.angular_velocity, "xyz"},
+              input(scene::kPinAngularVelocity),
               "angular velocity that the body is to have at the end of the step");
   }
 }
 
-void add_contact(Table& table, drape_outputs& o) {
+void add_contact(Table& table, const drape_outputs& o) {
   for (int i = 0; i < o.body_count; ++i) {
     const std::string name = "body." + name_part(o.body[i].name);
-    add_vector(table, name + ".force", o.body[i].force, output(DRAPE_MOTION, "N"),
+    add_vector(table, name + ".force", o.body[i].force, output(DRAPE_OUT_VELOCITY, "N"),
                "mean force of the cloth on the body over the last communication step");
-    add_vector(table, name + ".torque", o.body[i].torque, output(DRAPE_MOTION, "N.m"),
+    add_vector(table, name + ".torque", o.body[i].torque, output(DRAPE_OUT_VELOCITY, "N.m"),
                "mean torque of the cloth on the body likewise, about the body's origin");
   }
   if (o.body_count == 0 && !o.has_self_contact) return;
-  add(table, "contact.count", &o.contact_count, output_discrete(DRAPE_STRAIN, "1"),
+  add(table, "contact.count", &o.contact_count, output_discrete(DRAPE_OUT_STRAIN, "1"),
       o.has_self_contact
           ? "particles that touch a body, links and cells on its sharp edges, and pairs of cloth that touch"
           : "particles that touch a body, and links and cells on its sharp edges");
-  add(table, "contact.penetration.max", &o.contact_penetration, output(DRAPE_STRAIN, "m"),
+  add(table, "contact.penetration.max", &o.contact_penetration, output(DRAPE_OUT_STRAIN, "m"),
       "the most that a particle is pressed into the thickness of its cloth");
-  add(table, "contact.pressure.max", &o.contact_pressure, output(DRAPE_STRAIN, "Pa"),
+  add(table, "contact.pressure.max", &o.contact_pressure, output(DRAPE_OUT_STRAIN, "Pa"),
       o.has_self_contact ? "largest pressure of a body or of cloth on the cloth"
                          : "largest pressure of a body on the cloth");
 }
 
-void add_outputs(Table& table, drape_outputs& o) {
+void add_outputs(Table& table, const drape_outputs& o) {
   for (int i = 0; i < o.probe_count; ++i) {
     const std::string name = "probe." + name_part(o.probe[i].name);
-    add_vector(table, name + ".position", o.probe[i].position, output(DRAPE_PLACES, "m"),
+    add_vector(table, name + ".position", o.probe[i].position, output(DRAPE_OUT_POSITION, "m"),
                "where the probe is");
-    add_vector(table, name + ".velocity", o.probe[i].velocity, output(DRAPE_MOTION, "m/s"),
+    add_vector(table, name + ".velocity", o.probe[i].velocity, output(DRAPE_OUT_VELOCITY, "m/s"),
                "how fast the probe moves");
   }
   for (int i = 0; i < o.pin_count; ++i) {
     const std::string name = "pin." + name_part(o.pin[i].name);
-    add_vector(table, name + ".force", o.pin[i].force, output(DRAPE_MOTION, "N"),
+    add_vector(table, name + ".force", o.pin[i].force, output(DRAPE_OUT_VELOCITY, "N"),
                "mean force of the cloth on the pin over the last communication step");
-    add_vector(table, name + ".torque", o.pin[i].torque, output(DRAPE_MOTION, "N.m"),
+    add_vector(table, name + ".torque", o.pin[i].torque, output(DRAPE_OUT_VELOCITY, "N.m"),
                "mean torque of the cloth on the pin likewise, about the pin's position");
   }
   for (int i = 0; i < o.seam_count; ++i) {
     const std::string name = "seam." + name_part(o.seam[i].name);
-    add(table, name + ".gap.max", &o.seam[i].gap_max, output(DRAPE_PLACES, "m"), "largest gap of the seam");
-    add(table, name + ".closed", &o.seam[i].closed, output_discrete(DRAPE_PLACES, "1"),
+    add(table, name + ".gap.max", &o.seam[i].gap_max, output(DRAPE_OUT_POSITION, "m"),
+        "largest gap of the seam");
+    add(table, name + ".closed", &o.seam[i].closed, output_discrete(DRAPE_OUT_POSITION, "1"),
         "1 where all of the seam is sewn, else 0");
-    add(table, name + ".length", &o.seam[i].length, output(DRAPE_PLACES, "m"),
+    add(table, name + ".length", &o.seam[i].length, output(DRAPE_OUT_POSITION, "m"),
         "length of the seam, along the middle of its sides");
   }
   add_contact(table, o);
   add_strain(table, "strain.warp", o.strain_warp, "along the warp");
   add_strain(table, "strain.weft", o.strain_weft, "along the weft");
   add_strain(table, "strain.bias", o.strain_bias, "along the diagonals");
-  add(table, "tension.max", &o.tension_max, output(DRAPE_STRAIN, "N/m"), "largest tension per width");
-  add(table, "strain.beyond_test.count", &o.strain_beyond_test_count, output_discrete(DRAPE_STRAIN, "1"),
+  add(table, "tension.max", &o.tension_max, output(DRAPE_OUT_STRAIN, "N/m"), "largest tension per width");
+  add(table, "strain.beyond_test.count", &o.strain_beyond_test_count, output_discrete(DRAPE_OUT_STRAIN, "1"),
       "links strained beyond the last point of their diagram");
-  add(table, "step.size", &o.step_size, output_discrete(DRAPE_STRAIN, "s"), "present time step");
-  add(table, "step.count", &o.step_count, output_discrete(DRAPE_STRAIN, "1"), "time steps since the start");
-  add(table, "step.stability", &o.step_stability, output(DRAPE_STRAIN, "1"),
+  add(table, "step.size", &o.step_size, output_discrete(DRAPE_OUT_STRAIN, "s"), "present time step");
+  add(table, "step.count", &o.step_count, output_discrete(DRAPE_OUT_STRAIN, "1"),
+      "time steps since the start");
+  add(table, "step.stability", &o.step_stability, output(DRAPE_OUT_STRAIN, "1"),
       "h omega_max over its limit, 2 for order 2: the motion is stable below 1");
   if (o.has_fit)
-    add(table, "fit.residual", &o.fit_residual, output(DRAPE_STRAIN, "1"),
+    add(table, "fit.residual", &o.fit_residual, output(DRAPE_OUT_STRAIN, "1"),
         "largest force left on a particle over the larger of total weight and total pin force");
   if (!o.has_energy) return;
-  add(table, "energy.kinetic", &o.energy.kinetic, output(DRAPE_ENERGY, "J"), "energy of motion");
-  add(table, "energy.stretch", &o.energy.stretch, output(DRAPE_ENERGY, "J"),
+  add(table, "energy.kinetic", &o.energy.kinetic, output(DRAPE_OUT_ENERGY, "J"), "energy of motion");
+  add(table, "energy.stretch", &o.energy.stretch, output(DRAPE_OUT_ENERGY, "J"),
       "energy of the threads in tension and compression");
-  add(table, "energy.shear", &o.energy.shear, output(DRAPE_ENERGY, "J"), "energy of the diagonals");
-  add(table, "energy.bending", &o.energy.bending, output(DRAPE_ENERGY, "J"), "energy of the hinges");
-  add(table, "energy.gravity", &o.energy.gravity, output(DRAPE_ENERGY, "J"),
+  add(table, "energy.shear", &o.energy.shear, output(DRAPE_OUT_ENERGY, "J"), "energy of the diagonals");
+  add(table, "energy.bending", &o.energy.bending, output(DRAPE_OUT_ENERGY, "J"), "energy of the hinges");
+  add(table, "energy.gravity", &o.energy.gravity, output(DRAPE_OUT_ENERGY, "J"),
       "potential energy of the weight");
   if (o.body_count > 0 || o.has_self_contact)
-    add(table, "energy.contact", &o.energy.contact, output(DRAPE_ENERGY, "J"),
+    add(table, "energy.contact", &o.energy.contact, output(DRAPE_OUT_ENERGY, "J"),
         o.has_self_contact ? "energy of what is pressed on bodies and on cloth"
                            : "energy of what is pressed on bodies");
   if (!o.has_balance) return;
-  add(table, "energy.dissipated", &o.energy.dissipated, output(DRAPE_ENERGY, "J"),
+  add(table, "energy.dissipated", &o.energy.dissipated, output(DRAPE_OUT_ENERGY, "J"),
       "energy that damping, air and friction have taken");
-  add(table, "energy.input", &o.energy.input, output(DRAPE_ENERGY, "J"),
+  add(table, "energy.input", &o.energy.input, output(DRAPE_OUT_ENERGY, "J"),
       "work of pins, bodies, wind, seams and tuning on the cloth");
-  add(table, "energy.balance_error", &o.energy.balance_error, output(DRAPE_ENERGY, "J"),
+  add(table, "energy.balance_error", &o.energy.balance_error, output(DRAPE_OUT_ENERGY, "J"),
       "growth of all energies since the start, minus input, plus dissipated");
 }
 
-// Particles that have a variable: all, or those at fewer than four cells.
-std::vector<int> nodes_wanted(drape_cloth* cloth, Nodes nodes, int node_count) {
-  std::vector<int> expected;
+// The particles that have variables of their own, by index: all, or those at fewer than four cells.
+std::vector<int> nodes_selected(drape_cloth* cloth, Nodes nodes, int node_count) {
+  std::vector<int> selected;
   if (nodes == Nodes::kAll) {
-    expected.resize(std::size_t(node_count));
-    std::iota(expected.begin(), expected.end(), 0);
+    selected.resize(std::size_t(node_count));
+    std::iota(selected.begin(), selected.end(), 0);
   }
-  if (nodes != Nodes::kOutline) return expected;
+  if (nodes != Nodes::kOutline) return selected;
   std::vector<int> cells_at(std::size_t(node_count), 0);
   for (int p = 0; p < drape_piece_count(cloth); ++p) {
     const drape_piece piece = drape_piece_at(cloth, p);
     for (int k = 0; k < 4 * piece.cell_count; ++k) ++cells_at[std::size_t(piece.corner[k])];
   }
   for (int n = 0; n < node_count; ++n)
-    if (cells_at[std::size_t(n)] < 4) expected.push_back(n);
-  return expected;
+    if (cells_at[std::size_t(n)] < 4) selected.push_back(n);
+  return selected;
 }
 
-void add_nodes(Table& table, const std::vector<int>& expected, const char* name, double* value,
-               const char* unit, int needs, const char* description) {
-  for (const int n : expected)
+// name[n,1] to name[n,3] of each of these particles, along x, y and z.
+void add_nodes(Table& table, const std::vector<int>& selected, const char* name, const double* value,
+               const Row& row, const char* description) {
+  for (const int n : selected)
     for (int k = 0; k < 3; ++k) {
-      add(table, name, value + 3 * std::size_t(n) + k, output(needs, unit), description);
+      add(table, name, value + 3 * std::size_t(n) + k, row, description);
       table.back().index = "[" + std::to_string(n + 1) + "," + std::to_string(k + 1) + "]";
       table.back().detail = "particle " + std::to_string(n + 1) + ", " + "xyz"[k];
     }
@@ -295,18 +323,18 @@ void add_nodes(Table& table, const std::vector<int>& expected, const char* name,
 }  // namespace
 
 std::vector<Variable> variables_of(drape_cloth* cloth, Nodes nodes) {
-  // The outputs belong to the cloth, which lets us keep pointers into them; that they come as const only says
-  // that a reader has no business writing.
-  auto& outputs = const_cast<drape_outputs&>(*drape_outputs_at(cloth, nodes != Nodes::kNone));
+  // The outputs belong to the cloth, which keeps them in one place: the table may point into them.
+  const drape_outputs& outputs =
+      *drape_get_outputs(cloth, nodes != Nodes::kNone ? DRAPE_OUT_ALL : DRAPE_OUT_SCALARS);
   Table table;
   add_parameters(table, *drape_parameters_of(cloth));
   add_inputs(table, *drape_inputs_of(cloth), *drape_input_rates_of(cloth));
   add_bodies(table, *drape_inputs_of(cloth), *drape_input_rates_of(cloth));
   add_outputs(table, outputs);
-  const std::vector<int> expected = nodes_wanted(cloth, nodes, outputs.node_count);
-  add_nodes(table, expected, "node.position", outputs.node_position, "m", DRAPE_NODE_PLACES,
+  const std::vector<int> selected = nodes_selected(cloth, nodes, outputs.node_count);
+  add_nodes(table, selected, "node.position", outputs.node_position, output(DRAPE_OUT_NODE_POSITION, "m"),
             "where a particle is");
-  add_nodes(table, expected, "node.velocity", outputs.node_velocity, "m/s", DRAPE_NODE_MOTION,
+  add_nodes(table, selected, "node.velocity", outputs.node_velocity, output(DRAPE_OUT_NODE_VELOCITY, "m/s"),
             "how fast a particle moves");
   return table;
 }

@@ -1,6 +1,6 @@
-// THE variable table: one row per variable of a cloth. XML, get and set, range checks, CSV headers and
-// documentation are loops over it; nothing else lists variables. A new variable is one line in variables.cpp.
-// All variables are Real.
+// The variable table: one row per variable of a cloth. The XML, get and set, range checks, CSV headers and
+// the documentation are loops over this table, and nothing else lists variables. A new variable is one line
+// in variables.cpp. All variables are Real.
 #pragma once
 #include <limits>
 #include <string>
@@ -34,9 +34,10 @@ struct Variable {
   Variability variability;
   const char* unit;  // a name in units.h
   Range range;
-  double* value;  // in the cloth's drape_parameters, drape_inputs or drape_outputs
-  double* rate;   // of an input: its time derivative, in the cloth's input rates; else null
-  int needs;      // of an output: what drape_outputs_of must have filled, bits; else 0
+  const double* value;  // in the cloth's drape_parameters, drape_inputs or drape_outputs
+  double* setting;      // the same place, writable; null for an output
+  double* rate;         // of an input: its time derivative, in the cloth's input rates; else null
+  int needs;            // of an output: bits that drape_get_outputs must have filled; else 0
 
   std::string name() const { return family + index; }
 };

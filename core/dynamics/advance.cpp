@@ -149,8 +149,7 @@ void edge_half_kick_report(const System& system, Motion& motion, State& s) {
   motion.contact.half_kick_reported = contact::edge_any(s) && last_half(system, s) > 0 && !system.fit;
   if (!motion.contact.half_kick_reported) return;
   std::vector<math::Wrench> pins;
-  leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(), motion.now_z.data(),
-                       pins);
+  leapfrog_synchronous(system, motion, s, motion_field(motion), pins);
   for (std::size_t b = 0; b < s.body.size(); ++b)
     s.body[b].impulse = {-1.0 * motion.contact.load[b].force, -1.0 * motion.contact.load[b].torque};
 }
@@ -168,7 +167,7 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   path_follow(motion.path, 0, s);
   bodies_follow(motion.path, 0, s);
   held_refresh(motion.constraints, s, motion.held);
-  held_rates(motion.constraints, s, Rate::kVelocity, motion.held);
+  held_rates(motion.constraints, s, model::Pass::kSynchronous, motion.held);
   if (!jumps) return;
   const double before = system.energy ? kinetic_energy(system, s) : 0;
   constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
@@ -184,7 +183,7 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
 void interval_open(Motion& motion, State& s, double intervals, const IntervalBegins& begins) {
   if (!begins || !begins(intervals)) return;
   held_refresh(motion.constraints, s, motion.held);
-  held_rates(motion.constraints, s, Rate::kVelocity, motion.held);
+  held_rates(motion.constraints, s, model::Pass::kSynchronous, motion.held);
 }
 
 }  // namespace
@@ -211,7 +210,7 @@ void leapfrog_begin(const System& system, Motion& motion, State& s) {
   motion.inputs = inputs_at(s);
   motion.path.wind_from = motion.path.wind_to = s.wind;
   held_refresh(motion.constraints, s, motion.held);
-  held_rates(motion.constraints, s, Rate::kVelocity, motion.held);
+  held_rates(motion.constraints, s, model::Pass::kSynchronous, motion.held);
   constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
                       nullptr);
   rates_begin(system, s);

@@ -29,6 +29,7 @@ struct Motion {
   contact::SelfContactWorkspace self;
 };
 Motion motion_make(const System& system);
+inline model::Field motion_field(Motion& m) { return {m.now_x.data(), m.now_y.data(), m.now_z.data()}; }
 
 // Steps in a communication interval, at most.
 inline constexpr std::int64_t kMaxStepsPerInterval = 1000000;
@@ -77,19 +78,29 @@ using IntervalBegins = std::function<bool(double intervals)>;
 Advance leapfrog_advance(const System& system, Motion& motion, State& state, double length,
                          std::string& event, const IntervalBegins& interval_begins = {});
 
-// Synchronous velocities of all nodes at the present time (into vx, vy, vz [nodes]) and the loads of the pins
-// on the outside world (load [pins]): their mean over the last half step, which the impulses of the state
-// lack; before the first step, the present ones.
-void leapfrog_synchronous(const System& system, Motion& motion, const State& state, double* vx, double* vy,
-                          double* vz, std::vector<math::Wrench>& load);
+// J of the last half kick, which the sums of the state lack.
+struct HalfKick {
+  double dissipated_by_contact = 0, dissipated_by_self_contact = 0;
+  double work_of_pins = 0, work_of_bodies = 0;
+};
+
+// The scheme of the last half kick, which completes the state to one of t_n; of the accelerations at t_n
+// where there is none, and in a fit, whose steps have another inertia.
+model::Scheme scheme_of_last_kick(const System& system, const State& state);
+
+// Synchronous velocities of all nodes at the present time (into v [nodes]) and the loads of the pins on the
+// outside world (load [pins]): their mean over the last half step, which the impulses of the state lack;
+// before the first step, the present ones. Those of bodies are in motion.contact.load.
+HalfKick leapfrog_synchronous(const System& system, Motion& motion, const State& state, model::Field v,
+                              std::vector<math::Wrench>& load);
 
 // What stops of bodies hold now: of the forces at t_n, whatever the velocity.
 contact::ContactStops leapfrog_stops(const System& system, Motion& motion, const State& state);
 
-// What is held, then what touches, on synchronous velocities in the last half kick of `half` s, or on
-// accelerations (half = 0). What touching changes is held again, so that it meets the velocities that pins
-// and welds leave, as in a step. Adds to the loads where `load` is not null.
-void project_synchronous(const System& system, Motion& motion, const State& state, Rate which, double half,
-                         double centred, Field field, std::vector<math::Wrench>* load);
+// Projects constraints and applies contact to the velocities or accelerations of `scheme.pass`. What contact
+// changes is projected again, so that it meets the velocities that pins and welds leave, as in a step. Adds
+// to the loads [pins] where `load` is not null.
+void project_synchronous(const System& system, Motion& motion, const State& state,
+                         const model::Scheme& scheme, model::Field field, std::vector<math::Wrench>* load);
 
 }  // namespace drape::dynamics

@@ -111,8 +111,7 @@ namespace {
 // omega of the motion since the last time, 1/s: u.[f(r) - f(r + u)]/(u.M' u); 0 where nothing moved or the
 // motion met no stiffness.
 double omega_moved(const System& system, Motion& motion, State& s) {
-  kernel_forces(*motion.kernel, system, s, motion.workspace, motion.now_x.data(), motion.now_y.data(),
-                motion.now_z.data());
+  kernel_forces(*motion.kernel, system, s, motion.workspace, motion_field(motion));
   const Array* r[] = {&s.x, &s.y, &s.z};
   const Array* f[] = {&motion.now_x, &motion.now_y, &motion.now_z};
   double stiff = 0, moved = 0;
@@ -151,16 +150,14 @@ struct Left {
   double sum = 0, pins = 0;
 };
 Left forces_left(const System& system, Motion& motion, const State& s) {
-  kernel_forces(*motion.kernel, system, s, motion.workspace, motion.now_x.data(), motion.now_y.data(),
-                motion.now_z.data());
+  kernel_forces(*motion.kernel, system, s, motion.workspace, motion_field(motion));
   Array* a[] = {&motion.now_x, &motion.now_y, &motion.now_z};
   const Vec3 g = gravity_of(system, s);
   for (std::size_t n : system.particle)
     for (std::size_t k = 0; k < 3; ++k) (*a[k])[n] = (*a[k])[n] * system.inverse_mass[n] + g[k];
   std::vector<math::Wrench> load(s.pin_impulse.size());
   held_refresh(motion.constraints, s, motion.held);
-  project_synchronous(system, motion, s, Rate::kAcceleration, 0, 1,
-                      {motion.now_x.data(), motion.now_y.data(), motion.now_z.data()}, &load);
+  project_synchronous(system, motion, s, {.pass = model::Pass::kAcceleration}, motion_field(motion), &load);
   Left left;
   for (const math::Wrench& l : load) left.pins += norm(l.force);
   for (std::size_t n : system.particle)

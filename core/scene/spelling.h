@@ -1,4 +1,4 @@
-// Which known name a word was meant to be.
+// Suggests a known name for a misspelled word.
 #pragma once
 #include <string>
 #include <string_view>
@@ -6,7 +6,8 @@
 
 namespace drape::scene {
 
-// The nearest of the known names if no more than a third of its letters are wrong, else "".
+// The known name with the smallest edit distance to the word, if that is at most a third of the length of the
+// longer one; else "".
 std::string spelling_nearest(std::string_view word, const std::vector<std::string>& known);
 
 }  // namespace drape::scene

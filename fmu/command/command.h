@@ -1,5 +1,5 @@
-// The commands of `drape`. Each adds itself to the command line; its exit code goes to `exit_code` when it
-// has run.
+// The commands of `drape`. Each function adds a command to the command line. When the command has run, its
+// exit code is in `exit_code`.
 #pragma once
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -30,19 +30,19 @@ CLI::Option* option_scene(CLI::App& command, std::string& scene_file);
 CLI::Option* option_nodes(CLI::App& command, description::Nodes& nodes);
 CLI::Option* option_seconds(CLI::App& command, const char* name, double& seconds, const char* description);
 
-// Opens the scene; its problems and later messages go to standard error, events only when `verbose`. Null:
-// bad input.
+// Opens the scene. Its problems and later messages go to standard error; events only when `verbose`. Returns
+// null on bad input.
 struct ClothCloser {
   void operator()(drape_cloth* cloth) const { drape_close(cloth); }
 };
 using Cloth = std::unique_ptr<drape_cloth, ClothCloser>;
 Cloth cloth_open(const std::string& scene_file, bool verbose = false);
 
-// Empty, or why the file that an option names may not be written: it has no name, or the scene is read from
-// it.
+// Why the file that an option names may not be written: it has no name, or the scene is read from it. Empty
+// if it may.
 std::string output_problem(const std::string& option, const std::string& file, const std::string& scene_file);
 
-// "error: ..." on standard error; returns the code.
+// Prints "error: ..." on standard error and returns the code.
 int fail(ExitCode code, const std::string& sentence);
 
 }  // namespace drape::command

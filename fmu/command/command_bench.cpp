@@ -1,4 +1,4 @@
-// Starts the benchmark, a program of its own, which lies beside this one.
+// `drape bench`: starts the benchmark, which is a program of its own beside this one.
 #include <unistd.h>
 
 #include <cerrno>
@@ -12,7 +12,8 @@
 namespace drape::command {
 namespace {
 
-// In place of this process: the exit code is the benchmark's. Returns where it cannot be started.
+// Replaces this process, so that the exit code is the benchmark's. Returns only if the benchmark cannot be
+// started.
 int run_bench(std::vector<std::string> arguments) {
   std::error_code error;
   const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
@@ -32,7 +33,7 @@ int run_bench(std::vector<std::string> arguments) {
 
 void command_bench(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("bench", "measure particle-steps per second; pin it to one core");
-  command->allow_extras();   // the benchmark reads them,
+  command->allow_extras();  // the benchmark reads the arguments,
   command->set_help_flag();  // --help among them
   command->callback([command, &exit_code] { exit_code = run_bench(command->remaining()); });
 }

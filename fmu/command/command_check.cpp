@@ -20,7 +20,7 @@ struct Options {
   std::optional<std::string> picture;
 };
 
-// " (A, B)" of those that there are; else nothing.
+// The counts above 0 as " (A, B)"; empty if there are none.
 std::string counted(std::initializer_list<std::pair<int, const char*>> list) {
   std::string text;
   for (const auto& [count, what] : list)
@@ -58,8 +58,8 @@ void print_seams(const drape_outputs& o) {
   }
 }
 
-// What to expect of diagrams that no calibration has corrected. Scaling by area depends on the cell, so that
-// nothing can be said there.
+// The excess to expect of diagrams that no calibration has corrected. If the diagonals are scaled by area,
+// the excess depends on the cell, and nothing is printed.
 void print_excess(const Scene& scene) {
   if (scene.scaling != scene::Scaling::kWidth) return;
   const fabric::LawOptions options{scene.scaling, scene.bias_model, scene.clamp_correction};
@@ -79,12 +79,12 @@ void print_excess(const Scene& scene) {
     }
 }
 
-// Where jaws are taken out of a diagram by a formula that does not hold for its strip.
+// Warns where a formula takes the jaws out of a diagram but does not hold for its strip.
 void print_jaws(const Scene& scene) {
   const fabric::LawOptions options{scene.scaling, scene.bias_model, scene.clamp_correction};
   for (const scene::FabricSpec& f : scene.fabrics)
     if (const double r = f.strip_gauge / f.strip_width; !f.bias.elongation.empty() &&
-                                                        fabric::law_takes_jaws_out(f, options) &&
+                                                        fabric::law_corrects_for_jaws(f, options) &&
                                                         r < fabric::kMinJawRatio * (1 - 1e-9))
       std::printf(
           "fabric %s: strip has gauge/width = %.4g; the clamp correction of bias holds from %.4g on: "
@@ -92,9 +92,9 @@ void print_jaws(const Scene& scene) {
           f.name.c_str(), r, fabric::kMinJawRatio);
 }
 
-// False, with the reason in errno, where the file cannot be written.
+// Returns false if the file cannot be written, with the reason in errno.
 bool write_picture(const Options& options) {
-  std::vector<Problem> problems;  // none: the cloth has just been opened from the same file
+  std::vector<Problem> problems;  // stays empty: the cloth has just been opened from the same file
   const std::string svg = figures::picture_svg(validation::scene_load(options.scene_file, problems));
   errno = 0;
   std::ofstream file(*options.picture, std::ios::binary);
@@ -103,15 +103,16 @@ bool write_picture(const Options& options) {
   return !file.fail();
 }
 
-// Measured from the initial state, which it leaves as it was: for a quarter of a second or one simulated
-// second.
+// Measures the cost of a step from the initial state, and restores that state. It runs for a quarter of a
+// second, or for one simulated second.
 bool print_cost(drape_cloth* cloth) {
   using Clock = std::chrono::steady_clock;
   drape_snapshot* start = drape_save(cloth, nullptr);
   const Clock::time_point began = Clock::now();
-  // An interval may have a million steps: from one step on, twice as many until it is full.
+  // An interval may have a million steps: start with one step and double until the interval is full.
   const double interval = drape_communication(cloth);
-  double length = std::min(drape_outputs_at(cloth, 0)->step_size, interval), simulated = 0, spent = 0;
+  double length = std::min(drape_get_outputs(cloth, DRAPE_OUT_SCALARS)->step_size, interval), simulated = 0,
+         spent = 0;
   drape_status status = DRAPE_OK;
   while (status == DRAPE_OK && spent < 0.25 && simulated < 1) {
     status = drape_advance(cloth, length);
@@ -119,7 +120,7 @@ bool print_cost(drape_cloth* cloth) {
     length = std::min(2 * length, interval);
     spent = std::chrono::duration<double>(Clock::now() - began).count();
   }
-  const drape_outputs& o = *drape_outputs_at(cloth, 0);
+  const drape_outputs& o = *drape_get_outputs(cloth, DRAPE_OUT_SCALARS);
   if (status == DRAPE_OK) {
     std::printf(
         "cost: %.3g s per simulated second, %.0f steps of %d particles (measured over the first %.3g s)\n",
@@ -141,12 +142,12 @@ int check(const Options& options) {
   std::printf("scene %s: %.6g s, communication interval %.6g s\n", drape_scene_name(cloth.get()),
               drape_duration(cloth.get()), drape_communication(cloth.get()));
   print_pieces(cloth.get());
-  print_seams(*drape_outputs_at(cloth.get(), 0));
+  print_seams(*drape_get_outputs(cloth.get(), DRAPE_OUT_SCALARS));
   const char* set_by = nullptr;
   const double limit = drape_step_limit(cloth.get(), &set_by);
   std::printf("step limit: %.6g us, set by %s\n", 1e6 * limit, set_by ? set_by : "nothing");
-  std::printf("step: %.6g us\n", 1e6 * drape_outputs_at(cloth.get(), 0)->step_size);
-  std::vector<Problem> problems;  // none: the cloth has just been opened from the same file
+  std::printf("step: %.6g us\n", 1e6 * drape_get_outputs(cloth.get(), DRAPE_OUT_SCALARS)->step_size);
+  std::vector<Problem> problems;  // stays empty: the cloth has just been opened from the same file
   const Scene scene = validation::scene_load(options.scene_file, problems);
   print_jaws(scene);
   print_excess(scene);

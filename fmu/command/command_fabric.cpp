@@ -35,7 +35,7 @@ struct Options {
   std::optional<std::string> picture;
   std::vector<std::string> along{"warp", "weft", "bias"};
   double cell = 0;   // m; 0: the strip's width over kStripCells
-  double pull = -1;  // percent; below 0: to the end of each diagram
+  double pull = -1;  // percent of elongation; below 0: to the end of each diagram
   bool has_output = false;
 };
 
@@ -52,7 +52,7 @@ bool there(const scene::DiagramSpec& d) {
   return std::any_of(d.force.begin(), d.force.end(), [](double f) { return f > 0; });
 }
 
-// " (A, B)", the standards whose strips have this size; else nothing.
+// The standards whose strips have this size, as " (A, B)"; empty if there are none.
 std::string standards_of(const scene::FabricSpec& f) {
   std::string list;
   for (const standards::StripStandard& s : standards::kStripStandards)
@@ -67,7 +67,7 @@ std::string text_of(double value, const char* format = "%.6g") {
   return text;
 }
 
-// All that is wrong with what is to be pulled, on standard error.
+// Prints on standard error all that is wrong with the requested tests.
 bool wishes_check(const Options& options, const scene::FabricSpec& f) {
   std::vector<std::string> problems;
   const double cell = cell_of(options, f),
@@ -104,7 +104,7 @@ bool problems_report(const std::vector<Problem>& problems) {
   return problems.empty();
 }
 
-// A bias strip on other cells too: the largest difference, and the order by which it changes.
+// Repeats a bias strip on other cells. Prints the largest difference and the order of convergence.
 void cells_report(const scene::FabricSpec& f, double cell, const std::vector<double>& elongation) {
   std::vector<Problem> problems;
   const laboratory::StripOrder o = laboratory::strip_order(f, cell, elongation, problems);
@@ -177,7 +177,7 @@ bool file_write(const std::string& file, const std::string& text) {
   return !out.fail();
 }
 
-// Empty, or why a file may not be written.
+// Why a file may not be written; empty if it may.
 std::string target_problem(const std::string& option, const std::string& file, const std::string& fabric,
                            const char* advice) {
   if (file.empty()) return option + " is empty; allowed: the name of a file";
@@ -227,7 +227,7 @@ std::string today() {
   return text;
 }
 
-// Writes beside the file first, so that a full disk leaves the old one.
+// Writes a new file beside the old one first, so that a full disk leaves the old one intact.
 int text_replace(const std::string& file, const std::string& text) {
   std::error_code error;
   std::filesystem::path target = std::filesystem::weakly_canonical(file, error);

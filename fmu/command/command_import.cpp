@@ -37,7 +37,7 @@ bool content_write(const fs::path& file, const std::string& text, std::vector<Pr
   return problems.empty();
 }
 
-// A file as a scene beside `folder` names it.
+// The path of a file as a scene in `folder` names it.
 std::string seen_from(const fs::path& file, const fs::path& folder) {
   std::error_code error;
   const fs::path from = fs::absolute(folder.empty() ? fs::path(".") : folder), to = fs::absolute(file);
@@ -56,7 +56,7 @@ void options_check(const Options& o, std::vector<Problem>& problems) {
   }
 }
 
-// The garment's fabric: the file that is named, or the wool beside the scene.
+// The garment's fabric: the given file, or else the wool beside the scene.
 scene::FabricSpec fabric_choose(const Options& o, const fs::path& folder, Garment& garment,
                                 std::vector<Problem>& problems) {
   const fs::path file = o.has_fabric ? fs::path(o.fabric) : folder / "wool.toml";

@@ -19,7 +19,7 @@ int pack(const Options& options) {
     return fail(kBadInput, problem);
   const Cloth cloth = cloth_open(options.scene_file);
   if (!cloth) return kBadInput;
-  std::vector<Problem> problems;  // none: the cloth has just been opened from the same file
+  std::vector<Problem> problems;  // stays empty: the cloth has just been opened from the same file
   const std::string picture = figures::picture_svg(validation::scene_load(options.scene_file, problems));
   std::string problem;
   return package::fmu_pack(cloth.get(), options.nodes, picture, options.file, problem)

@@ -14,8 +14,8 @@ struct Options {
   reference::Options run;
 };
 
-// The table with the inputs' names, which the judge knows them by; checked against the variables of the
-// cloth. Tells all problems.
+// Reads the table of inputs, by the names that the reference solver knows. Checks the names against the
+// variables of the cloth. Prints all problems.
 bool inputs_read(const Options& options, reference::InputTable& inputs) {
   const Cloth cloth = cloth_open(options.scene_file);
   if (!cloth) return false;

@@ -1,4 +1,4 @@
-// `drape reference` in a build without the reference.
+// `drape reference` in a build without the reference solver.
 #include "command/command.h"
 
 namespace drape::command {

@@ -19,7 +19,7 @@ namespace {
 
 struct Options {
   std::string scene_file, folder;
-  double until = 0, every = 0;        // s; 0: the scene's duration, a hundredth of it
+  double until = 0, every = 0;  // s; 0: the scene's duration, and a hundredth of it
   std::vector<std::string> settings;  // NAME=VALUE
   std::string inputs_file;            // CSV
   std::optional<std::string> report;  // text, or CSV by its ending
@@ -28,13 +28,13 @@ struct Options {
   description::Nodes nodes = description::Nodes::kNone;
 };
 
-// Empty, or what is wrong with NAME=VALUE.
+// Applies NAME=VALUE. Returns what is wrong with it, or an empty text.
 std::string apply_setting(const std::vector<description::Variable>& table, const std::string& setting) {
   const std::size_t equals = setting.find('=');
   if (equals == std::string::npos) return "--set is '" + setting + "'; allowed: NAME=VALUE";
   const std::string name = setting.substr(0, equals), text = setting.substr(equals + 1);
   double value = 0;
-  const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';  // from_chars takes no plus
+  const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';  // from_chars accepts no plus
   const auto [end, error] = std::from_chars(text.data() + plus, text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size())
     return "--set " + name + " is '" + text + "'; allowed: a number";
@@ -47,11 +47,11 @@ std::string apply_setting(const std::vector<description::Variable>& table, const
   if (v->causality == description::Causality::kOutput)
     return "--set names the output '" + name + "'; allowed: parameters and inputs";
   const std::string problem = description::range_problem(*v, value);
-  if (problem.empty()) *v->value = value;
+  if (problem.empty()) *v->setting = value;
   return problem.empty() ? "" : "--set " + problem;
 }
 
-// Sets values before the start and reads the inputs; prints all problems.
+// Applies the settings before the start and reads the inputs. Prints all problems.
 int apply_settings(const Options& options, drape_cloth* cloth,
                    const std::vector<description::Variable>& table, InputTable& inputs) {
   std::vector<std::string> problems;
@@ -63,7 +63,7 @@ int apply_settings(const Options& options, drape_cloth* cloth,
   return problems.empty() && drape_commit(cloth) == DRAPE_OK ? kDone : kBadInput;
 }
 
-// The present time and outputs as one row, and as a frame.
+// Writes the present time and outputs as a row of the CSV file, and as a frame.
 struct Recorder {
   drape_cloth* cloth;
   std::vector<const double*> columns;
@@ -74,15 +74,15 @@ struct Recorder {
   bool frames_written = true;
 };
 
-// What moves the cloth from row to row.
+// The cloth and the inputs that move it from row to row.
 struct Driven {
   drape_cloth* cloth;
   const std::vector<description::Variable>& table;
-  InputTable inputs;  // no rows: none
+  InputTable inputs;  // without rows: no inputs
 };
 
 bool record(Recorder& r, double time) {
-  drape_outputs_at(r.cloth, r.nodes);
+  drape_get_outputs(r.cloth, r.nodes ? DRAPE_OUT_ALL : DRAPE_OUT_SCALARS);
   std::vector<double> row{time};
   for (const double* value : r.columns) row.push_back(*value);
   csv_row(r.csv, row);
@@ -96,8 +96,8 @@ void show_progress(double time, double until) {
     std::fprintf(stderr, "\r%5.1f %%  t = %.6g s%s", 100 * time / until, time, time < until ? "" : "\n");
 }
 
-// From `time` on by `length`. With inputs, in steps of the communication interval (the last may be shorter),
-// each to the inputs at its end.
+// Advances from `time` by `length`. With inputs, it takes steps of the communication interval (the last may
+// be shorter) and sets each step's inputs to the values at its end.
 drape_status advance(const Driven& driven, double time, double length) {
   if (driven.inputs.time.empty()) return drape_advance(driven.cloth, length);
   const double q = drape_communication(driven.cloth);
@@ -110,8 +110,8 @@ drape_status advance(const Driven& driven, double time, double length) {
   return status;
 }
 
-// Rows at 0, DT, 2 DT, ... and at the end, each reached from the one before; their times are written as these
-// products, from which the cloth's clock may be off by the rounding of its sums.
+// Writes rows at 0, DT, 2 DT, ... and at the end. Each row is reached from the one before. The times are
+// written as these products; the cloth's clock, a sum, may differ from them by rounding.
 int run_rows(Recorder& r, const Driven& driven, double until, double every) {
   const double rows = std::ceil(until / every - 1e-9);  // a last interval below a billionth of DT is rounding
   if (!driven.inputs.time.empty()) input_table_apply(driven.inputs, 0, driven.table);
@@ -121,7 +121,7 @@ int run_rows(Recorder& r, const Driven& driven, double until, double every) {
     const double before = (k - 1) * every, time = k < rows ? k * every : until;
     const double length = k < rows ? every : until - before;
     if (advance(driven, before, length) != DRAPE_OK)
-      return kFailedRun;  // its last good state is the last row
+      return kFailedRun;  // the last row is the last good state
     const bool at_rest = drape_at_rest(driven.cloth);
     if (!record(r, time)) return kFailedRun;
     show_progress(at_rest ? until : time, until);
@@ -130,7 +130,7 @@ int run_rows(Recorder& r, const Driven& driven, double until, double every) {
   return kDone;
 }
 
-// What is wrong with the options by themselves, all at once.
+// Everything that is wrong with the options alone.
 std::vector<std::string> options_problems(const Options& options) {
   std::vector<std::string> problems;
   if (options.folder.empty()) problems.push_back("--output is empty; allowed: the name of a folder");
@@ -175,7 +175,7 @@ int run(const Options& options) {
                                " s, a ten-millionth of the time to the end");
   std::string problem;
   if (!csv_open(r.csv, options.folder, problem)) return fail(kBadInput, problem);
-  if (errno = 0; options.report && !std::ofstream(*options.report, std::ios::app))  // not only after the run
+  if (errno = 0; options.report && !std::ofstream(*options.report, std::ios::app))  // before the run, not only after it
     return fail(kBadInput, "--report: " + cannot_write(*options.report));
   csv_header(r.csv, header);
   const int code = run_rows(r, driven, until, every);

@@ -24,8 +24,8 @@ void log_verbose(void*, drape_log_kind kind, const char* message) {
   std::fprintf(stderr, "%s: %s\n", kKinds[kind], message);
 }
 
-// `--set A=1 B=2` means `--set A=1 --set B=2`: the words after a setting that look like one. In reverse, as
-// CLI11 takes them.
+// Turns `--set A=1 B=2` into `--set A=1 --set B=2`: words after a setting that look like settings are
+// settings. In reverse order, as CLI11 expects.
 std::vector<std::string> arguments_of(int argc, char** argv) {
   std::vector<std::string> arguments;
   bool setting = false;
@@ -41,7 +41,7 @@ std::vector<std::string> arguments_of(int argc, char** argv) {
   return arguments;
 }
 
-// Empty, or what is wrong with the first word.
+// What is wrong with the first word; empty if nothing is.
 std::string command_problem(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return "";
   std::vector<std::string> commands;
@@ -77,7 +77,7 @@ CLI::Option* option_nodes(CLI::App& command, description::Nodes& nodes) {
       ->type_name("none|outline|all");
 }
 
-// A time above 0; what is not given stays as it was.
+// An option for a time above 0 s. Without the option, `seconds` keeps its value.
 CLI::Option* option_seconds(CLI::App& command, const char* name, double& seconds, const char* description) {
   const auto problem = [](const std::string& text) {
     double value = 0;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kWide = 250, kHigh = 200, kLeft = 56, kTop = 64, kBetween = 76, kBelow = 52;  // units
 
-// The least of 1, 2, 5 times a power of ten that parts `most` into at most five.
+// The smallest of 1, 2, 5 times a power of ten that divides `largest` into at most five parts.
 double tick_of(double largest) {
   const double power = std::pow(10, std::floor(std::log10(largest / 5)));
   for (double step : {1.0, 2.0, 5.0})

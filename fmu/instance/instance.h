@@ -38,7 +38,7 @@ struct Instance {
   std::vector<std::unique_ptr<Saved>> saved;
   const Saved* initial = nullptr;  // one of them: the state to reset to
   std::int64_t steps = 0;          // that the master has made
-  int read = 0;                    // which of the outputs hold the present time: bits of drape_outputs_of
+  int read = 0;                    // which of the outputs hold the present time: DRAPE_OUT_ bits
   LogFn* log = nullptr;
   void* log_user = nullptr;
   LogFilter filter;

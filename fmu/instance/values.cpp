@@ -62,7 +62,7 @@ drape_status instance_set(Instance& s, const std::uint32_t* references, std::siz
     if (const std::string problem = set_problem(s, references[i], values[i]); !problem.empty())
       status = instance_refuse(s, DRAPE_DISCARD, problem);
   if (status != DRAPE_OK) return status;
-  for (std::size_t i = 0; i < count; ++i) *s.table[references[i] - 1].value = values[i];
+  for (std::size_t i = 0; i < count; ++i) *s.table[references[i] - 1].setting = values[i];
   if (s.phase == Phase::kInstantiated || s.phase == Phase::kInitialization) {
     drape_inputs_start(s.cloth);
     s.read = 0;

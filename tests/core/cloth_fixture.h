@@ -88,13 +88,13 @@ inline drape_energy energies_after(Assembled& a, double length) {
   advance(a, length);
   outputs::Outputs outputs;
   outputs::outputs_make(outputs, a.scene, a.system);
-  outputs::outputs_fill(outputs, a.system, a.motion, a.state, DRAPE_ENERGY);
+  outputs::outputs_fill(outputs, a.system, a.motion, a.state, DRAPE_OUT_ENERGY);
   return outputs.c_view.energy;
 }
 
 inline Eigen::VectorXd forces_by(const dynamics::Kernel& kernel, Assembled& a) {
   Array fx(a.system.nodes), fy(a.system.nodes), fz(a.system.nodes);
-  dynamics::kernel_forces(kernel, a.system, a.state, a.motion.workspace, fx.data(), fy.data(), fz.data());
+  dynamics::kernel_forces(kernel, a.system, a.state, a.motion.workspace, {fx.data(), fy.data(), fz.data()});
   return gathered(a.system, fx, fy, fz);
 }
 

@@ -1,4 +1,4 @@
-"""Seams through FMI: they close, at a time or when told to; the same bits; the reference sews too."""
+"""Seams through FMI: they close, at a given time or by an input; the same bits; the reference sews too."""
 import math
 import subprocess
 import sys
@@ -39,7 +39,7 @@ def test_grouping_of_steps(pack, ease):
 
 
 def test_states_before_and_after_the_weld(pack):
-    """A state saved while the seam is open is taken up again after it has closed, and the other way round."""
+    """A state saved while the seam is open is restored after it has closed, and the reverse."""
     fmu = pack(two_strips(), nodes="all")
     with Instance(fmu) as cloth:
         cloth.initialize().run(0.004, 0.001)
@@ -91,7 +91,7 @@ def test_closed_at_a_time(drape, write, tmp_path):
 
 
 def test_reference_sews_too(drape, write, tmp_path):
-    """The judge's run of a sewn and pinned cloth, before and after the weld, to the error of the step: closed gently, so
+    """The reference's run of a sewn and pinned cloth, before and after the weld, to the error of the step: closed gently, so
     that the cloth does not buckle, which no two runs do alike."""
     scene = two_strips(damping=5.0, energy=True)
     scene["seam"][0] |= {"pull": 400.0, "speed": 5.0}
@@ -110,7 +110,7 @@ def test_reference_sews_too(drape, write, tmp_path):
 
 
 def test_masses_tuned_after_the_weld(pack):
-    """Twice as heavy once it is sewn: the welds hold with the new masses, and the peg carries twice as much."""
+    """Twice as heavy once it is sewn: the welds hold with the new masses, and the peg bears twice as much."""
     fmu = pack(two_strips(damping=40.0))
     with Instance(fmu) as cloth:
         cloth.initialize().run(1.0, 0.001)
@@ -133,7 +133,7 @@ def test_energy_of_a_weld_at_the_start(drape, write, tmp_path):
     fallen = column["energy.gravity"][0] - column["energy.gravity"][-1]
     assert fallen > 0
     assert np.abs(column["energy.balance_error"]).max() < 1e-3 * fallen
-    assert np.abs(column["energy.input"]).max() < 1e-9 * fallen  # a peg that stays gives nothing, and the seam has given
+    assert np.abs(column["energy.input"]).max() < 1e-9 * fallen  # a peg that stays does no work, and the seam has done some
 
 
 def test_paper_ties(drape, write, tmp_path):
@@ -172,6 +172,6 @@ def test_example(example, tmp_path):
 
 
 def test_random_pairs():
-    """Three of the hundred of the stress run."""
+    """Three of the hundred pairs of the stress run."""
     done = subprocess.run([sys.executable, ROOT / "tests" / "stress" / "sewing.py", "--pairs", "3"], capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr

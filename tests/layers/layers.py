@@ -99,7 +99,7 @@ def text_of(file):
 
 
 def self_test(rooms):
-    """Every kind of fault, planted in a house of a few files; and what is allowed, found without fault."""
+    """Every kind of fault, planted in a project of a few files; and what is allowed, found without fault."""
     house = {
         "core/include/drape/drape.h": "", "core/math/vector3.h": "", "core/scene/scene.h": '#include "math/vector3.h"\n',
         "core/forces/air.h": '#include "scene/scene.h"\n', "core/dynamics/kernel/kernel.h": '#include "forces/air.h"\n',
@@ -107,7 +107,7 @@ def self_test(rooms):
         "fmu/instance/instance.h": '#include "drape/drape.h"\n#include "fmi2Functions.h"\n', "tests/core/fixture.h": "",
         "tests/core/step_test.cpp": '#include "fixture.h"\n#include "dynamics/kernel/kernel.h"\n',
     }
-    planted = {  # file, include, and what is to be said of it
+    planted = {  # file, include, expected report
         "up": ("core/math/vector3.h", '"scene/scene.h"', "room core/math is below room core/scene"),
         "up by a path": ("core/math/vector3.h", '"../scene/scene.h"', "room core/math is below room core/scene"),
         "up in angle brackets": ("core/math/vector3.h", "<scene/scene.h>", "room core/math is below room core/scene"),

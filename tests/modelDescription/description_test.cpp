@@ -40,11 +40,11 @@ void expect_sample(const std::string& scene) {
   for (std::size_t n = 0; n < sample.size(); ++n) ASSERT_EQ(printed[n], sample[n]) << "in line " << n + 1;
 }
 
-TEST(Description, xml_is_the_committed_sample) { expect_sample(kScene); }
-TEST(Description, xml_of_a_driven_cloth_is_the_committed_sample) { expect_sample(kFlag); }
+TEST(Description, XmlIsTheCommittedSample) { expect_sample(kScene); }
+TEST(Description, XmlOfADrivenClothIsTheCommittedSample) { expect_sample(kFlag); }
 
 // What `drive` names, and turns for clamps; the start is the present pose: the middle of the pole, the point.
-TEST(Description, inputs_start_where_the_cloth_is) {
+TEST(Description, InputsStartWhereTheClothIs) {
   const Cloth cloth(drape_open(kFlag.c_str(), nullptr, nullptr), drape_close);
   ASSERT_TRUE(cloth);
   const std::vector<Variable> table = variables_of(cloth.get(), Nodes::kNone);
@@ -75,7 +75,7 @@ TEST(Description, inputs_start_where_the_cloth_is) {
 }
 
 // A saved copy of a scene is the same cloth, so it has the same guid.
-TEST(Description, guid_depends_on_the_scene_and_nothing_else) {
+TEST(Description, GuidDependsOnTheSceneAndNothingElse) {
   const Cloth cloth = open_swatch(), again = open_swatch();
   ASSERT_TRUE(cloth && again);
   const std::string text = drape_scene_text(cloth.get());
@@ -90,7 +90,7 @@ TEST(Description, guid_depends_on_the_scene_and_nothing_else) {
   EXPECT_EQ(guid, guid_of(drape_scene_text(copied.get()), Nodes::kNone));
 }
 
-TEST(Description, rows_are_complete_and_unique) {
+TEST(Description, RowsAreCompleteAndUnique) {
   const Cloth cloth = open_swatch();
   ASSERT_TRUE(cloth);
   std::set<std::string> names;
@@ -107,7 +107,7 @@ TEST(Description, rows_are_complete_and_unique) {
 }
 
 // The swatch has 6 by 9 particles; 4 by 7 of them have all their neighbours.
-TEST(Description, node_variables_are_those_asked_for) {
+TEST(Description, NodeVariablesAreThoseAskedFor) {
   const Cloth cloth = open_swatch();
   ASSERT_TRUE(cloth);
   const std::size_t none = variables_of(cloth.get(), Nodes::kNone).size();
@@ -120,11 +120,11 @@ TEST(Description, node_variables_are_those_asked_for) {
 }
 
 // At rest on its place, particle (i, j) of the swatch is at (i b, j b, 1) with b = 0.01 m.
-TEST(Description, node_variables_point_at_their_particle) {
+TEST(Description, NodeVariablesPointAtTheirParticle) {
   const Cloth cloth = open_swatch();
   ASSERT_TRUE(cloth);
   const std::vector<Variable> table = variables_of(cloth.get(), Nodes::kAll);
-  drape_outputs_at(cloth.get(), 1);
+  drape_get_outputs(cloth.get(), DRAPE_OUT_ALL);
   for (int n = 0; n < 6 * 9; ++n) {
     const auto at = [&](int k) {
       return *variable_find(table, "node.position[" + std::to_string(n + 1) + "," + std::to_string(k) + "]")
@@ -136,7 +136,7 @@ TEST(Description, node_variables_point_at_their_particle) {
   }
 }
 
-TEST(Description, families_and_ranges_as_text) {
+TEST(Description, FamiliesAndRangesAsText) {
   const Cloth cloth = open_swatch();
   ASSERT_TRUE(cloth);
   const std::string text = description_markdown(description_of(cloth.get(), Nodes::kAll));

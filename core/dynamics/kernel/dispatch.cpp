@@ -33,7 +33,7 @@ constexpr Choice kByChoice[] = {
 #endif
 };
 
-void pass_run_all(const Kernel& kernel, const System& system, const StepCoefficients& c, Workspace& w,
+void pass_run_all(const Kernel& kernel, const System& system, const model::Scheme& c, Workspace& w,
                   const State& s, const PassTarget& to) {
   const bool rates = model::system_has_rates(system);
   if (!system.irregular.node.empty())
@@ -42,11 +42,11 @@ void pass_run_all(const Kernel& kernel, const System& system, const StepCoeffici
   blocks_copy(system, s, w);
   struct Task {
     const System& system;
-    const StepCoefficients& c;
+    const model::Scheme& c;
     Workspace& w;
     const State& s;
     const PassTarget& to;
-    Pass pass;
+    LatticePass pass;
   } task{system, c, w, s, to, rates ? kernel.rates : kernel.plain};
   const auto run = [](void* context, int k) {
     const Task& t = *static_cast<Task*>(context);
@@ -65,16 +65,16 @@ double velocity_extrapolation(const System& system, const State& s) {
   return s.h_old / (s.h_old + s.h_older);
 }
 
-void kernel_step(const Kernel& kernel, const System& system, const StepCoefficients& c, Workspace& w,
+void kernel_step(const Kernel& kernel, const System& system, const model::Scheme& c, Workspace& w,
                  State& s) {
   pass_run_all(kernel, system, c, w, s, {&s, nullptr, nullptr, nullptr});
 }
 
-void kernel_forces(const Kernel& kernel, const System& system, const State& s, Workspace& w, double* fx,
-                   double* fy, double* fz) {
-  StepCoefficients c{};
+void kernel_forces(const Kernel& kernel, const System& system, const State& s, Workspace& w,
+                   model::Field force) {
+  model::Scheme c{};
   c.extrapolation = velocity_extrapolation(system, s);
-  pass_run_all(kernel, system, c, w, s, {nullptr, fx, fy, fz});
+  pass_run_all(kernel, system, c, w, s, {nullptr, force.x, force.y, force.z});
 }
 
 const Kernel* kernel_named(const char* name) {

@@ -1,4 +1,4 @@
-// AVX2 with FMA, four doubles.
+// The kernel of AVX2 with FMA, four doubles.
 #include "contact/particle/response.h"
 #include "dynamics/kernel/lattice_pass.h"
 #include "dynamics/step_size/cell_bound.h"

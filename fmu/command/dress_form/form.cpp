@@ -10,13 +10,13 @@
 namespace drape::command {
 namespace {
 
-constexpr double kReference = 1.66;  // m, the height for which roundings are given
+constexpr double kReference = 1.66;  // m, the height for which the rounding radii are given
 
 void ring_add(Mesh& mesh, const std::vector<Vec2>& ring, double y, double shrink, double lean) {
   for (const Vec2& p : ring) mesh.vertices.push_back({p[0] * shrink, y, lean + (p[1] - lean) * shrink});
 }
 
-// Rings stitched to each other, and both ends to a point.
+// Triangles between neighbouring rings, and from the first and the last ring to a point.
 void rings_close(Mesh& mesh, double low, double high) {
   const int rings = int(mesh.vertices.size()) / kAround, last = (rings - 1) * kAround;
   const auto centre = [&](int first, double y) {
@@ -94,7 +94,7 @@ double tape_length(std::vector<Vec2> points) {
       while (hull.size() > base + 1 && outward()) hull.pop_back();
       hull.push_back(*p);
     }
-    hull.pop_back();  // the other pass begins there
+    hull.pop_back();  // the other pass begins at this point
   };
   pass(points.begin(), points.end());
   pass(points.rbegin(), points.rend());

@@ -1,4 +1,4 @@
-// A dress form: a tailor's torso from the upper thigh to the neck, of smooth cross-sections.
+// A dress form: a tailor's torso from the upper thigh to the neck, with smooth cross-sections.
 #pragma once
 #include <array>
 #include <string>
@@ -8,16 +8,16 @@
 
 namespace drape::command {
 
-// Of the body, as a tape measures them.
+// Measures of the body. Girths are taken with a tape measure.
 struct Measures {
   double bust = 0.88, waist = 0.68, hips = 0.94;  // m, girths
   double height = 1.66;                           // m
 };
 
-// Where the girths are taken, as shares of the height.
+// The heights of the girths, as shares of the body's height.
 constexpr double kBustHeight = 0.732, kWaistHeight = 0.6265, kHipsHeight = 0.5024;
 
-// Every measure that is out of its range.
+// Appends a problem for every measure that is out of its range.
 void measures_check(const Measures& measures, std::vector<Problem>& problems);
 
 struct Mesh {
@@ -25,12 +25,12 @@ struct Mesh {
   std::vector<std::array<int, 3>> triangles;  // counter-clockwise from outside
 };
 
-// Closed. The girths of its sections at the three heights are those of the measures.
+// A closed mesh. The girths of its sections at the three heights are those of the measures.
 Mesh form_make(const Measures& measures);
 
 std::string mesh_obj(const Mesh& mesh, const std::string& title);
 
-// A tape round points of the plane: the length of their convex hull.
+// The length (m) of a tape round points of the plane: the length of their convex hull.
 double tape_length(std::vector<Vec2> points);
 
 }  // namespace drape::command

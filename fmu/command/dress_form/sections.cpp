@@ -54,7 +54,7 @@ Breasts breasts_of(double height, double scale) {
   return {kBustHeight * height, 0.086 * scale, 0.056 * scale, 0.062 * scale, 0.037 * scale};
 }
 
-// The section at the angle u, in (x, z).
+// The point (x, z) of the section at the angle u, in m.
 Vec2 section_point(const Section& section, const Breasts& breasts, double u) {
   const auto [y, w, f, b, p, lean] = section;
   const double c = std::cos(u), s = std::sin(u);
@@ -75,7 +75,8 @@ Section section_scaled(const Section& row, double height, double scale) {
           row[3] * scale,  row[4],         row[5] * height / kReference};
 }
 
-// The scale with which a tape round the section measures `girth`. It grows with the scale: bisection.
+// The scale at which a tape round the section measures `girth`. The length grows with the scale, so
+// bisection finds it.
 double scale_find(std::size_t row, double height, double girth, double bust_scale) {
   double low = 0.1, high = 10;
   for (int k = 0; k < 100; ++k) {
@@ -105,7 +106,7 @@ std::vector<Section> sections_between(const std::vector<Section>& knots, double 
     const double step = (k < kArmholes ? kStepBelow : kStepAbove) * height / kReference;
     const int n = std::max(1, int(std::lround((at[k + 1] - at[k]) / step)));
     for (int i = 0; i < n; ++i) {
-      Section& s = sections.emplace_back(knots[k]);  // the table's own where i = 0
+      Section& s = sections.emplace_back(knots[k]);  // i = 0: the section of the table itself
       for (std::size_t c = 0; i && c < kColumns; ++c)
         s[c] = spline_at(at, column[c], second[c], k, at[k] + (at[k + 1] - at[k]) * i / n);
     }

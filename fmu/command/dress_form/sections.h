@@ -20,10 +20,10 @@ struct Torso {
   std::vector<Section> sections;  // of all rings, from below
 };
 
-// With the girths of the measures at their heights.
+// The sections that have the girths of the measures at their heights.
 Torso torso_fit(const Measures& measures);
 
-// Points of a section, (x, z), counter-clockwise seen from below.
+// The points (x, z) of a section, in m, counter-clockwise seen from below.
 std::vector<Vec2> section_ring(const Section& section, const Breasts& breasts);
 
 }  // namespace drape::command

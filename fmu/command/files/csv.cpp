@@ -9,7 +9,7 @@
 namespace drape::command {
 namespace {
 
-// Keeps the reason of the first failure: later calls would overwrite errno.
+// Records the reason of the first failure, because later calls would overwrite errno.
 void csv_note(Csv& csv) {
   if (!csv.file && csv.trouble.empty()) csv.trouble = cannot_write(csv.path);
 }

@@ -1,5 +1,5 @@
-// Comma-separated values: a header, then rows of numbers as the shortest decimals that read back to the same
-// bits.
+// Comma-separated values: a header, then rows of numbers. Each number is the shortest decimal that reads
+// back to the same bits.
 #pragma once
 #include <filesystem>
 #include <fstream>
@@ -11,16 +11,16 @@ namespace drape::command {
 struct Csv {
   std::filesystem::path path;
   std::ofstream file;
-  std::string trouble;  // why it could not be written, once it could not
+  std::string trouble;  // why the file could not be written; empty while it could
 };
 
 void csv_header(Csv& csv, const std::vector<std::string>& names);
 void csv_row(Csv& csv, const std::vector<double>& values);
 
-// Creates the folder and outputs.csv in it. False, with a sentence in `problem`, where that fails.
+// Creates the folder and outputs.csv in it. On failure it returns false and puts a sentence in `problem`.
 bool csv_open(Csv& csv, const std::filesystem::path& folder, std::string& problem);
 
-// Ends the file. False, with a sentence in `problem`, where something could not be written.
+// Ends the file. If something could not be written, it returns false and puts a sentence in `problem`.
 bool csv_close(Csv& csv, std::string& problem);
 
 // "cannot write FILE: No space left on device", from errno.

@@ -13,7 +13,7 @@
 namespace drape::command {
 namespace {
 
-// Values of particles at the points that move with four of them.
+// Interpolates the values of four particles at the points that move with them.
 template <class T>
 void interpolate(const drape_piece& piece, const double* of_nodes, std::size_t components,
                  std::vector<T>& to) {
@@ -26,7 +26,7 @@ void interpolate(const drape_piece& piece, const double* of_nodes, std::size_t c
     }
 }
 
-// One component of a field of particles.
+// One component of a field on the particles.
 struct Component {
   const char* name;
   const double* values;
@@ -34,7 +34,7 @@ struct Component {
 };
 
 PolyData cloth_poly(drape_cloth* cloth) {
-  const drape_outputs& o = *drape_get_outputs(cloth, DRAPE_NODE_PLACES | DRAPE_NODE_MOTION);
+  const drape_outputs& o = *drape_get_outputs(cloth, DRAPE_OUT_NODE_POSITION | DRAPE_OUT_NODE_VELOCITY);
   const drape_fields& f = *drape_fields_at(cloth);
   const auto count = std::size_t(o.node_count);
   PolyData poly;
@@ -68,11 +68,11 @@ PolyData cloth_poly(drape_cloth* cloth) {
   return poly;
 }
 
-// Two lines a seam: where its particles are on either piece.
+// Two lines for each seam: the positions of its particles on either piece.
 PolyData seams_poly(drape_cloth* cloth) {
   PolyData poly;
   PolyField gap{"gap", 1, {}}, number{"seam", 1, {}};
-  const int count = drape_get_outputs(cloth, DRAPE_PLACES)->seam_count;
+  const int count = drape_get_outputs(cloth, DRAPE_OUT_POSITION)->seam_count;
   for (int s = 0; s < count; ++s) {
     const drape_seam_lines seam = drape_seam_lines_at(cloth, s);
     for (const double* side : {seam.a, seam.b}) {
@@ -127,7 +127,7 @@ bool write_collection(const std::filesystem::path& path, const Collection& c) {
   return !file.fail();
 }
 
-// `poly`: null where the last file still holds.
+// Adds a time to a collection. `poly` is null where the last file still holds.
 bool collect(Frames& frames, Collection& c, double time, const PolyData* poly) {
   const std::size_t number = c.files.empty() ? 0 : c.files.back() + (poly != nullptr);
   std::error_code error;
@@ -152,12 +152,12 @@ bool any_moves(drape_cloth* cloth) {
 
 bool frame_write(Frames& frames, drape_cloth* cloth, double time) {
   std::error_code error;
-  if (frames.cloth.times.empty())  // those of another run in the same folder
+  if (frames.cloth.times.empty())  // remove the files of another run in the same folder
     for (const char* name : {"frames.pvd", "seams.pvd", "bodies.pvd"})
       std::filesystem::remove(frames.folder / name, error);
   const PolyData poly = cloth_poly(cloth);
   if (!collect(frames, frames.cloth, time, &poly)) return false;
-  if (drape_get_outputs(cloth, DRAPE_PLACES)->seam_count > 0) {
+  if (drape_get_outputs(cloth, DRAPE_OUT_POSITION)->seam_count > 0) {
     const PolyData seams = seams_poly(cloth);
     if (!collect(frames, frames.seams, time, &seams)) return false;
   }

@@ -1,4 +1,4 @@
-// Pictures of the cloth in motion for ParaView and PyVista: PolyData files, and collections with their times.
+// The cloth in motion for ParaView and PyVista: PolyData files, and collections with their times.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace drape::command {
 
-// One kind of thing in a folder of its own, NAME/NNNN.vtp, and NAME.pvd with the times.
+// One kind of thing in a folder of its own: the files NAME/NNNN.vtp, and NAME.pvd with the times.
 struct Collection {
   std::string name;
   std::vector<double> times;       // s
-  std::vector<std::size_t> files;  // [times] the number of each; what does not move is written once
+  std::vector<std::size_t> files;  // [times] the number of each file; what does not move is written once
 };
 
 struct Frames {
@@ -21,10 +21,10 @@ struct Frames {
   Collection cloth{"frames", {}, {}}, seams{"seams", {}, {}}, bodies{"bodies", {}, {}};
 };
 
-// Writes the present state: the cloth (the particles, then the points of the outline between them; polygons
-// with velocity, strains, tensions, pressure), and where the scene has them, seams (both sides as lines, with
-// their gap) and bodies (at their present pose). False, with the sentence in `trouble`, where something could
-// not be written.
+// Writes the present state. The cloth: the particles, then the points of the outline between them; polygons
+// with velocity, strains, tensions and pressure. Where the scene has them: seams (both sides as lines, with
+// their gap) and bodies (at their present pose). If something could not be written, it returns false and
+// puts a sentence in `trouble`.
 bool frame_write(Frames& frames, drape_cloth* cloth, double time);
 
 }  // namespace drape::command

@@ -13,14 +13,14 @@
 namespace drape::command {
 namespace {
 
-// What is read at present.
+// The file being read, and the position in it.
 struct Reading {
   const std::string& file;
   std::vector<std::string>& problems;
   std::size_t line = 0;  // counted from 1
 };
 
-// "FILE:3:2: ...", line and column.
+// Appends a problem "FILE:3:2: ...", with line and column.
 void complain(Reading& r, std::size_t column, const std::string& sentence) {
   r.problems.push_back(r.file + ":" + std::to_string(r.line) + ":" + std::to_string(column + 1) + ": " +
                        sentence);
@@ -31,7 +31,7 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, last - first + 1);
 }
 
-// The cells of a line; a cell in double quotes may hold commas, and a quote as two.
+// The cells of a line. A cell in double quotes may hold commas; two double quotes stand for one.
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells(1);
   bool quoted = false;
@@ -47,7 +47,7 @@ std::vector<std::string> cells_of(const std::string& line) {
 
 constexpr std::size_t kTime = std::size_t(-1), kUnknown = std::size_t(-2);
 
-// The row of the table that a column is for; kTime; or kUnknown, with the reason told.
+// The row of the variable table that a column is for; or kTime; or kUnknown, after reporting the reason.
 std::size_t column_of(Reading& r, std::size_t column, const std::string& name,
                       const std::vector<description::Variable>& table) {
   if (name == "time") return kTime;
@@ -74,7 +74,8 @@ std::size_t column_of(Reading& r, std::size_t column, const std::string& name,
   return kUnknown;
 }
 
-// The columns' variables in the order of the file; every name at most once, and the time.
+// The variables of the columns, in the order of the file. Every name may occur once, and the time must
+// occur.
 std::vector<std::size_t> header_read(Reading& r, const std::string& line,
                                      const std::vector<description::Variable>& table) {
   const std::vector<std::string> names = cells_of(line);
@@ -90,10 +91,11 @@ std::vector<std::size_t> header_read(Reading& r, const std::string& line,
   return columns;
 }
 
-// False, with the reason told, for a cell that is no number that its column may have.
+// Reads a cell. Returns false, after reporting the reason, if it is no number or one that its variable may
+// not have.
 bool cell_read(Reading& r, std::size_t column, const std::string& text, const description::Variable* variable,
                double& value) {
-  const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';  // from_chars takes no plus
+  const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';  // from_chars accepts no plus
   const char* last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data() + plus, last, value);
   if (error != std::errc() || end != last) {
@@ -179,7 +181,7 @@ void input_table_apply(const InputTable& inputs, double time,
                        const std::vector<description::Variable>& table) {
   std::vector<double> values(inputs.variable.size());
   input_table_at(inputs, time, values.data());
-  for (std::size_t k = 0; k < values.size(); ++k) *table[inputs.variable[k]].value = values[k];
+  for (std::size_t k = 0; k < values.size(); ++k) *table[inputs.variable[k]].setting = values[k];
 }
 
 }  // namespace drape::command

@@ -1,5 +1,5 @@
-// Inputs over time from a CSV file: a column `time` and any input variables, linear between the rows; the
-// first and the last row hold outside.
+// Inputs over time from a CSV file: a column `time` and any input variables. Values are linear between the
+// rows; before the first and after the last row, that row holds.
 #pragma once
 #include <string>
 #include <vector>
@@ -14,14 +14,14 @@ struct InputTable {
   std::vector<double> value;          // [rows x columns]
 };
 
-// Reads and checks a file against a variable table: every problem of it, one sentence each.
+// Reads a file and checks it against a variable table. Appends one sentence for every problem.
 InputTable input_table_read(const std::string& file, const std::vector<description::Variable>& table,
                             std::vector<std::string>& problems);
 
-// The values at a time, column by column.
+// The values [columns] at a time (s), in the order of the columns.
 void input_table_at(const InputTable& inputs, double time, double* values);
 
-// Writes the values at a time to where the table's rows have them.
+// Writes the values at a time (s) to the variables of the table.
 void input_table_apply(const InputTable& inputs, double time,
                        const std::vector<description::Variable>& table);
 

@@ -5,7 +5,7 @@
 namespace drape::command {
 namespace {
 
-// VTK's appended data: each array is its length in bytes and its bytes, found by its offset.
+// VTK's appended data: each array is its length in bytes, then its bytes. An offset finds it.
 struct Appended {
   std::string head, bytes;
 };

@@ -10,11 +10,11 @@ namespace drape::command {
 struct PolyField {
   std::string name;
   int components;
-  std::vector<float> values;  // [points x components], or of cells: lines, then polygons
+  std::vector<float> values;  // [points x components], or [cells x components]: lines, then polygons
 };
 
 struct PolyCells {
-  std::vector<std::int32_t> corner, end;  // points; the end of each cell, counted through
+  std::vector<std::int32_t> corner, end;  // corner: indices of points; end: the end of each cell in `corner`, cumulative
 };
 
 struct PolyData {
@@ -24,7 +24,7 @@ struct PolyData {
   std::vector<PolyField> of_points, of_cells;
 };
 
-// False where that fails, with errno.
+// Returns false on failure, with the reason in errno.
 bool polydata_write(const std::filesystem::path& path, const PolyData& data);
 
 }  // namespace drape::command

@@ -28,7 +28,7 @@ ReportTable elongations(drape_cloth* cloth, double limit) {
     for (const auto& [along, name] : directions) {
       const drape_elongation e = drape_elongation_of(cloth, p, along, limit);
       const double tension = along == DRAPE_BIAS ? NAN : e.tension_max,
-                   bound = std::isfinite(e.limit) ? 100 * e.limit : NAN;  // none of a law that is off
+                   bound = std::isfinite(e.limit) ? 100 * e.limit : NAN;  // NaN for a law that is off
       table.rows.push_back(
           {{drape_piece_at(cloth, p).name, name},
            {100 * e.strain.min, 100 * e.strain.mean, 100 * e.strain.max, bound, 100 * e.beyond, tension}});
@@ -98,7 +98,7 @@ std::string cell_text(double value) {
   return text;
 }
 
-// Columns as wide as what stands in them; words to the left, numbers to the right.
+// A table whose columns are as wide as their texts: words left-aligned, numbers right-aligned.
 std::string table_text(const ReportTable& t) {
   std::vector<std::vector<std::string>> lines(1, t.labels);
   for (const ReportColumn& c : t.columns) lines[0].push_back(c.unit == "1" ? c.name : c.name + ", " + c.unit);
@@ -124,7 +124,8 @@ std::string table_text(const ReportTable& t) {
 
 std::vector<ReportTable> report_of(drape_cloth* cloth, double limit) {
   std::vector<ReportTable> report{elongations(cloth, limit)};
-  const drape_outputs& o = *drape_get_outputs(cloth, DRAPE_PLACES | DRAPE_MOTION | DRAPE_STRAIN);
+  const drape_outputs& o =
+      *drape_get_outputs(cloth, DRAPE_OUT_POSITION | DRAPE_OUT_VELOCITY | DRAPE_OUT_STRAIN);
   if (o.seam_count > 0) report.push_back(seams(cloth, o));
   if (o.body_count > 0) {
     report.push_back(contact(cloth, o));

@@ -1,4 +1,4 @@
-// What an engineer asks of a garment at the end of a run: elongation per piece and direction, seams, contact.
+// The report at the end of a run: elongation per piece and direction, seams, contact.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -23,15 +23,15 @@ struct ReportTable {
   std::vector<Row> rows;
 };
 
-// `limit`: strain beyond which the area counts as strained too far; below 0: the tested range of each
+// `limit`: the strain beyond which the area counts as strained too far. Below 0: the tested range of each
 // diagram.
 std::vector<ReportTable> report_of(drape_cloth* cloth, double limit);
 
-// Tables to read, or with the ending .csv one value a line: table, what, column, value, unit.
+// Tables to read. With the ending .csv, one value per line: table, what, column, value, unit.
 std::string report_text(const std::vector<ReportTable>& report);
 std::string report_csv(const std::vector<ReportTable>& report);
 
-// Empty, or why the file could not be written.
+// Why the file could not be written; empty if it was.
 std::string report_write(const std::filesystem::path& file, const std::vector<ReportTable>& report);
 
 }  // namespace drape::command

@@ -13,7 +13,7 @@
 namespace drape::command {
 namespace {
 
-constexpr double kDuration = 10;  // s, by which a fit ends at the latest
+constexpr double kDuration = 10;  // s, the latest end of a fit
 
 std::string with_number(const std::string& name, std::set<std::string>& taken) {
   std::string made = name;
@@ -21,7 +21,7 @@ std::string with_number(const std::string& name, std::set<std::string>& taken) {
   return made;
 }
 
-// Sewn to itself along edges that follow each other it is a dart.
+// The name of the seam of a stitch. A panel sewn to itself along consecutive edges has a dart.
 std::string seam_name(const Pattern& pattern, const Scene& scene, const Stitch& s,
                       std::set<std::string>& taken) {
   const auto piece = [&](std::size_t k) { return scene.pieces[std::size_t(s.panel[k])].name; };
@@ -61,14 +61,14 @@ std::string quoted(const std::string& text) {  // a basic string of TOML
   return made + "\"";
 }
 
-std::string comment(const std::string& text) {  // one line, whatever stands in a label
+std::string comment(const std::string& text) {  // one line, whatever characters a label has
   std::string made = text;
   for (char& c : made)
     if (static_cast<unsigned char>(c) < ' ' || c == 0x7f) c = ' ';
   return made;
 }
 
-// What becomes of an edge: its label, and the edge that it is sewn to.
+// The notes beside each edge: its label, and the edge to which it is sewn.
 std::vector<std::vector<std::string>> edge_notes(const Scene& scene, const Pattern& pattern) {
   std::vector<std::vector<std::string>> notes;
   for (const Panel& panel : pattern.panels) {

@@ -1,4 +1,5 @@
-// A pattern, a fabric and a body -> a scene: the struct that the checks judge, and the text that is written.
+// A pattern, a fabric and a body -> a scene: the struct that the checks validate, and the text that is
+// written.
 #pragma once
 #include <optional>
 
@@ -6,15 +7,15 @@
 
 namespace drape::command {
 
-// A body as its OBJ file has it; `scale` times its coordinates are metres.
+// A body as its OBJ file has it. `scale` times its coordinates is in metres.
 struct BodyMesh {
-  std::string file;  // as the scene names it
+  std::string file;  // the path in the scene
   double scale = 1;
   double height = 0;           // m
   std::vector<Vec3> vertex{};  // m
 };
 
-// Of the units in which bodies are usual (m, cm, mm) the one that makes it 0.3 to 3 m high.
+// Chooses the unit among m, cm and mm in which the body is 0.3 to 3 m high.
 std::optional<BodyMesh> body_measure(const std::filesystem::path& file,
                                             std::vector<Problem>& problems);
 
@@ -23,17 +24,17 @@ struct Garment {
   std::string title;                    // file of the pattern
   double cell = 0.01;                   // m
   std::string fabric;                   // name of the fabric
-  std::string fabric_file;              // as the scene names it
-  std::optional<BodyMesh> body;  // without one the garment is sewn weightless
+  std::string fabric_file;  // the path in the scene
+  std::optional<BodyMesh> body;  // without a body, the garment is sewn without gravity
 };
 
-// The pieces and seams of a pattern, named as scenes allow; fabric 0 for all.
+// The pieces and seams of a pattern, with names that scenes allow. All pieces have fabric 0.
 Scene garment_scene(const Pattern& pattern, const Garment& garment, const scene::FabricSpec& fabric);
 
 // The same as a TOML text.
 std::string garment_text(const Scene& scene, const Pattern& pattern, const Garment& garment);
 
-// A word that a scene takes for a name: other characters become _.
+// A name that a scene accepts: other characters become _.
 std::string name_made(const std::string& text, const std::string& otherwise);
 
 }  // namespace drape::command

@@ -1,4 +1,4 @@
-// Values of a JSON file, with the place of each that is not what it should be.
+// Values of a JSON file. Each fault is reported with its path.
 #pragma once
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -19,7 +19,7 @@ struct JsonFaults {
 // "dress.json: pattern.panels.front.edges[3] <message>"
 void json_fault(const JsonFaults& faults, const std::string& path, const std::string& message);
 
-// A value, or a fault where it is missing or of another kind.
+// A value; or a fault and null where it is missing or of another kind.
 const Json* json_member(const JsonFaults& faults, const Json& object, const std::string& path,
                         const std::string& name, Json::value_t kind);
 std::optional<double> json_number(const JsonFaults& faults, const Json& value, const std::string& path,

@@ -15,7 +15,7 @@ namespace drape::command {
 namespace {
 
 constexpr double kLargest = 1e4;  // m
-constexpr double kGrain = 1e-8;   // m, to which coordinates are rounded: texts stay short
+constexpr double kGrain = 1e-8;  // m, to which coordinates are rounded, to keep the text short
 
 double grained(double metres) { return std::round(metres / kGrain) * kGrain; }
 
@@ -23,7 +23,7 @@ struct Edge {
   int from, to;
 };
 
-// The type and the parameters of a curvature: { type, params }, or a control point alone.
+// Reads the type and the parameters of a curvature: { type, params }, or a control point alone.
 bool curvature_open(const JsonFaults& faults, const Json& curvature, const std::string& path,
                     std::string& type, const Json*& params) {
   if (curvature.is_array()) return type = "quadratic", params = nullptr, true;
@@ -56,7 +56,7 @@ void arc_read(const JsonFaults& faults, const Json& params, const std::string& p
     json_fault(faults, scene::entry(path, 0),
                "= " + scene::number_text((*numbers)[0]) + "; allowed: at least " +
                    scene::number_text(chord / 2 * units.per_metre) + ", half the chord of the edge");
-  curve.radius = std::max(radius, chord / 2);  // half a circle is what rounding makes of it
+  curve.radius = std::max(radius, chord / 2);  // rounding may make the radius of a semicircle too small
   curve.large = (*numbers)[1] == 1;
   curve.right = (*numbers)[2] == 1;
 }
@@ -101,7 +101,7 @@ std::vector<Vec2> vertices_read(const JsonFaults& faults, const Json& list, cons
   return vertices;
 }
 
-// Edges follow each other: each starts at the vertex where the one before it ends.
+// The edges of a closed loop: each starts at the vertex where the one before it ends.
 std::vector<Edge> loop_read(const JsonFaults& faults, const Json& list, const std::string& path,
                             std::size_t vertices) {
   std::vector<Edge> edges;
@@ -140,11 +140,18 @@ std::vector<Edge> loop_read(const JsonFaults& faults, const Json& list, const st
   return closed ? edges : std::vector<Edge>{};
 }
 
-void edges_land(const JsonFaults& faults, const Json& list, const std::string& path,
-                const std::vector<Edge>& edges, const std::vector<Vec2>& vertices, const PatternUnits& units,
-                Panel& panel) {
-  for (std::size_t k = 0; k < edges.size(); ++k) {
-    const Vec2 s = vertices[std::size_t(edges[k].from)], e = vertices[std::size_t(edges[k].to)];
+// A closed outline: edges [n] between vertices (m).
+struct Loop {
+  std::vector<Edge> edges;
+  std::vector<Vec2> vertices;
+};
+
+// Appends the outline, the labels and the curves of the loop's edges to the panel.
+void edges_read(const JsonFaults& faults, const Json& list, const std::string& path, const Loop& loop,
+                const PatternUnits& units, Panel& panel) {
+  for (std::size_t k = 0; k < loop.edges.size(); ++k) {
+    const Vec2 s = loop.vertices[std::size_t(loop.edges[k].from)],
+               e = loop.vertices[std::size_t(loop.edges[k].to)];
     panel.outline.push_back(s);
     const auto label = list[k].find("label");
     panel.edge_label.push_back(label != list[k].end() && label->is_string() ? label->get<std::string>() : "");
@@ -187,9 +194,10 @@ Panel panel_read(const JsonFaults& faults, const Json& json, const std::string& 
     if (const auto r = json_numbers(faults, *rotation, path + ".rotation", 3, 3600))
       panel_axes(*r, panel.axis_x, panel.axis_y);
   if (!vertices || !edges) return panel;
-  const std::vector<Vec2> points = vertices_read(faults, *vertices, path + ".vertices", units);
-  const std::vector<Edge> loop = loop_read(faults, *edges, path + ".edges", vertices->size());
-  if (!points.empty()) edges_land(faults, *edges, path + ".edges", loop, points, units, panel);
+  Loop loop;
+  loop.vertices = vertices_read(faults, *vertices, path + ".vertices", units);
+  loop.edges = loop_read(faults, *edges, path + ".edges", vertices->size());
+  if (!loop.vertices.empty()) edges_read(faults, *edges, path + ".edges", loop, units, panel);
   if (faults.problems.size() > before) panel.outline.clear();
   return panel;
 }

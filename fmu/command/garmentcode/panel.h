@@ -5,7 +5,7 @@
 namespace drape::command {
 
 struct Panel {
-  std::string name, label;               // as the file has them
+  std::string name, label;  // as in the file
   std::vector<Vec2> outline;             // [edges] m: where each edge starts
   std::vector<scene::CurveSpec> curves;  // m
   std::vector<std::string> edge_label;   // [edges]
@@ -14,14 +14,14 @@ struct Panel {
 
 struct PatternUnits {
   double per_metre = 100;
-  bool absolute = false;  // control points are points of the panel, not shares of their edge
+  bool absolute = false;  // true: control points are points of the panel; false: shares of their edge
 };
 
-// Edge i of the file is edge i of the panel. With a fault the panel has no outline.
+// Edge i of the file becomes edge i of the panel. A panel with a fault has no outline.
 Panel panel_read(const JsonFaults& faults, const Json& panel, const std::string& name,
                  const PatternUnits& units);
 
-// The columns x and y of Rz Ry Rx; angles in degrees.
+// The first two columns of Rz Ry Rx. Angles are in degrees.
 void panel_axes(const std::vector<double>& degrees, Vec3& axis_x, Vec3& axis_y);
 
 }  // namespace drape::command

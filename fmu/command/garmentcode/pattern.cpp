@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
+#include <optional>
 
 #include "scene/diagnostics.h"
 
@@ -31,7 +32,7 @@ PatternUnits units_read(const JsonFaults& faults, const Json& root) {
   return units;
 }
 
-// Panels in the order that the file gives them, or that in which they stand in it.
+// The names of the panels, in the order of panel_order; without it, in the order of the file.
 std::vector<std::string> panel_names(const JsonFaults& faults, const Json& pattern, const Json& panels) {
   std::vector<std::string> names, ordered;
   for (const auto& [name, panel] : panels.items()) names.push_back(name);
@@ -52,35 +53,39 @@ std::vector<std::string> panel_names(const JsonFaults& faults, const Json& patte
   return ordered;
 }
 
-// One side of a stitch: { panel, edge }. `edges[p]` edges has panel p.
-bool side_read(const JsonFaults& faults, const Json& side, const std::string& path, const Pattern& pattern,
-               const std::vector<std::size_t>& edges, int& panel, int& edge) {
+struct StitchSide {
+  int panel, edge;
+};
+
+// One side of a stitch: { panel, edge }. Panel p has `edges[p]` edges. Nothing where the side has a fault.
+std::optional<StitchSide> side_read(const JsonFaults& faults, const Json& side, const std::string& path,
+                                    const Pattern& pattern, const std::vector<std::size_t>& edges) {
   if (!side.is_object()) {
     json_fault(faults, path,
                std::string("is ") + json_kind(side.type()) + "; wanted: an object { panel, edge }");
-    return false;
+    return std::nullopt;
   }
   const Json* name = json_member(faults, side, path, "panel", Json::value_t::string);
   const auto number = side.find("edge");
   if (number == side.end()) json_fault(faults, path + ".edge", "is missing; wanted: a whole number");
-  if (!name) return false;
-  const std::string expected = name->get<std::string>();
+  if (!name) return std::nullopt;
+  const std::string panel_name = name->get<std::string>();
   const auto found = std::find_if(pattern.panels.begin(), pattern.panels.end(),
-                                  [&](const Panel& p) { return p.name == expected; });
+                                  [&](const Panel& p) { return p.name == panel_name; });
   if (found == pattern.panels.end()) {
-    json_fault(faults, path + ".panel", "= " + scene::in_quotes(expected) + " is no panel of the pattern");
-    return false;
+    json_fault(faults, path + ".panel", "= " + scene::in_quotes(panel_name) + " is no panel of the pattern");
+    return std::nullopt;
   }
-  if (number == side.end()) return false;
-  panel = int(found - pattern.panels.begin());
+  if (number == side.end()) return std::nullopt;
+  const int panel = int(found - pattern.panels.begin());
   const auto index = json_index(faults, *number, path + ".edge", edges[std::size_t(panel)]);
-  edge = index.value_or(-1);
-  return index.has_value();
+  if (!index) return std::nullopt;
+  return StitchSide{panel, *index};
 }
 
 void stitches_read(const JsonFaults& faults, const Json& list, const std::vector<std::size_t>& edges,
                    Pattern& pattern) {
-  std::map<std::pair<int, int>, std::string> sewn;  // panel and edge -> where
+  std::map<std::pair<int, int>, std::string> sewn;  // (panel, edge) -> path of the stitch that sews it
   for (std::size_t k = 0; k < list.size(); ++k) {
     const std::string path = scene::entry("pattern.stitches", k);
     const Json& json = list[k];
@@ -93,10 +98,13 @@ void stitches_read(const JsonFaults& faults, const Json& list, const std::vector
     bool valid = true;
     for (std::size_t s = 0; s < 2; ++s) {
       const std::string at = scene::entry(path, s);
-      if (!side_read(faults, json[s], at, pattern, edges, stitch.panel[s], stitch.edge[s])) {
+      const auto side = side_read(faults, json[s], at, pattern, edges);
+      if (!side) {
         valid = false;
         continue;
       }
+      stitch.panel[s] = side->panel;
+      stitch.edge[s] = side->edge;
       const auto [known, fresh] = sewn.emplace(std::pair{stitch.panel[s], stitch.edge[s]}, at);
       if (!fresh)
         json_fault(faults, at,
@@ -114,7 +122,7 @@ void stitches_read(const JsonFaults& faults, const Json& list, const std::vector
   }
 }
 
-void pattern_land(const JsonFaults& faults, const Json& root, Pattern& pattern) {
+void pattern_fill(const JsonFaults& faults, const Json& root, Pattern& pattern) {
   const PatternUnits units = units_read(faults, root);
   const Json* body = json_member(faults, root, "", "pattern", Json::value_t::object);
   if (!body) return;
@@ -122,7 +130,7 @@ void pattern_land(const JsonFaults& faults, const Json& root, Pattern& pattern) 
   const Json* stitches = json_member(faults, *body, "pattern", "stitches", Json::value_t::array);
   if (!panels) return;
   if (panels->empty()) json_fault(faults, "pattern.panels", "holds no panel; allowed: at least one");
-  std::vector<std::size_t> edges;  // of each panel, faults or not
+  std::vector<std::size_t> edges;  // the number of edges of each panel, whether or not it has faults
   for (const std::string& name : panel_names(faults, *body, *panels)) {
     const Json& panel = (*panels)[name];
     edges.push_back(0);
@@ -155,7 +163,7 @@ Pattern pattern_read(const std::filesystem::path& file, std::vector<Problem>& pr
   } catch (const Json::exception& e) {
     return json_fault(faults, "", std::string("is not valid JSON: ") + e.what()), pattern;
   }
-  if (root.is_object()) pattern_land(faults, root, pattern);
+  if (root.is_object()) pattern_fill(faults, root, pattern);
   else json_fault(faults, "", std::string("is ") + json_kind(root.type()) + "; wanted: an object {...}");
   return pattern;
 }

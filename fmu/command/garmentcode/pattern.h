@@ -1,4 +1,4 @@
-// A sewing pattern as GarmentCode writes it: panels, and what is stitched to what; lengths in metres.
+// A sewing pattern as GarmentCode writes it: panels and the stitches between them. Lengths are in metres.
 #pragma once
 #include <filesystem>
 
@@ -8,7 +8,7 @@ namespace drape::command {
 
 struct Stitch {
   int panel[2], edge[2];     // indices into Pattern::panels, of their edges
-  bool right_wrong = false;  // both edges start where the seam starts; else one runs against the other
+  bool right_wrong = false;  // true: both edges start where the seam starts; false: one runs against the other
 };
 
 struct Pattern {
@@ -16,7 +16,7 @@ struct Pattern {
   std::vector<Stitch> stitches;
 };
 
-// Appends a problem for each fault; the pattern is usable only when none was appended.
+// Appends a problem for each fault. The pattern is usable only if none was appended.
 Pattern pattern_read(const std::filesystem::path& file, std::vector<Problem>& problems);
 
 }  // namespace drape::command

@@ -12,16 +12,16 @@ namespace {
 using namespace math::vector3;
 
 constexpr double kNear = 0.012;    // m, between a panel and the body
-constexpr double kAround = 0.03;   // m, beyond a panel: between the vertices of the body
-constexpr double kThrough = 0.2;   // m, the most of the body that may be on the wrong side of a panel
+constexpr double kAround = 0.03;  // m, beyond a panel, because the body is known at its vertices only
+constexpr double kThrough = 0.2;  // m, the largest part of the body that may be on the wrong side of a panel
 constexpr double kOver = 0.05;     // m, above a shoulder: a strap bends as it is drawn over it
-constexpr double kShoulder = 0.2;  // m, the most that a top may be above a seam to be in its way
+constexpr double kShoulder = 0.2;  // m, the largest height of a top above a seam that it obstructs
 constexpr double kBeside = 0.01;   // m, on either side of a seam
-constexpr double kGap = 0.02;      // m: nearer edges are sewn at once
-constexpr double kCovers = 0.5;    // of the smaller panel: more of it over another makes a second layer
+constexpr double kGap = 0.02;  // m: edges nearer than this are sewn at once
+constexpr double kCovers = 0.5;  // of the smaller panel: a larger overlap makes a second layer
 constexpr double kParallel = 0.9;  // cosine between the normals of two layers
 
-// The ends of the first edge of a side, in space.
+// The ends of the first edge of a side, in space (m).
 struct Edge {
   Vec3 from, to;
   Vec3 middle() const { return 0.5 * (from + to); }
@@ -33,7 +33,7 @@ Edge edge_of(const Scene& scene, const scene::SeamSide& side) {
           piece::place_point(piece.place, piece.outline[(i + 1) % n])};
 }
 
-// The box round points of a plane.
+// The bounding box of points of a plane.
 struct Box {
   Vec2 low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
   void add(const Vec2& p) {
@@ -42,8 +42,8 @@ struct Box {
   double area() const { return std::max(high[0] - low[0], 0.0) * std::max(high[1] - low[1], 0.0); }
 };
 
-// How a panel stands to the body: how far off it was placed (below 0 where the body comes through), and where
-// out is; {0, 0, 0}: it was left where it was.
+// The pose of a panel relative to the body: its distance (below 0 where the body comes through), and the
+// outward direction. {0, 0, 0}: the panel was left where it was.
 struct Stand {
   double off = 0;
   Vec3 out{0, 0, 0};
@@ -55,7 +55,7 @@ Stand panel_approach(scene::PieceSpec& piece, const std::vector<Vec3>& body) {
   for (const Vec2& p : piece.outline) box.add(p);
   const auto& [low, high] = box;
   const Vec3 normal = cross(place.axis_x, place.axis_y);
-  double nearest = INFINITY, farthest[2] = {0, 0};  // below, above
+  double nearest = INFINITY, farthest[2] = {0, 0};  // [below, above]
   int count[2] = {0, 0};
   for (const Vec3& v : body) {
     const Vec3 d = v - place.origin;
@@ -92,7 +92,8 @@ bool covers(const scene::PieceSpec& a, const Stand& as, const scene::PieceSpec& 
   return both.area() > kCovers * std::min(of_a.area(), of_b.area());
 }
 
-// What lay over another panel still does: from the body outwards, each goes on until it covers none below.
+// Separates layers. Panels that lay over another panel still do: from the body outwards, each moves out
+// until it covers none below.
 void layers_part(Scene& scene, const std::vector<Stand>& stands) {
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < stands.size(); ++k)
@@ -109,7 +110,7 @@ void layers_part(Scene& scene, const std::vector<Stand>& stands) {
     }
 }
 
-// How far a level seam has to rise for its sides to meet above what is between them.
+// The rise (m) that a level seam needs for its sides to meet above what is between them.
 double lift_wanted(const Scene& scene, const scene::SeamSpec& seam, const std::vector<Vec3>& body) {
   const Edge a = edge_of(scene, seam.side[0]), b = edge_of(scene, seam.side[1]);
   const Vec3 gap = b.middle() - a.middle(), along = a.to - a.from;
@@ -125,7 +126,7 @@ double lift_wanted(const Scene& scene, const scene::SeamSpec& seam, const std::v
     if (t > 0 && t < level && std::abs(dot(d, across)) < half) top = std::max(top, v[1]);
   }
   const double expected = top + kOver - low;
-  return top - low < kShoulder && expected > 0 ? expected : 0;  // more body above: a crotch, not a shoulder
+  return top - low < kShoulder && expected > 0 ? expected : 0;  // more body above the seam: a crotch, not a shoulder
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The measured wool of examples/fabrics, carried by the command: what is imported without a fabric is of it.
+// The measured wool of examples/fabrics, built into the command: the fabric of an import without one.
 #pragma once
 
 namespace drape::command {

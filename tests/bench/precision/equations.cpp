@@ -64,8 +64,7 @@ void rate_by(Side& side, const double* y, double* rate) {
       std::copy(from, from + s.count, a->data() + s.node);
       from += s.count;
     }
-  dynamics::kernel_forces(*r.motion.kernel, r.system, r.state, r.motion.workspace, side.f[0].data(),
-                          side.f[1].data(), side.f[2].data());
+  dynamics::kernel_forces(*r.motion.kernel, r.system, r.state, r.motion.workspace, {side.f[0].data(), side.f[1].data(), side.f[2].data()});
   if (side.moves) std::copy(y + 3 * n, y + 6 * n, rate);
   else std::fill(rate, rate + 3 * n, 0.0);
   for (std::size_t k = 0; k < 3; ++k) acceleration(side, k, y + (3 + k) * n, rate + (3 + k) * n);
@@ -104,7 +103,7 @@ Rate kernel_rate(const Scene& scene, bool moves) {
   };
 }
 
-Rate judge_rate(const Scene& scene, bool moves) {
+Rate reference_rate(const Scene& scene, bool moves) {
   const auto motion = std::make_shared<reference::Motion>(reference::motion_make(scene));
   const auto course = std::make_shared<reference::Course>(
       reference::course_make(motion->lattice, motion->start, motion->start, 1));
@@ -137,7 +136,7 @@ Equations equations_of_kernel(const Scene& scene) {
   return e;
 }
 
-Equations equations_of_judge(const Scene& scene) {
+Equations equations_of_reference(const Scene& scene) {
   Equations e;
   const reference::Motion motion = reference::motion_make(scene);
   const reference::Layout at = reference::layout_of(motion.lattice);
@@ -147,9 +146,9 @@ Equations equations_of_judge(const Scene& scene) {
   e.scale.assign(e.start.size(), kFree);
   std::fill_n(e.scale.begin(), at.velocity, scene.pieces[0].cell);
   std::fill_n(e.scale.begin() + at.velocity, at.velocity, 1.0);
-  e.rate = judge_rate(scene, true);
-  e.inner = judge_rate(inner_of(scene), true);
-  e.outer = judge_rate(outer_of(scene), false);
+  e.rate = reference_rate(scene, true);
+  e.inner = reference_rate(inner_of(scene), true);
+  e.outer = reference_rate(outer_of(scene), false);
   e.positions = [at](const double* z) {
     return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(z, at.velocity));
   };

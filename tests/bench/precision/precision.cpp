@@ -28,9 +28,9 @@ constexpr double kNoAnswer = 1;     // an error that large is none
 
 // How much a sweep may take, in evaluations of forces so that its rows do not depend on the machine.
 struct Budget {
-  long own, kernel, krylov, judge;  // of one sweep; krylov: on the kernel, by methods that solve systems
-  double tightest;                  // relative tolerance
-  double short_run;                 // s, below which a run is timed three times
+  long own, kernel, krylov, reference;  // of one sweep; krylov: on the kernel, by methods that solve systems
+  double tightest;                      // relative tolerance
+  double short_run;                     // s, below which a run is timed three times
 };
 constexpr Budget kWhole{300000, 150000, 30000, 10000, 1e-12, 0.05}, kQuick{4000, 3000, 3000, 300, 1e-6, 0};
 
@@ -167,10 +167,11 @@ std::vector<PrecisionRow> precision(bool quick) {
     const Exact exact = exact_of(trial);
     const Sweep sweep{trial, exact, budget, rows};
     for (const OwnMethod& m : kOwn) sweep_own(sweep, m);
-    const Equations kernel = equations_of_kernel(trial.scene), judge = equations_of_judge(trial.scene);
+    const Equations kernel = equations_of_kernel(trial.scene),
+                    reference = equations_of_reference(trial.scene);
     for (const Method& m : methods())
       sweep_solver(sweep, kernel, m, "kernel", m.krylov() ? budget.krylov : budget.kernel);
-    for (const Method& m : methods()) sweep_solver(sweep, judge, m, "judge", budget.judge);
+    for (const Method& m : methods()) sweep_solver(sweep, reference, m, "judge", budget.reference);
     summary_print(trial.scene.name, rows);
   }
   return rows;

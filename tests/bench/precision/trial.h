@@ -28,6 +28,6 @@ struct Equations {
   std::function<Eigen::VectorXd(const double* y)> positions;  // [3 particles] in the judge's order
 };
 Equations equations_of_kernel(const Scene& scene);
-Equations equations_of_judge(const Scene& scene);
+Equations equations_of_reference(const Scene& scene);
 
 }  // namespace drape::bench

@@ -79,10 +79,10 @@ TEST_F(ClothTest, AWholeRun) {
   ASSERT_TRUE(c);
   const double weight = 0.15 * 0.01 * 9.81;
   // At first the pin carries its own node only: the cloth around it starts to fall.
-  EXPECT_NEAR(drape_outputs_at(c.get(), 0)->pin[0].force[2], -weight / 400, 1e-15);
+  EXPECT_NEAR(drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->pin[0].force[2], -weight / 400, 1e-15);
   for (int k = 0; k < 20; ++k) ASSERT_EQ(drape_advance(c.get(), 0.01), DRAPE_OK);
   EXPECT_NEAR(drape_time(c.get()), 0.2, 1e-15);
-  const drape_outputs* o = drape_outputs_at(c.get(), 1);
+  const drape_outputs* o = drape_get_outputs(c.get(), DRAPE_OUT_ALL);
   EXPECT_EQ(o->node_count, 121);
   EXPECT_LT(o->probe[0].position[2], -0.05);
   EXPECT_EQ(o->probe[0].position[2], o->node_position[3 * 120 + 2]);
@@ -154,8 +154,8 @@ TEST_F(ClothTest, PutsBackOnlyWhatIsAtFault) {
   drape_parameters_of(same.get())->fabric[0].weft.force[1] = 12;
   for (drape_cloth* cloth : {c.get(), same.get()}) ASSERT_EQ(drape_advance(cloth, 0.02), DRAPE_OK);
   for (int k = 0; k < 3; ++k)
-    EXPECT_EQ(drape_outputs_at(c.get(), 0)->probe[0].position[k],
-              drape_outputs_at(same.get(), 0)->probe[0].position[k]);
+    EXPECT_EQ(drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->probe[0].position[k],
+              drape_get_outputs(same.get(), DRAPE_OUT_SCALARS)->probe[0].position[k]);
 }
 
 // What the scene's rows allow a commit allows as well, and no more.
@@ -189,13 +189,13 @@ TEST_F(ClothTest, TakesTheEndsOfEveryRange) {
 }
 
 // Twice the gravity pulls twice as far in the first moment; twice the density falls the same.
-TEST_F(ClothTest, TakesTunedValuesIntoTheMotion) {
+TEST_F(ClothTest, AppliesTunedValuesToTheMotion) {
   const auto fall = [&](double gravity, double density) {
     const Cloth c = open();
     drape_parameters_of(c.get())->gravity[2] = gravity;
     drape_parameters_of(c.get())->fabric[0].areal_density = density;
     EXPECT_EQ(drape_advance(c.get(), 0.002), DRAPE_OK);
-    return drape_outputs_at(c.get(), 0)->probe[0].position[2];
+    return drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->probe[0].position[2];
   };
   EXPECT_NEAR(fall(-9.81, 0.15), -9.81 * 2e-6, 1e-12);
   EXPECT_NEAR(fall(-19.62, 0.15), -19.62 * 2e-6, 1e-12);
@@ -208,7 +208,7 @@ TEST_F(ClothTest, EndsARunThatNoStepCanFollowAtItsLastGoodState) {
   const Cloth c = open("", "[0, 1, 1.0001], force = [0, 1e-6, 1e6]");
   drape_parameters_of(c.get())->gravity[2] = 0;
   ASSERT_EQ(drape_advance(c.get(), 0.01), DRAPE_OK);
-  const double before = drape_outputs_at(c.get(), 0)->probe[0].position[1];
+  const double before = drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->probe[0].position[1];
   drape_parameters_of(c.get())->gravity[1] = 1000;
   EXPECT_EQ(drape_advance(c.get(), 0.01), DRAPE_ERROR);
   ASSERT_EQ(heard.errors.size(), 1u);
@@ -219,7 +219,7 @@ TEST_F(ClothTest, EndsARunThatNoStepCanFollowAtItsLastGoodState) {
       << heard.errors[0];
   EXPECT_EQ(heard.errors[0].find('%'), std::string::npos);
   EXPECT_EQ(drape_time(c.get()), 0.01);
-  EXPECT_EQ(drape_outputs_at(c.get(), 0)->probe[0].position[1], before);
+  EXPECT_EQ(drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->probe[0].position[1], before);
   EXPECT_FALSE(drape_step_above_limit(c.get()));
   drape_parameters_of(c.get())->gravity[1] = 0;
   EXPECT_EQ(drape_advance(c.get(), 0.01), DRAPE_OK);
@@ -274,7 +274,7 @@ TEST_F(ClothTest, NeedsNoStepLimitWhereNoLawActs) {
   ASSERT_EQ(drape_commit(c.get()), DRAPE_OK) << heard.errors[0];
   EXPECT_EQ(drape_step_limit(c.get(), nullptr), INFINITY);
   EXPECT_EQ(drape_advance(c.get(), 0.01), DRAPE_OK);
-  EXPECT_EQ(drape_outputs_at(c.get(), 0)->step_count, 10);
+  EXPECT_EQ(drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->step_count, 10);
 }
 
 // Values that would bring the limit below a given step are refused as they are committed; the fabric keeps
@@ -305,7 +305,7 @@ TEST_F(ClothTest, RefusesAFabricThatAGivenStepCannotFollow) {
 
 // The motion itself stretches the cloth to where a given step is too large: the advance is refused for good,
 // unless something changes.
-TEST_F(ClothTest, IsStuckWhereTheLimitFallsBelowAGivenStep) {
+TEST_F(ClothTest, StopsWhereTheLimitFallsBelowAGivenStep) {
   const std::string stiffening = "[0, 1, 3], force = [0, 0.1, 1000]";
   const Cloth probe = open("", stiffening);
   const double limit = drape_step_limit(probe.get(), nullptr);
@@ -334,7 +334,7 @@ TEST_F(ClothTest, ASnapshotIsTheWholeTruth) {
   drape_snapshot* saved = drape_save(c.get(), nullptr);
   const auto go_on = [&] {
     EXPECT_EQ(drape_advance(c.get(), 0.0213), DRAPE_OK);
-    const drape_outputs* o = drape_outputs_at(c.get(), 1);
+    const drape_outputs* o = drape_get_outputs(c.get(), DRAPE_OUT_ALL);
     return std::vector<double>(o->node_position, o->node_position + 3 * o->node_count);
   };
   const auto first = go_on();

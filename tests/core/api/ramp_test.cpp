@@ -9,7 +9,7 @@ namespace {
 const std::vector<int> kGroup{0, 1, 2, 2, -1};  // two numbers, a diagram of two points, one that jumps
 const ParameterValues kStart{{1, 10, 2, 4, 5}};
 
-TEST(Ramp, goes_along_a_line_and_arrives_exactly) {
+TEST(Ramp, GoesAlongALineAndArrivesExactly) {
   Ramp ramp = ramp_at(kStart);
   EXPECT_FALSE(ramp_under_way(ramp));
   const ParameterValues target{{3, 10, 2, 4, 5}};
@@ -27,7 +27,7 @@ TEST(Ramp, goes_along_a_line_and_arrives_exactly) {
 }
 
 // 0.3/0.001 is 299.99999999999994, 0.7/0.001 is 700 and more: the way is 300 and 700 intervals long.
-TEST(Ramp, a_rounded_quotient_costs_no_interval) {
+TEST(Ramp, ARoundedQuotientCostsNoInterval) {
   for (const auto& [length, intervals] : {std::pair{0.3, 300}, {0.7, 700}, {0.0105, 11}}) {
     Ramp ramp = ramp_at(kStart);
     ramp_set_target(ramp, kStart, {{3, 10, 2, 4, 5}}, length / 0.001, kGroup);
@@ -38,7 +38,7 @@ TEST(Ramp, a_rounded_quotient_costs_no_interval) {
 }
 
 // Without a span, and for what never moves gradually.
-TEST(Ramp, jumps) {
+TEST(Ramp, Jumps) {
   Ramp ramp = ramp_at(kStart);
   ramp_set_target(ramp, kStart, {{1, 10, 2, 4, 6}}, 10, kGroup);
   EXPECT_EQ(ramp_values(ramp).value[4], 6);
@@ -48,7 +48,7 @@ TEST(Ramp, jumps) {
   EXPECT_FALSE(ramp_under_way(ramp));
 }
 
-TEST(Ramp, a_new_target_sets_out_from_the_present_value_and_leaves_the_others_alone) {
+TEST(Ramp, ANewTargetSetsOutFromThePresentValueAndLeavesTheOthersAlone) {
   Ramp ramp = ramp_at(kStart);
   ramp_set_target(ramp, kStart, {{3, 20, 2, 4, 5}}, 10, kGroup);
   ramp_advance(ramp, 5);
@@ -64,7 +64,7 @@ TEST(Ramp, a_new_target_sets_out_from_the_present_value_and_leaves_the_others_al
 }
 
 // One point of a diagram set anew takes the others with it: between two diagrams that do not fall, none does.
-TEST(Ramp, the_points_of_a_diagram_move_together) {
+TEST(Ramp, ThePointsOfADiagramMoveTogether) {
   Ramp ramp = ramp_at(kStart);
   ramp_set_target(ramp, kStart, {{1, 10, 6, 8, 5}}, 10, kGroup);
   ramp_advance(ramp, 5);

@@ -45,7 +45,7 @@ double mesh_distance(const BodySurface& s, const Vec3& x) {
   return smallest;
 }
 
-TEST(Nearest, IsTheNearestOfAllTrianglesAndItsBudgetIsKept) {
+TEST(ClosestFeatures, IsTheNearestOfAllTrianglesAndItsFreeDistanceHolds) {
   const SceneFolder folder;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> shift(-1, 1);
@@ -62,13 +62,14 @@ TEST(Nearest, IsTheNearestOfAllTrianglesAndItsBudgetIsKept) {
       const double exact = mesh_distance(body.mesh.surface, x);
       const Neighbourhood near = distance_grid_at(voxels, x);
       ClosestFeatures found;
+      ClosestFeaturesScratch scratch;
       if (!near.triangle) {
         EXPECT_LE(near.clearance, exact + 1e-12);
         EXPECT_GT(near.clearance, contact);
         continue;
       }
-      closest_features_find(body.mesh.surface, *near.triangle, x, contact, 3 * contact, reach, near.listed,
-                            nullptr, found);
+      closest_features_find(body.mesh.surface, *near.triangle,
+                            {x, contact, 3 * contact, reach, near.listed, nullptr}, scratch, found);
       if (exact > 3 * contact) {
         EXPECT_TRUE(found.feature.empty());
         EXPECT_LE(found.free_distance, exact - contact + 1e-12);
@@ -100,7 +101,7 @@ TEST(Nearest, IsTheNearestOfAllTrianglesAndItsBudgetIsKept) {
 }
 
 // A fin on a ball, of one triangle that no other backs, makes no inside behind it.
-TEST(Nearest, AFewBadEdgesMakeNoInside) {
+TEST(ClosestFeatures, AFewBadEdgesMakeNoInside) {
   const SceneFolder folder;
   Mesh mesh = ball(0.1, 16);
   const int tip = int(mesh.point.size()), a = mesh.corner[200][0], b = mesh.corner[200][1];
@@ -118,7 +119,7 @@ TEST(Nearest, AFewBadEdgesMakeNoInside) {
 }
 
 // One minimum over a convex edge, two in a groove, one sign for each side.
-TEST(Nearest, CountsLocalMinima) {
+TEST(ClosestFeatures, CountsLocalMinima) {
   const SceneFolder folder;
   Mesh groove;  // two planes that meet at a right angle along x, open upwards; a sheet
   groove.point = {{-1, 0, 0}, {1, 0, 0}, {1, 1, 1}, {-1, 1, 1}, {1, -1, 1}, {-1, -1, 1}};
@@ -127,13 +128,14 @@ TEST(Nearest, CountsLocalMinima) {
   EXPECT_FALSE(body.mesh.surface.solid);
   const std::vector<int> all{0, 1, 2, 3};
   ClosestFeatures found;
-  closest_features_find(body.mesh.surface, all, {0, 0, 0.01}, 0.01, 0.02, 1, 1, nullptr, found);
+  ClosestFeaturesScratch scratch;
+  closest_features_find(body.mesh.surface, all, {{0, 0, 0.01}, 0.01, 0.02, 1, 1, nullptr}, scratch, found);
   ASSERT_EQ(found.feature.size(), 2u);
   for (const ClosestFeature& t : found.feature) {
     EXPECT_NEAR(t.distance, 0.01 / std::sqrt(2.0), 1e-15);
     EXPECT_GT(t.side[2], 0);
   }
-  closest_features_find(body.mesh.surface, all, {0, 0, -0.01}, 0.01, 0.02, 1, 1, nullptr, found);
+  closest_features_find(body.mesh.surface, all, {{0, 0, -0.01}, 0.01, 0.02, 1, 1, nullptr}, scratch, found);
   ASSERT_EQ(found.feature.size(), 1u);
   EXPECT_NEAR(found.feature[0].distance, 0.01, 1e-15);
   EXPECT_LT(found.feature[0].side[2], 0);

@@ -29,14 +29,14 @@ std::array<int, 2> edges_and_tips(const Mesh& mesh) {
   return count;
 }
 
-TEST(Ridge, AreTheSharpEdgesAndTipsOfABody) {
+TEST(SharpEdges, AreTheSharpEdgesAndTipsOfABody) {
   EXPECT_EQ(edges_and_tips(box(1, 2, 3)), (std::array<int, 2>{12, 8}));
   EXPECT_EQ(edges_and_tips(ball(0.05, 100)), (std::array<int, 2>{0, 0}));
   EXPECT_EQ(edges_and_tips(cylinder(0.05, 0.1, 720)), (std::array<int, 2>{1440, 0}));  // its rims
   const Mesh sheet{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   EXPECT_EQ(edges_and_tips(sheet), (std::array<int, 2>{4, 4}));
   const Mesh groove{{{-1, 0, 1}, {0, 0, 0}, {1, 0, 1}, {-1, 1, 1}, {0, 1, 0}, {1, 1, 1}},
-                             {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};  // from below it is a ridge
+                    {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};  // from below it is a ridge
   EXPECT_EQ(edges_and_tips(groove)[0], 7);
   Mesh dented = box(1, 1, 1);  // a pit in the top is no tip
   dented.point.push_back({0, 0, 0});
@@ -51,25 +51,26 @@ TEST(Ridge, AreTheSharpEdgesAndTipsOfABody) {
 }
 
 // What is found in buckets is what is near: against all of them.
-TEST(Ridge, SearchFindsTheNearest) {
+TEST(SharpEdges, SearchFindsTheNearest) {
   const Mesh mesh = box(0.3, 0.2, 0.1);
   const BodySurface surface = surface_of(mesh);
   const SharpFeatures features = sharp_features_make(surface, kSharpSine, 0.02);
   std::mt19937 random(5);
   std::uniform_real_distribution<double> at(-0.2, 0.2);
+  std::vector<std::uint32_t> found;
   for (int k = 0; k < 200; ++k) {
     const Vec3 x{at(random), at(random), at(random)};
     double smallest = 0.05;
     for (const SharpFeature& r : features.feature)
       for (int p = 0; p <= 2000; ++p)
         smallest = std::min(smallest, norm(x - r.from - (p / 2000.0) * (r.to - r.from)));
-    EXPECT_NEAR(sharp_features_distance(features, x, 0.05), smallest, 1e-5);
+    EXPECT_NEAR(sharp_features_distance(features, x, 0.05, found), smallest, 1e-5);
   }
 }
 
 // d is the distance of the parts while they are apart, and grows below 0 as they pass: D.n by differences of
 // the nodes' places, W = dd/dr_k . n.
-TEST(Ridge, WeightsAreTheGradientOfTheDistance) {
+TEST(SharpEdges, WeightsAreTheGradientOfTheDistance) {
   const SharpFeatures edges = sharp_features_make(surface_of(roof(0.7)), kSharpSine, 0.1),
                       tips = sharp_features_make(surface_of(pyramid(0.7)), kSharpSine, 0.1);
   const SharpFeature *edge = nullptr, *tip = nullptr;

@@ -10,7 +10,7 @@ namespace {
 
 const std::vector<PinBase> kPins = {{"first"}, {"second"}};
 
-TEST(Constraint, FixesNodesAndKeepsIndependentRows) {
+TEST(LinearConstraints, FixesNodesAndKeepsIndependentRows) {
   const Array inverse_mass(6, 2.0);
   const std::vector<ConstraintRow> rows = {
       {0, {0, 1}, {0.5, 0.5}, {1, 0, 0}},  // left with node 1 once node 0 is fixed
@@ -27,7 +27,7 @@ TEST(Constraint, FixesNodesAndKeepsIndependentRows) {
   EXPECT_EQ(c.rows.size(), 2u);
 }
 
-TEST(Constraint, NamesThePinThatContradicts) {
+TEST(LinearConstraints, NamesThePinThatContradicts) {
   const Array inverse_mass(6, 2.0);
   std::vector<Problem> problems;
   constraints_make({{0, {4}, {1.0}, {0, 0, 0}}, {1, {4}, {1.0}, {0.5, 0, 0}}}, inverse_mass, kPins, problems);
@@ -40,7 +40,7 @@ TEST(Constraint, NamesThePinThatContradicts) {
 }
 
 // Both long edges pinned on a width of 4.4 cells: one of them lies inside cut cells, each row on two nodes.
-TEST(Constraint, HoldsAnEdgeThatLiesInsideCutCells) {
+TEST(LinearConstraints, HoldsAnEdgeThatLiesInsideCutCells) {
   Scene scene = reference::rectangle(reference::curved_fabric(), 0.044, 0.06, 0.01, true);
   scene.pins = {reference::pin_edges("left", {3}), reference::pin_edges("right", {1})};
   Assembled a = assemble(scene);

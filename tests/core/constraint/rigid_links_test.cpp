@@ -46,7 +46,7 @@ double worst_link(const Assembled& a) {  // |r_b - r_a|/L - 1
 
 // Links reach 1.5 cells, but for particles that have fewer than three so near; what lies on a grid is of the
 // grid.
-TEST(Rigid, TiesToTheEdgeWithinOneAndAHalfCells) {
+TEST(RigidLinks, TiesToTheEdgeWithinOneAndAHalfCells) {
   const Scene scene = two_pieces({0, 0, 0});
   std::vector<std::vector<seam::GridTie>> ties;
   const std::vector<piece::Grid> grids = seam::grids_make(scene, &ties);
@@ -79,7 +79,7 @@ TEST(Rigid, TiesToTheEdgeWithinOneAndAHalfCells) {
 // While the pieces are pulled, welded and after: links keep their lengths, the whole its momentum. Joined,
 // two trusses have more links than their particles can follow once the cloth bends: what is left over they
 // share.
-TEST(Rigid, KeepsLengthsAndMomentum) {
+TEST(RigidLinks, KeepsLengthsAndMomentum) {
   Scene scene = two_pieces({0.004, 0.001, 0.003});
   scene.pieces[0].velocity = {0.3, -0.2, 0.1};
   Assembled a = assemble(scene);
@@ -112,7 +112,7 @@ TEST(Rigid, KeepsLengthsAndMomentum) {
 }
 
 // Before the weld the motion is of order 2 in the step: (x_h - x_{h/2})/(x_{h/2} - x_{h/4}) = 4.
-TEST(Rigid, IsOfOrderTwo) {
+TEST(RigidLinks, IsOfOrderTwo) {
   std::vector<Eigen::VectorXd> ends;
   for (double h : {4e-5, 2e-5, 1e-5}) {
     Scene scene = two_pieces({0.004, 0.001, 0.003});
@@ -129,7 +129,7 @@ TEST(Rigid, IsOfOrderTwo) {
 }
 
 // The same from a state taken up again: nothing but the state decides.
-TEST(Rigid, GoesOnFromAState) {
+TEST(RigidLinks, GoesOnFromAState) {
   Assembled a = assemble(two_pieces({0.002, 0, 0.001}));
   for (int k = 0; k < 30; ++k) sewn_advance(a, 1e-3);
   const State saved = a.state;

@@ -31,7 +31,8 @@ double held(const Assembled& of, double a) {
   contact::edge_narrow_phase(of.system, of.state, pairs);
   Array x(of.system.nodes, 0.0), y = x, z(of.system.nodes, a);
   double* const field[] = {x.data(), y.data(), z.data()};
-  const contact::ContactStops stops = contact::stop_forces(of.system, of.state, pairs, field);
+  contact::EdgeScratch scratch = contact::edge_scratch_make();
+  const contact::ContactStops stops = contact::stop_forces(of.system, scratch, of.state, pairs, field);
   double sum = 0;
   for (double s : stops.particle) sum += s;
   for (double s : stops.pair) sum += s;
@@ -39,7 +40,7 @@ double held(const Assembled& of, double a) {
 }
 
 // The same at rest and at any velocity; on a body that accelerates upwards as if all weighed so much more.
-TEST(Stops, HoldInTheFrameOfTheBody) {
+TEST(ContactStops, HoldInTheFrameOfTheBody) {
   const SceneFolder folder;
   for (const bool over_ridge : {false, true}) {
     Assembled a = held_up(folder, over_ridge, over_ridge ? 0.06 : 0.0999);

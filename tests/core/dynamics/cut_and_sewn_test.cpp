@@ -17,7 +17,7 @@ constexpr SeamCut kCuts[] = {SeamCut::kWeft, SeamCut::kWarp, SeamCut::kOblique};
 
 // Cells that coincide: the welds make of two rows of half cells one of whole cells, which the uncut strip
 // has.
-TEST(Cut, IsNotThereOnGridsThatCoincide) {
+TEST(CutAndSewn, HasNoEffectOnGridsThatCoincide) {
   for (SeamCut cut : {SeamCut::kWeft, SeamCut::kWarp}) {
     const SeamFigure f = seam_figure({cut, 1, 20, false});
     EXPECT_LE(f.left, 1e-9);
@@ -29,7 +29,7 @@ TEST(Cut, IsNotThereOnGridsThatCoincide) {
 // Stiffness within 0.3 % at W/20 and 0.1 % at W/40, the strain beyond two coarse cells within 1 %. Where the
 // coarser cells are those of W/13.3, three times as large as W/40, a cut at 30 degrees is off by 0.154 %: the
 // first of these figures is asked of it.
-TEST(Cut, HardlyChangesTheStrip) {
+TEST(CutAndSewn, HardlyChangesTheStrip) {
   for (SeamCut cut : kCuts)
     for (double ratio : {1.0, std::sqrt(2.0), 2.0, 3.0})
       for (int across : {20, 40}) {
@@ -45,7 +45,7 @@ TEST(Cut, HardlyChangesTheStrip) {
 
 // The paper's rigid links stiffen a cut at 30 degrees, on cells half as large about half as much; a strip cut
 // along the pull cannot be stretched at all.
-TEST(Cut, IsStiffWithRigidLinks) {
+TEST(CutAndSewn, IsStiffWithRigidLinks) {
   for (double ratio : {1.0, std::sqrt(2.0), 2.0}) {
     const double coarse = seam_figure({SeamCut::kOblique, ratio, 20, true}).stiffness,
                  fine = seam_figure({SeamCut::kOblique, ratio, 40, true}).stiffness;

@@ -32,12 +32,12 @@ drape_energy energy_after(const Scene& scene, double h, int steps) {
   for (int k = 0; k < steps; ++k) leapfrog_step(a.system, a.motion, a.state, h);
   outputs::Outputs o;
   outputs::outputs_make(o, a.scene, a.system);
-  outputs::outputs_fill(o, a.system, a.motion, a.state, DRAPE_ENERGY);
+  outputs::outputs_fill(o, a.system, a.motion, a.state, DRAPE_OUT_ENERGY);
   return o.c_view.energy;
 }
 
 // Halving the step divides the error by 4; 3.4 leaves room for the next order.
-TEST(Balance, IsMetToSecondOrder) {
+TEST(EnergyBalance, IsMetToSecondOrder) {
   const Scene scene = windy_scene();
   const drape_energy coarse = energy_after(scene, 4e-5, 2500), fine = energy_after(scene, 2e-5, 5000),
                      finest = energy_after(scene, 1e-5, 10000);
@@ -52,7 +52,7 @@ TEST(Balance, IsMetToSecondOrder) {
 }
 
 // In free fall with -m c v the potential energy is linear, and the books close to rounding.
-TEST(Balance, ClosesExactlyWhereForcesAreConstant) {
+TEST(EnergyBalance, ClosesExactlyWhereForcesAreConstant) {
   Scene scene = reference::rectangle(reference::curved_fabric(), 0.05, 0.03, 0.01);
   scene.damping = 3;
   scene.energy = true;

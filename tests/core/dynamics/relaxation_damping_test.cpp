@@ -15,7 +15,7 @@ namespace {
 // forces change along the way, as if the stiffness were below 0. The damping stays that of before until a way
 // has been measured in the new system, in which no way is without stiffness: then 0 < c < 2 omega of the
 // bound.
-TEST(FitDamping, IsMeasuredWithinOneSystem) {
+TEST(RelaxationDamping, IsMeasuredWithinOneSystem) {
   Scene scene = reference::rectangle(linen(), 0.1, 0.1, 0.01, true);
   scene.mode = scene::Mode::kFit;
   scene.pins = {reference::pin_edges("bar", {2}), reference::pin_edges("foot", {0})};
@@ -50,7 +50,7 @@ TEST(FitDamping, IsMeasuredWithinOneSystem) {
 }
 
 // A start has a damping after the first 16 steps; before, none.
-TEST(FitDamping, BeginsSoon) {
+TEST(RelaxationDamping, BeginsWithinSixteenSteps) {
   Scene scene = reference::rectangle(linen(), 0.1, 0.1, 0.01, true);
   scene.mode = scene::Mode::kFit;
   scene.pins = {reference::pin_edges("bar", {2})};

@@ -43,7 +43,7 @@ void sew(Assembled& a) {
 
 // While seams are open nothing weighs or rubs; then it weighs, and rubs once the forces left have first been
 // seen at 0.1 of the load.
-TEST(Settling, EndsWhenATenthOfTheLoadIsLeft) {
+TEST(RelaxationStages, EndsWhenATenthOfTheLoadIsLeft) {
   const SceneFolder folder;
   Assembled a = assemble(to_sew(folder));
   sewn_advance(a, 1e-3);
@@ -70,7 +70,7 @@ TEST(Settling, EndsWhenATenthOfTheLoadIsLeft) {
 
 // Where the forces left do not come down (they are not looked at while a pin is on its way), 1 s after the
 // last seam: by no more than the steps between two looks, 16.
-TEST(Settling, EndsAfterASecondAtTheLatest) {
+TEST(RelaxationStages, EndsAfterASecondAtTheLatest) {
   const SceneFolder folder;
   Assembled a = assemble(to_sew(folder));
   sew(a);
@@ -85,7 +85,7 @@ TEST(Settling, EndsAfterASecondAtTheLatest) {
 }
 
 // An inertia grows at once, and from look to look loses 1 % at most, until it is the mass.
-TEST(Inertia, ShrinksByAHundredthALook) {
+TEST(RelaxationInertia, ShrinksByAHundredthACheck) {
   Scene scene = reference::rectangle(reference::curved_fabric(), 0.05, 0.05, 0.01);
   scene.mode = scene::Mode::kFit;
   Assembled a = assemble(scene);
@@ -115,7 +115,7 @@ TEST(Inertia, ShrinksByAHundredthALook) {
 }
 
 // The bits are those of every grouping of advances, while pairs are pulled, across welds and after.
-TEST(FitSewn, BitsAreThoseOfEveryGrouping) {
+TEST(RelaxationSewn, BitsAreThoseOfEveryGrouping) {
   const SceneFolder folder;
   const auto run = [&](int advances) {
     Assembled a = assemble(to_sew(folder));
@@ -129,7 +129,7 @@ TEST(FitSewn, BitsAreThoseOfEveryGrouping) {
 
 // A state taken up again goes on as it would have: kept before the first look, while pairs are pulled, and as
 // the cloth settles.
-TEST(FitSewn, StateGoesOnAsItWas) {
+TEST(RelaxationSewn, StateGoesOnAsItWas) {
   const SceneFolder folder;
   Assembled a = assemble(to_sew(folder));
   for (int times = 0; times < 2; ++times) {

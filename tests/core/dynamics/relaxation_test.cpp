@@ -152,7 +152,7 @@ TEST(Cantilever, GivesTheOverhangOfTheBendingTest) {
 
 // The rest of a fit is the judge's: nothing is left of the forces; and a damped dynamic run ends there. A cut
 // piece with a hole, on a pin inside a cell and one at a node.
-TEST(Fit, EndsAtTheRestOfTheDampedMotion) {
+TEST(Relaxation, EndsAtTheRestOfTheDampedMotion) {
   scene::FabricSpec fabric = reference::curved_fabric();
   Scene scene = cut_piece(fabric, Shape::kDiscWithHole);
   scene.pieces[0].place.axis_y = {0, 0, 1};
@@ -160,8 +160,8 @@ TEST(Fit, EndsAtTheRestOfTheDampedMotion) {
   scene.mode = scene::Mode::kFit;
   Assembled fit = assemble(scene);
   ASSERT_TRUE(fit_run(fit, 60)) << fit.state.relaxation.residual;
-  const reference::Motion judge = reference::motion_make(scene);
-  const reference::Residual left = reference::residual(judge, judge.start, positions(fit));
+  const reference::Motion motion = reference::motion_make(scene);
+  const reference::Residual left = reference::residual(motion, motion.start, positions(fit));
   EXPECT_LE(fit.state.relaxation.residual, 1e-5);
   EXPECT_NEAR(left.force, fit.state.relaxation.residual * fit.state.relaxation.load,
               1e-9 * fit.state.relaxation.load);
@@ -180,7 +180,7 @@ TEST(Fit, EndsAtTheRestOfTheDampedMotion) {
 }
 
 // At rest an advance moves the clock and nothing else; a tuned value wakes it.
-TEST(Fit, StaysAtRestUntilSomethingChanges) {
+TEST(Relaxation, StaysAtRestUntilSomethingChanges) {
   Scene scene = reference::rectangle(reference::curved_fabric(), 0.04, 0.04, 0.01, true);
   scene.pins = {reference::pin_edges("bar", {2})};
   scene.mode = scene::Mode::kFit;
@@ -204,7 +204,7 @@ TEST(Fit, StaysAtRestUntilSomethingChanges) {
 // What the forces were on the way there does not count: a bar that was carried off in one step, with weight
 // and without, and a cloth that starts far from rest end where the judge finds nothing left of the present
 // load.
-TEST(Fit, RestIsJudgedByThePresentLoad) {
+TEST(Relaxation, RestIsMeasuredByThePresentLoad) {
   for (const double carried : {0.0, 0.1, 1.0})
     for (const double weight : {9.81, 0.0}) {
       if (carried == 0 && weight == 0) continue;
@@ -223,10 +223,10 @@ TEST(Fit, RestIsJudgedByThePresentLoad) {
       ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 1e-4, event), Advance::kDone);
       ASSERT_TRUE(fit_run(a, 60)) << carried << " m, " << weight << " m/s^2, residual "
                                   << a.state.relaxation.residual;
-      const reference::Motion judge = reference::motion_make(scene);
-      reference::Outside outside = judge.start;
+      const reference::Motion motion = reference::motion_make(scene);
+      reference::Outside outside = motion.start;
       outside.pins[0].p[2] += 0.002;
-      const reference::Residual left = reference::residual(judge, outside, positions(a));
+      const reference::Residual left = reference::residual(motion, outside, positions(a));
       EXPECT_LE(left.ratio, 1.001e-5) << carried << " m, " << weight << " m/s^2";
       // Without weight the load may be a share of the forces on the way (core/README.md, section 4).
       const double load = left.force / left.ratio, reported = a.state.relaxation.load;
@@ -239,7 +239,7 @@ TEST(Fit, RestIsJudgedByThePresentLoad) {
 // Springs that are damped lower the step limit too; what a fit makes of it stays bounded, beyond the hundred
 // intervals after which a dynamic run would choose its step anew. Without weight, with nothing but a clamp
 // that was turned, it comes to rest all the same.
-TEST(Fit, ComesToRestWithDampedSpringsAndWithoutWeight) {
+TEST(Relaxation, ComesToRestWithDampedSpringsAndWithoutWeight) {
   scene::FabricSpec fabric = reference::curved_fabric();
   for (double damping : {0.0, 1e-4}) {
     fabric.damping = damping;
@@ -261,7 +261,7 @@ TEST(Fit, ComesToRestWithDampedSpringsAndWithoutWeight) {
 }
 
 // Where cells stiffen beyond what the step allows, their inertia grows: h omega' stays at 2 S.
-TEST(Fit, EnlargesTheInertiaOfStiffCells) {
+TEST(Relaxation, EnlargesTheInertiaOfStiffCells) {
   Scene scene = reference::rectangle(reference::curved_fabric(), 0.05, 0.05, 0.01);
   scene.mode = scene::Mode::kFit;
   Assembled a = assemble(scene);
@@ -280,7 +280,7 @@ TEST(Fit, EnlargesTheInertiaOfStiffCells) {
 
 // Inertia is found anew within 16 steps, and sooner where a particle would move by a fiftieth of its cell: at
 // the speed b/(50 k h), after k steps.
-TEST(Fit, LooksSoonerWhereTheClothMovesFast) {
+TEST(Relaxation, ChecksSoonerWhereTheClothMovesFast) {
   Scene scene = reference::rectangle(reference::curved_fabric(), 0.05, 0.05, 0.01);
   scene.mode = scene::Mode::kFit;
   Assembled a = assemble(scene);

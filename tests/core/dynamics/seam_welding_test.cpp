@@ -44,7 +44,7 @@ double gap_norm(const Assembled& a, std::size_t pair) {
 
 // Single cells without laws: the nodes of the sewn edges are free particles, and close as
 // |d| = d0 (1 + w t) e^{-w t}. Order 2 in the step.
-TEST(Sewing, FreeParticlesCloseCritically) {
+TEST(SeamWelding, FreeParticlesCloseCritically) {
   std::vector<double> errors;
   for (double h : {1e-3, 5e-4, 2.5e-4, 1.25e-4}) {
     Scene scene = pair_of(loose(), 0.01, 0.01, 1, {0.01, 0.002, 0.005});
@@ -68,7 +68,7 @@ TEST(Sewing, FreeParticlesCloseCritically) {
 }
 
 // From afar they come at the seam's speed.
-TEST(Sewing, ComesAtItsSpeed) {
+TEST(SeamWelding, ComesAtItsSpeed) {
   Scene scene = pair_of(loose(), 0.01, 0.01, 1, {1, 0, 0});
   scene.seams[0].pull = 200;
   scene.seams[0].speed = 0.5;
@@ -86,7 +86,7 @@ Momentum momentum_of(Assembled& a) {
   using namespace math::vector3;
   std::vector<math::Wrench> pins;
   Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
-  leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), pins);
+  leapfrog_synchronous(a.system, a.motion, a.state, {vx.data(), vy.data(), vz.data()}, pins);
   Momentum sum;
   for (std::size_t n : a.system.particle) {
     const Vec3 p = a.system.mass[n] * Vec3{vx[n], vy[n], vz[n]};
@@ -97,7 +97,7 @@ Momentum momentum_of(Assembled& a) {
 }
 
 // Pull and weld keep the linear momentum; the pull keeps the angular momentum too.
-TEST(Sewing, KeepsMomentum) {
+TEST(SeamWelding, KeepsMomentum) {
   for (double ratio : {1.0, std::sqrt(2.0), 2.0}) {
     Scene scene = pair_of(curved_fabric(), 0.05, 0.01, ratio, {0.004, 0.001, 0.003});
     scene.pieces[0].velocity = {0.3, -0.2, 0.1};
@@ -125,7 +125,7 @@ TEST(Sewing, KeepsMomentum) {
 
 // A weld projects by the masses: with d the gap and v' the gap's velocity before, the angular momentum jumps
 // by that of the displacement and of the impulse alone; on two free particles mu d x v'.
-TEST(Sewing, JumpsAtAWeldByWhatTheGapCarries) {
+TEST(SeamWelding, JumpsAtAWeldByWhatTheGapCarries) {
   Scene scene = pair_of(loose(), 0.01, 0.01, 1, {5e-5, 3e-5, 2e-5});
   scene.seams[0].pull = 100;
   Assembled a = assemble(scene);
@@ -149,7 +149,7 @@ TEST(Sewing, JumpsAtAWeldByWhatTheGapCarries) {
 }
 
 // The judge sews the same system: order 2 before the weld and after it.
-TEST(Sewing, MeetsTheJudge) {
+TEST(SeamWelding, AgreesWithTheReference) {
   for (double until : {0.012, 0.06}) {
     std::vector<double> errors;
     for (double h : {2e-5, 1e-5, 5e-6}) {
@@ -181,7 +181,7 @@ Eigen::VectorXd welded(Assembled& a, const Eigen::VectorXd& force) {
       f[k][a.system.particle[n]] =
           force[Eigen::Index(3 * n + k)] * a.system.inverse_mass[a.system.particle[n]];
   }
-  held_rates(a.motion.constraints, a.state, Rate::kAcceleration, a.motion.held);
+  held_rates(a.motion.constraints, a.state, model::Pass::kAcceleration, a.motion.held);
   constraints_project(a.system, a.motion.constraints, a.motion.held, {f[0].data(), f[1].data(), f[2].data()},
                       nullptr);
   Eigen::VectorXd left(force.size());
@@ -193,7 +193,7 @@ Eigen::VectorXd welded(Assembled& a, const Eigen::VectorXd& force) {
 // Hinges across and links along a seam at a crumpled state that is sewn: what the welds leave of the kernel's
 // forces is what they leave of the judge's, who gives both sides half of what the kernel gives one; with no
 // net force or torque.
-TEST(Sewing, BondsAsTheJudgeSays) {
+TEST(SeamWelding, BendsAsTheReference) {
   Scene scene = pair_of(curved_fabric(), 0.05, 0.01, 1.3, {0, 0, 0});
   scene.pieces[1].outline = {
       {0, -0.003}, {0.05, 0}, {0.05, 0.05}, {0.004, 0.058}};  // longer by a fifth, oblique
@@ -240,7 +240,7 @@ TEST(Sewing, BondsAsTheJudgeSays) {
 
 // Pins hold both edges 5e-5 m apart, off the grid: their rows leave the welds next to nothing, and the welds
 // must not make up for the gap with what is left. The cloth stays as it is.
-TEST(Sewing, LeavesToPinsWhatTheyHold) {
+TEST(SeamWelding, LeavesToPinsWhatTheyHold) {
   Scene scene = pair_of(curved_fabric(), 0.1, 0.02, 1, {5e-5, 0, 0});
   scene.pieces[0].grain = 0.02;
   scene.pieces[1].grain = -0.02;
@@ -255,7 +255,7 @@ TEST(Sewing, LeavesToPinsWhatTheyHold) {
 
 // Sewing does not distort the outlines: pieces that are free and unloaded once they are joined have edges of
 // the length, and corners of the angle, that were cut, within 0.5 %; the angle of a whole corner, pi/2.
-TEST(Sewing, KeepsTheShapeOfOutlines) {
+TEST(SeamWelding, KeepsTheShapeOfOutlines) {
   for (double ratio : {1.0, std::sqrt(2.0), 3.0}) {
     Scene scene = pair_of(curved_fabric(), 0.06, 0.006, ratio, {0.004, 0.001, 0.003});
     scene.damping = 20;
@@ -296,7 +296,7 @@ TEST(Sewing, KeepsTheShapeOfOutlines) {
 }
 
 // A fit does not rest while a seam waits for its time or is being pulled.
-TEST(Sewing, KeepsAFitAwake) {
+TEST(SeamWelding, KeepsARelaxationFromResting) {
   Scene scene = pair_of(curved_fabric(), 0.05, 0.01, 1, {0.002, 0, 0});
   scene.mode = scene::Mode::kFit;
   scene.seams[0].closed_at = 0.3;
@@ -311,7 +311,7 @@ TEST(Sewing, KeepsAFitAwake) {
 
 // Pulled pairs stay bounded at 0.99 of the limit and grow at 1.01 (the nodes of single cells share nothing,
 // so that the bound is exact).
-TEST(Sewing, TellsTheLimitOfItsPull) {
+TEST(SeamWelding, ReportsTheLimitOfItsPull) {
   for (double share : {0.99, 1.01}) {
     Scene scene = pair_of(loose(), 0.01, 0.01, 1, {0.01, 0, 0});
     scene.seams[0].pull = 1000;

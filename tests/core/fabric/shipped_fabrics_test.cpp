@@ -27,7 +27,7 @@ std::vector<std::string> shipped() {
 }
 
 // The fabric of a small scene that takes the file as it is: read without fault, and with laws.
-scene::FabricSpec fabric_of(const std::filesystem::path& file) {
+scene::FabricSpec expect_fabric(const std::filesystem::path& file) {
   const SceneFolder folder;
   std::vector<Problem> problems;
   const Scene scene = validation::scene_load(folder.write("scene.toml", R"(
@@ -81,10 +81,10 @@ std::string row_of(const scene::FabricSpec& f) {
 
 class ShippedFabric : public testing::TestWithParam<std::string> {};
 
-TEST_P(ShippedFabric, IsReadAndHasLaws) { fabric_of(kFolder / (GetParam() + ".toml")); }
+TEST_P(ShippedFabric, IsReadAndHasLaws) { expect_fabric(kFolder / (GetParam() + ".toml")); }
 
 // A reader sees at once whether a figure was measured.
-TEST_P(ShippedFabric, SaysMeasuredOrIllustrativeFirst) {
+TEST_P(ShippedFabric, StatesMeasuredOrIllustrativeFirst) {
   const std::string text = text_of(kFolder / (GetParam() + ".toml"));
   const auto begins = [&](const char* word) {
     return text.find("\ndescription = \"\"\"\n" + std::string(word) + ": ") != std::string::npos;
@@ -97,7 +97,7 @@ TEST_P(ShippedFabric, HasItsRowOnThePage) {
   const std::size_t begin = page.find("\n| `" + file + "` |");
   ASSERT_NE(begin, std::string::npos) << "no row for " << file;
   const std::string row = page.substr(begin + 1, page.find('\n', begin + 1) - begin - 1);
-  const std::string figures = row_of(fabric_of(kFolder / file));
+  const std::string figures = row_of(expect_fabric(kFolder / file));
   EXPECT_NE(row.find(figures), std::string::npos) << "the page has\n"
                                                   << row << "\nthe file gives\n"
                                                   << figures;
@@ -113,7 +113,7 @@ TEST(FabricsPage, WorkedExampleIsAFabric) {
   const std::size_t from = begin + fence.size();
   const SceneFolder folder;
   const std::string block = page.substr(from, page.find("```", from) - from);
-  const scene::FabricSpec f = fabric_of(folder.write("shirting.toml", block));
+  const scene::FabricSpec f = expect_fabric(folder.write("shirting.toml", block));
   EXPECT_EQ(f.areal_density, 0.132);
   // EI = 42046 m/A over 30 mm, as the page works it out from the sheet; typed to 10 uN cm2
   const double half_digit = 5e-10 / 0.03;
@@ -128,7 +128,8 @@ TEST(FabricsPage, SheetsAreFabrics) {
     const std::size_t begin = page.find(sheet);
     ASSERT_NE(begin, std::string::npos) << sheet;
     const SceneFolder folder;
-    fabric_of(folder.write("sheet.toml", page.substr(begin + 4, page.find("```", begin + 4) - begin - 4)));
+    expect_fabric(
+        folder.write("sheet.toml", page.substr(begin + 4, page.find("```", begin + 4) - begin - 4)));
   }
 }
 

@@ -71,14 +71,14 @@ INSTANTIATE_TEST_SUITE_P(Laws, EveryForce, testing::ValuesIn(kLaws),
 
 // Both sides round each of about 30 terms a node once or twice; 1e-12 of the largest force leaves room for
 // that only.
-TEST_P(EveryForce, IsTheJudges) {
+TEST_P(EveryForce, IsThatOfTheReference) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     Assembled a = assemble(scene_of(GetParam()));
     crumple(a, GetParam().crumple * 0.01, seed);
     const Eigen::VectorXd core = forces_by(dynamics::kernel_pick(), a);
-    const Eigen::VectorXd judge = reference::forces(reference::lattice_make(a.scene), positions(a));
-    ASSERT_EQ(core.size(), judge.size());
-    EXPECT_LE((core - judge).lpNorm<Eigen::Infinity>(), 1e-12 * judge.lpNorm<Eigen::Infinity>())
+    const Eigen::VectorXd expected = reference::forces(reference::lattice_make(a.scene), positions(a));
+    ASSERT_EQ(core.size(), expected.size());
+    EXPECT_LE((core - expected).lpNorm<Eigen::Infinity>(), 1e-12 * expected.lpNorm<Eigen::Infinity>())
         << "seed " << seed;
   }
 }
@@ -203,7 +203,7 @@ TEST(Patch, LinearDisplacementGivesTheExactStressOnEveryCutPiece) {
 }
 
 // Darts and slits give the grid twins, and with them lists beside the rows; a rectangle has none.
-TEST(Side, IsThereWhereTheOutlineSplitsCellsAndOnlyThere) {
+TEST(IrregularElements, IsThereWhereTheOutlineSplitsCellsAndOnlyThere) {
   for (Shape shape : {Shape::kRectangle, Shape::kDart, Shape::kSlits}) {
     const Assembled a = assemble(cut_piece(reference::curved_fabric(), shape));
     const model::IrregularElements& side = a.system.irregular;

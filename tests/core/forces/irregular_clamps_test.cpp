@@ -74,7 +74,7 @@ class EveryClamp : public testing::TestWithParam<ClampCase> {};
 INSTANTIATE_TEST_SUITE_P(Clamps, EveryClamp, testing::ValuesIn(kClamps),
                          [](const auto& c) { return c.param.name; });
 
-TEST_P(EveryClamp, IsTheJudges) {
+TEST_P(EveryClamp, IsThatOfTheReference) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     Assembled a = assemble(clamped(GetParam()));
     ASSERT_FALSE(a.system.irregular.clamps.empty());
@@ -83,8 +83,8 @@ TEST_P(EveryClamp, IsTheJudges) {
     turn_pin(a, turn);
     const reference::Lattice lattice = reference::lattice_make(a.scene);
     const VectorXd core = forces_by(dynamics::kernel_pick(), a),
-                   judge = reference::forces(lattice, positions(a), {turn});
-    EXPECT_LE((core - judge).lpNorm<Eigen::Infinity>(), 1e-12 * judge.lpNorm<Eigen::Infinity>());
+                   expected = reference::forces(lattice, positions(a), {turn});
+    EXPECT_LE((core - expected).lpNorm<Eigen::Infinity>(), 1e-12 * expected.lpNorm<Eigen::Infinity>());
     VectorXd alone = VectorXd::Zero(core.size());
     const Vector3d couple = reference::add_clamps(lattice, {turn}, positions(a), alone);
     EXPECT_LE((clamp_torque(a) - couple).norm(), 1e-12 * couple.norm());

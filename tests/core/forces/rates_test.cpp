@@ -80,7 +80,7 @@ Totals totals(const VectorXd& f, const VectorXd& r) {
 }
 
 // In a linear law F = w k (e + beta e'): the damping is the elastic force of the strain beta e'.
-TEST(Damping, AddsBetaTimesTheRateToTheStrainOfALinearThread) {
+TEST(Damping, AddsBetaTimesTheRateToTheStrainOfALinearYarn) {
   scene::FabricSpec fabric = reference::threads(300);
   fabric.damping = 2e-3;
   Scene scene = reference::rectangle(fabric, 0.03, 0.04, 0.01);
@@ -121,7 +121,7 @@ TEST(Damping, DoesNothingToRigidMotion) {
 // A flat plate across the wind: rho/2 C_n A v^2 against it; along the wind rho/2 C_t A v^2. The cut rows
 // count with their Core and judge, the elastic forces with those of damping and air: 1e-12 of the largest,
 // for the rounding of some fifty terms a node.
-TEST(Rates, AreTheJudges) {
+TEST(Rates, AreThoseOfTheReference) {
   for (Shape shape : {Shape::kRectangle, Shape::kTriangle, Shape::kDiscWithHole, Shape::kDart, Shape::kSlits})
     for (scene::OutlineModel outline : {scene::OutlineModel::kCutCell, scene::OutlineModel::kPaper})
       for (unsigned seed = 1; seed <= 5; ++seed) {
@@ -134,10 +134,10 @@ TEST(Rates, AreTheJudges) {
         a.state.wx = a.state.vx, a.state.wy = a.state.vy, a.state.wz = a.state.vz;
         const reference::Lattice lattice = reference::lattice_make(scene);
         const VectorXd core = forces_by(dynamics::kernel_pick(), a), r = positions(a), v = velocities(a);
-        VectorXd judge = reference::forces(lattice, r);
-        reference::add_link_damping(lattice, r, v, judge);
-        reference::add_air(lattice, {scene.air_density, 1.1, 0.2}, Vector3d(3, -1, 2), r, v, judge);
-        EXPECT_LE((core - judge).lpNorm<Eigen::Infinity>(), 1e-12 * judge.lpNorm<Eigen::Infinity>())
+        VectorXd expected = reference::forces(lattice, r);
+        reference::add_link_damping(lattice, r, v, expected);
+        reference::add_air(lattice, {scene.air_density, 1.1, 0.2}, Vector3d(3, -1, 2), r, v, expected);
+        EXPECT_LE((core - expected).lpNorm<Eigen::Infinity>(), 1e-12 * expected.lpNorm<Eigen::Infinity>())
             << shape_name(shape) << ", seed " << seed;
       }
 }
@@ -197,7 +197,7 @@ TEST(Rates, TurnWithTheCloth) {
 }
 
 // u_n = v + h_o/(h_o + h_oo) (v - w): with w off by the same, forces are those of the velocity led on.
-TEST(Rates, AreTakenAtTheVelocityLedOnToTheirTime) {
+TEST(Rates, AreTakenAtTheVelocityExtrapolatedToTheirTime) {
   Assembled a = assemble(sheet(true, true));
   crumple(a, 0.0015, 5);
   throw_about(a, 1, 6);

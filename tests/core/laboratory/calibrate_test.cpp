@@ -108,7 +108,7 @@ TEST(Calibration, StaysWithTunedPoints) {
 }
 
 // Diagonals that pull harder than the warp's whole diagram cannot be taken out of it.
-TEST(Calibration, SaysWhyItDoesNotConverge) {
+TEST(Calibration, ReportsWhyItDoesNotConverge) {
   scene::FabricSpec f = read(kText);
   f.warp.force = {0, 0.05, 0.1};
   const Calibration c = calibrated(f);
@@ -119,7 +119,7 @@ TEST(Calibration, SaysWhyItDoesNotConverge) {
 
 // The text but for the lines and entries added is the user's, byte by byte; read again, it has the
 // corrections.
-TEST(Store, KeepsTheText) {
+TEST(WriteCalibration, KeepsTheText) {
   for (const bool crlf : {false, true}) {
     std::string text = kText;
     if (crlf)
@@ -156,7 +156,7 @@ TEST(Store, KeepsTheText) {
 }
 
 // A diagram whose jaws went away loses the corrections of its elongations, in a table and on a line.
-TEST(Store, TakesOutWhatNoLongerHolds) {
+TEST(WriteCalibration, RemovesWhatNoLongerHolds) {
   for (const bool inline_table : {false, true}) {
     std::string text(kText);
     const std::string line =
@@ -181,7 +181,7 @@ TEST(Store, TakesOutWhatNoLongerHolds) {
 }
 
 // Diagrams of a sheet have no table of their own: their corrections stand in [calibration].
-TEST(Store, KeepsASheet) {
+TEST(WriteCalibration, KeepsASheet) {
   const std::string text =
       "thickness = 0.0004\n[fast]\nW = 168\nC = [15, 14.5]\nE5 = [0.67, 0.4]\nE20 = [1.87, 1.87]\n"
       "E100 = [4.6, 5.87]\nEB5 = 4.7\n";

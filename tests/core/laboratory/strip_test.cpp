@@ -25,8 +25,8 @@ scene::FabricSpec shipped(const std::string& name) {
   return f;
 }
 
-StripPull pulled(const scene::FabricSpec& f, model::YarnDirection along, double cell,
-                 const std::vector<double>& elongation) {
+StripPull expect_pull(const scene::FabricSpec& f, model::YarnDirection along, double cell,
+                      const std::vector<double>& elongation) {
   std::vector<Problem> problems;
   const StripPull pull = strip_pull(f, along, cell, elongation, problems);
   for (const Problem& p : problems) ADD_FAILURE() << scene::problem_text(p);
@@ -46,7 +46,8 @@ TEST_P(ShippedStrip, GivesBackItsDiagrams) {
        {model::YarnDirection::kWarp, model::YarnDirection::kWeft, model::YarnDirection::kBias}) {
     const scene::DiagramSpec& d = strip_diagram(f, along);
     ASSERT_FALSE(d.correction.empty());
-    const StripPull pull = pulled(f, along, f.strip_width / kStripCells, strip_elongations(f, along, 10));
+    const StripPull pull =
+        expect_pull(f, along, f.strip_width / kStripCells, strip_elongations(f, along, 10));
     double worst = 0;
     for (std::size_t k = 0; k < pull.force.size(); ++k)
       worst = std::max(worst, std::abs(pull.force[k] / d.force[k + 1] - 1));
@@ -63,7 +64,7 @@ TEST_P(ShippedStrip, FindsItsRestOnOtherCells) {
   std::vector<Problem> problems;
   for (model::YarnDirection along : {model::YarnDirection::kWarp, model::YarnDirection::kWeft})
     for (double cells : {8.0, 32.0})
-      pulled(f, along, f.strip_width / cells, strip_elongations(f, along, 0.04));
+      expect_pull(f, along, f.strip_width / cells, strip_elongations(f, along, 0.04));
   if (!f.bias.jaws) return;
   const StripOrder o =
       strip_order(f, f.strip_width / 16, strip_elongations(f, model::YarnDirection::kBias, 0.06), problems);
@@ -91,13 +92,14 @@ TEST(Strip, FindsItsRestWhereClothIsSlackOrShort) {
       f.strip_width = width, f.strip_gauge = gauge, f.compression = compression;
       for (model::YarnDirection along :
            {model::YarnDirection::kWarp, model::YarnDirection::kWeft, model::YarnDirection::kBias})
-        for (double cells : {8.0, 13.0}) pulled(f, along, width / cells, strip_elongations(f, along, 10));
+        for (double cells : {8.0, 13.0})
+          expect_pull(f, along, width / cells, strip_elongations(f, along, 10));
     }
 }
 
 // With the bias law off and nothing to bend, a warp strip between jaws is threads side by side: the input at
 // every cell, to what rest leaves (1e-7 of the load).
-TEST(Strip, OfThreadsAloneIsItsDiagramAtEveryCell) {
+TEST(Strip, OfYarnsAloneIsItsDiagramAtEveryCell) {
   scene::FabricSpec f = shipped("cotton");
   f.bias = {};
   f.warp.correction.clear();
@@ -105,14 +107,14 @@ TEST(Strip, OfThreadsAloneIsItsDiagramAtEveryCell) {
   for (model::YarnDirection along : {model::YarnDirection::kWarp, model::YarnDirection::kWeft})
     for (double cells : {4.0, 7.3, 16.0}) {
       const scene::DiagramSpec& d = strip_diagram(f, along);
-      const StripPull pull = pulled(f, along, f.strip_width / cells, strip_elongations(f, along, 10));
+      const StripPull pull = expect_pull(f, along, f.strip_width / cells, strip_elongations(f, along, 10));
       for (std::size_t k = 0; k < pull.force.size(); ++k)
         EXPECT_NEAR(pull.force[k] / d.force[k + 1], 1, 1e-6) << cells << " cells, point " << k + 1;
     }
 }
 
 // The rest of Newton's method is the judge's: nothing is left of the forces, and the pins carry what it says.
-TEST(Strip, IsAtRestForTheJudge) {
+TEST(Strip, IsAtRestForTheReference) {
   const scene::FabricSpec f = shipped("half_wool");
   const Scene scene = strip_scene(f, model::YarnDirection::kBias, f.strip_width / 8);
   Assembled a = assemble(scene);
@@ -120,10 +122,10 @@ TEST(Strip, IsAtRestForTheJudge) {
   const EquilibriumSearchHandle search = equilibrium_search_make(a.system, true);
   const Equilibrium rest = equilibrium_find(*search, a.system, a.motion, a.state);
   ASSERT_TRUE(rest.found);
-  const reference::Motion judge = reference::motion_make(scene);
-  reference::Outside outside = judge.start;
+  const reference::Motion motion = reference::motion_make(scene);
+  reference::Outside outside = motion.start;
   outside.pins[1].p[1] += 0.04 * f.strip_gauge;
-  const reference::Residual left = reference::residual(judge, outside, positions(a));
+  const reference::Residual left = reference::residual(motion, outside, positions(a));
   EXPECT_LE(left.ratio, 2e-7);
   for (int k = 0; k < 3; ++k)
     EXPECT_NEAR(rest.force[0][std::size_t(k)], -rest.force[1][std::size_t(k)], 1e-6 * -rest.force[1][1]);
@@ -146,8 +148,8 @@ TEST(Strip, IsTheRestOfAFit) {
   ASSERT_TRUE(a.state.relaxation.at_rest) << a.state.relaxation.residual;
   std::vector<math::Wrench> load(2);
   Array v[3] = {Array(a.system.nodes), Array(a.system.nodes), Array(a.system.nodes)};
-  dynamics::leapfrog_synchronous(a.system, a.motion, a.state, v[0].data(), v[1].data(), v[2].data(), load);
-  const StripPull newton = pulled(f, model::YarnDirection::kBias, f.strip_width / 4, {pull});
+  dynamics::leapfrog_synchronous(a.system, a.motion, a.state, {v[0].data(), v[1].data(), v[2].data()}, load);
+  const StripPull newton = expect_pull(f, model::YarnDirection::kBias, f.strip_width / 4, {pull});
   EXPECT_NEAR(-load[1].force[1] / newton.force[0], 1, 1e-3);
 }
 
@@ -158,23 +160,24 @@ TEST(Strip, WithoutJawsIsTheTrellis) {
   f.bias.correction.clear();
   const std::vector<double> elongation = strip_elongations(f, model::YarnDirection::kBias, 10);
   for (double cells : {4.0, 9.0}) {
-    const StripPull pull = pulled(f, model::YarnDirection::kBias, f.strip_width / cells, elongation);
+    const StripPull pull = expect_pull(f, model::YarnDirection::kBias, f.strip_width / cells, elongation);
     for (std::size_t k = 0; k < pull.force.size(); ++k)
       EXPECT_NEAR(pull.force[k] / f.bias.force[k + 1], 1, 1e-9);
   }
 }
 
 // Jaws stiffen a linear 45 degree strip about as K = r (r - 1.25)/(r - 1)^2 says: within 15 % for r = 4.
-TEST(Strip, IsStiffenedByJawsAboutAsKSays) {
+TEST(Strip, IsStiffenedByJawsAboutAsKPredicts) {
   scene::FabricSpec f = shipped("cotton");
   for (scene::DiagramSpec* d : {&f.warp, &f.weft, &f.bias})
     d->correction.clear(), d->correction_elongation.clear();
-  const StripPull pull = pulled(f, model::YarnDirection::kBias, f.strip_width / 16, {0.005});
+  const StripPull pull = expect_pull(f, model::YarnDirection::kBias, f.strip_width / 16, {0.005});
   EXPECT_NEAR(pull.force[0] / f.bias.force[1], 1, 0.15);
   f.bias.jaws = false;
   f.bias.force[1] *= 9.0 / 11;  // over K
-  EXPECT_NEAR(pulled(f, model::YarnDirection::kBias, f.strip_width / 16, {0.005}).force[0] / f.bias.force[1],
-              1, 1e-9);
+  EXPECT_NEAR(
+      expect_pull(f, model::YarnDirection::kBias, f.strip_width / 16, {0.005}).force[0] / f.bias.force[1], 1,
+      1e-9);
 }
 
 // The diagonals' share of a uniform strip is sqrt(2) g (1 + e)/l w_p, l = hypot(1 + e, 1), while it is as

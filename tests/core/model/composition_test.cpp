@@ -142,7 +142,7 @@ Swung swung(int order, int n, double damping, bool driven = false,
   }
   std::vector<math::Wrench> load;
   Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
-  dynamics::leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), load);
+  dynamics::leapfrog_synchronous(a.system, a.motion, a.state, {vx.data(), vy.data(), vz.data()}, load);
   const dynamics::BalanceNow now = dynamics::balance_now(a.system, a.motion.balance, a.state, 0, vx, vy, vz);
   drape_energy e = outputs::energy_potential(a.system, a.state);
   e.kinetic = outputs::energy_kinetic(a.system, vx, vy, vz);
@@ -248,7 +248,7 @@ TEST_P(CompositionOf, PinsTakeOutExactlyTheMomentumThatIsMissing) {
     for (int call = 0; call < 10; ++call) {
       ASSERT_EQ(dynamics::leapfrog_advance(a.system, a.motion, a.state, 0.003, event),
                 dynamics::Advance::kDone);
-      dynamics::leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), load);
+      dynamics::leapfrog_synchronous(a.system, a.motion, a.state, {vx.data(), vy.data(), vz.data()}, load);
       double momentum = 0, weight = 0;
       for (std::size_t n : a.system.particle) {
         momentum += a.system.mass[n] * vz[n];

@@ -202,7 +202,7 @@ TEST(ReferenceOddLaw, DoesNotFallBehindASlackToe) {
   }
 }
 
-TEST(ReferenceOddLaw, SaysWhenItHasNoAnswer) {
+TEST(ReferenceOddLaw, ReportsWhenItHasNoAnswer) {
   EXPECT_THROW(odd_law({0, 0.5}, {0, 40}), std::runtime_error);
   EXPECT_THROW(odd_law({0, 0.2, 0.4}, {0, 10, 40}), std::runtime_error);
 }

@@ -142,7 +142,7 @@ TEST(ReferenceMotion, ErrorStaysWithinTheTolerance) {
 
 // Linear relations between the states survive every Runge-Kutta step: M v + c M (r - r_0) + J = M v_0 + M g
 // t. One pin's point lies in a cell of which the other pin fixes a corner.
-TEST(ReferenceMotion, PinsTakeUpAllMomentum) {
+TEST(ReferenceMotion, PinsReceiveAllMomentum) {
   Scene scene = smooth_scene();
   scene.pieces[0].velocity = {0.1, 0.2, -0.3};
   scene.pins[1] = pin_at("beside", {{0.004, 0.006}});

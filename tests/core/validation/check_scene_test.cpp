@@ -12,7 +12,7 @@ const std::string kOutline = "[[0, 0], [0.4, 0], [0.4, 0.6], [0, 0.6]]";
 
 class GeometryFault : public testing::TestWithParam<Case> {};
 
-TEST_P(GeometryFault, Says) { EXPECT_EQ(scene_fault(GetParam()), GetParam().messages); }
+TEST_P(GeometryFault, GivesItsMessages) { EXPECT_EQ(scene_fault(GetParam()), GetParam().messages); }
 
 const Case kGeometry[] = {
     {"crossed",
@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Geometry, GeometryFault, testing::ValuesIn(kGeometry), 
 
 class FabricFault : public testing::TestWithParam<Case> {};
 
-TEST_P(FabricFault, Says) {
+TEST_P(FabricFault, GivesItsMessages) {
   const SceneFolder folder;
   folder.write("wool.toml", edited(kFabric, GetParam()));
   std::string scene = kScene;

@@ -37,7 +37,7 @@ b = { piece = "back", edges = [4] }
 
 class SeamFault : public testing::TestWithParam<Case> {};
 
-TEST_P(SeamFault, Says) { EXPECT_EQ(scene_fault(GetParam(), kSewn), GetParam().messages); }
+TEST_P(SeamFault, GivesItsMessages) { EXPECT_EQ(scene_fault(GetParam(), kSewn), GetParam().messages); }
 
 TEST(Seams, AreReadWithoutFault) {
   EXPECT_EQ(scene_fault({"none", "[scene]", "[scene]", {}}, kSewn), Messages{});

@@ -6,7 +6,7 @@
 namespace drape::command {
 namespace {
 
-TEST_F(Command, check_tells_size_area_and_mass) {
+TEST_F(Command, CheckReportsSizeAreaAndMass) {
   Done done = drape("check scene.toml");
   EXPECT_EQ(done.code, 0);
   EXPECT_NE(done.text.find("piece sheet: 54 particles, 40 cells of 10 mm, 0.004 m2, 0.0008 kg\nstep limit"),
@@ -35,7 +35,7 @@ outline = [[0, 0], [0.03, 0], [0.03, 0.03], [0.0151, 0.03], [0.015, 0.008], [0.0
     EXPECT_NE(done.text.find(line), std::string::npos) << line << done.text;
 }
 
-TEST_F(Command, check_draws_only_when_asked) {
+TEST_F(Command, CheckDrawsOnlyWhenAsked) {
   ASSERT_EQ(drape("check scene.toml").code, 0);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
   const Done done = drape("check scene.toml --picture cloth.svg");

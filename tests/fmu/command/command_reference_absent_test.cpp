@@ -12,7 +12,7 @@ int fail(ExitCode code, const std::string& sentence) {
   return code;
 }
 
-TEST(CommandReferenceAbsent, SaysHowToGetIt) {
+TEST(CommandReferenceAbsent, ReportsHowToGetIt) {
   CLI::App app;
   int exit_code = kDone;
   command_reference(app, exit_code);

@@ -6,7 +6,7 @@ namespace drape::command {
 namespace {
 
 // One --set for several settings, one for each, and both; a plus; the same bits.
-TEST_F(Command, takes_settings_in_a_row) {
+TEST_F(Command, TakesSettingsInARow) {
   const std::string run = "run scene.toml --until 0.004 --every 0.002 -o ";
   ASSERT_EQ(drape(run + "none").code, 0);
   ASSERT_EQ(drape(run + "row --set damping=3 gravity[3]=-5").code, 0);
@@ -22,13 +22,13 @@ TEST_F(Command, takes_settings_in_a_row) {
   expect_refused(run + "x --set wind=2", {"'wind'", "drape variables"});
 }
 
-TEST_F(Command, names_the_command_that_it_does_not_know) {
+TEST_F(Command, NamesTheCommandThatItDoesNotKnow) {
   expect_refused("rnu scene.toml", {"'rnu'", "the nearest is 'run'"});
   expect_refused("cheek scene.toml", {"'cheek'", "the nearest is 'check'"});
   expect_refused("scene.toml", {"'scene.toml'", "known: check, pack, run, reference, variables"});
 }
 
-TEST_F(Command, never_writes_over_what_it_reads) {
+TEST_F(Command, NeverWritesOverWhatItReads) {
   std::string scene = text_of("scene.toml");
   const std::string density = "areal_density = 0.2\n";
   scene.replace(scene.find(density), density.size(), "file = \"wool.toml\"\n");
@@ -45,7 +45,7 @@ TEST_F(Command, never_writes_over_what_it_reads) {
   EXPECT_EQ(drape("pack scene.toml -o cloth.fmu").code, 0);  // over an older FMU
 }
 
-TEST_F(Command, gives_the_reason_why_it_cannot_write) {
+TEST_F(Command, GivesTheReasonWhyItCannotWrite) {
   std::ofstream(folder / "file") << "x";
   expect_refused("run scene.toml -o file", {"file", "Not a directory"});
   expect_refused("pack scene.toml -o none/cloth.fmu", {"none/cloth.fmu", "No such file or directory"});
@@ -59,7 +59,7 @@ TEST_F(Command, gives_the_reason_why_it_cannot_write) {
 }
 
 // Rows at k DT and at the end, exactly; numbers as the shortest decimals.
-TEST_F(Command, writes_the_times_that_were_asked_for) {
+TEST_F(Command, WritesTheTimesThatWereAskedFor) {
   ASSERT_EQ(drape("run scene.toml --until 0.01 --every 0.0007 -o out").code, 0);
   const std::vector<std::string> lines = lines_of("out/outputs.csv");
   ASSERT_EQ(lines.size(), 17u);  // the header, 0 to 14 DT, the end
@@ -73,7 +73,7 @@ TEST_F(Command, writes_the_times_that_were_asked_for) {
 }
 
 // The columns of the judge are those of the run, in the same order, but for what only the run has.
-TEST_F(Command, reference_has_the_columns_of_run) {
+TEST_F(Command, ReferenceHasTheColumnsOfRun) {
   const std::string options = " scene.toml --until 0.002 --every 0.001 --nodes all -o ";
   ASSERT_EQ(drape("run" + options + "run").code, 0);
   ASSERT_EQ(drape("reference" + options + "reference").code, 0);
@@ -103,7 +103,7 @@ TEST_F(Command, reference_has_the_columns_of_run) {
 }
 
 // Every problem of the file at once, with its line and column.
-TEST_F(Command, inputs_that_are_refused) {
+TEST_F(Command, InputsThatAreRefused) {
   fs::copy_file(DRAPE_SAMPLES "/flag.toml", folder / "flag.toml");
   const auto expect_problems = [&](const std::string& csv, const std::vector<std::string>& sentences) {
     std::ofstream(folder / "u.csv") << csv;
@@ -131,7 +131,7 @@ TEST_F(Command, inputs_that_are_refused) {
 }
 
 // Linear between rows, the ends hold; quotes, blanks, empty lines and line ends of any kind.
-TEST_F(Command, inputs_are_linear_between_rows) {
+TEST_F(Command, InputsAreLinearBetweenRows) {
   fs::copy_file(DRAPE_SAMPLES "/flag.toml", folder / "flag.toml");
   std::ofstream(folder / "few.csv")
       << "\xEF\xBB\xBFtime, \"wind[3]\"\r\n\r\n0.001953125,+1\r\n0.00390625, 3 \r\n";
@@ -149,7 +149,7 @@ TEST_F(Command, inputs_are_linear_between_rows) {
 }
 
 // 1e5 steps in an interval: the cost shows after a few of them.
-TEST_F(Command, check_does_not_wait_for_an_interval) {
+TEST_F(Command, CheckDoesNotWaitForAnInterval) {
   std::string scene = text_of("scene.toml");
   scene.replace(scene.find("duration = 0.2"), 14, "duration = 0.2\ncommunication = 2\nstep = 2e-6");
   std::ofstream(folder / "scene.toml") << scene;
@@ -163,7 +163,7 @@ TEST_F(Command, check_does_not_wait_for_an_interval) {
 }
 
 // A step above the limit of the assembled cloth has its line, as every fault, and stands alone.
-TEST_F(Command, fault_of_the_assembled_cloth_has_its_line) {
+TEST_F(Command, FaultOfTheAssembledClothHasItsLine) {
   std::string scene = text_of("scene.toml");
   scene.replace(scene.find("duration = 0.2"), 14, "duration = 0.2\nstep = 1e-3");
   std::ofstream(folder / "scene.toml") << scene;

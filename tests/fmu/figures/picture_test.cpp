@@ -80,7 +80,7 @@ Scene bodice() {
   return scene;
 }
 
-TEST(Picture, shows_what_the_grid_makes_of_a_piece) {
+TEST(Picture, ShowsWhatTheGridMakesOfAPiece) {
   const Scene scene = bodice();
   const piece::Grid grid = piece::grid_make(scene, 0);
   const pugi::xml_document document = picture_of(scene);
@@ -112,7 +112,7 @@ TEST(Picture, shows_what_the_grid_makes_of_a_piece) {
   EXPECT_NEAR((parts + double(whole) * cell) / cloth, 1, 1e-3);
 }
 
-TEST(Picture, tells_pins_clamps_and_driven_ones_apart) {
+TEST(Picture, DistinguishesPinsClampsAndDrivenOnes) {
   const Scene scene = bodice();
   const pugi::xml_document document = picture_of(scene);
   const auto pin = [&](const std::string& title, const std::string& kind) {
@@ -135,7 +135,7 @@ TEST(Picture, tells_pins_clamps_and_driven_ones_apart) {
 }
 
 // The warp points to the upper left at a positive grain; rows of pieces that do not fit side by side.
-TEST(Picture, places_pieces_in_rows) {
+TEST(Picture, PlacesPiecesInRows) {
   Scene scene = bodice();
   scene.pins.clear();
   for (int k = 0; k < 4; ++k) scene.pieces.push_back(scene.pieces[0]);
@@ -157,7 +157,7 @@ TEST(Picture, places_pieces_in_rows) {
 }
 
 // Whole cells only: the strip outside them is mass; no share is told.
-TEST(Picture, shows_the_strip_of_the_paper) {
+TEST(Picture, ShowsTheStripOfThePaper) {
   Scene scene = bodice();
   scene.outline = scene::OutlineModel::kPaper;
   const piece::Grid grid = piece::grid_make(scene, 0);
@@ -170,7 +170,7 @@ TEST(Picture, shows_the_strip_of_the_paper) {
 }
 
 // The swatch is pinned along an edge and has one probe.
-TEST(Picture, of_a_scene_file) {
+TEST(Picture, OfASceneFile) {
   std::vector<Problem> problems;
   const pugi::xml_document document =
       picture_of(validation::scene_load(DRAPE_SAMPLES "/swatch.toml", problems));

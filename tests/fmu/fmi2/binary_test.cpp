@@ -19,13 +19,13 @@ std::vector<std::string> lines_of(const std::string& command) {
   return lines;
 }
 
-TEST(Binary, exports_fmi2_functions_only) {
+TEST(Binary, ExportsFmi2FunctionsOnly) {
   const std::vector<std::string> symbols = lines_of("nm -D --defined-only '" DRAPE_FMI2_BINARY "'");
   EXPECT_EQ(symbols.size(), 44u);  // 25 common, 10 of model exchange, 9 of co-simulation
   for (const std::string& symbol : symbols) EXPECT_NE(symbol.find(" T fmi2"), std::string::npos) << symbol;
 }
 
-TEST(Binary, needs_the_c_library_only) {
+TEST(Binary, NeedsTheCLibraryOnly) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "a sanitizer's runtime is a library of its own";
 #endif

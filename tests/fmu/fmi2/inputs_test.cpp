@@ -19,7 +19,7 @@ void expect_refused(Slave& slave, const std::string& name, double value,
   EXPECT_EQ(slave.get(name), before);
 }
 
-TEST(Inputs, out_of_range) {
+TEST(Inputs, OutOfRange) {
   Slave slave(flag());
   slave.initialize();
   expect_refused(slave, "wind[2]", kNan, {"wind[2]", "nan", "allowed: -1000 to 1000 m/s"});
@@ -33,7 +33,7 @@ TEST(Inputs, out_of_range) {
                  {"pin.pole.angular_velocity[2]", "1e+06", "rad/s"});
 }
 
-TEST(Inputs, are_read_back_in_every_phase_that_takes_them) {
+TEST(Inputs, AreReadBackInEveryPhaseThatTakesThem) {
   Slave slave(flag());
   EXPECT_EQ(slave.set("wind[1]", 2), fmi2OK);
   ASSERT_EQ(fmi2().EnterInitializationMode(slave.component), fmi2OK);
@@ -52,7 +52,7 @@ TEST(Inputs, are_read_back_in_every_phase_that_takes_them) {
   EXPECT_EQ(slave.get("pin.hand.position[1]"), 0.06 + 0.0009765625);
 }
 
-TEST(Inputs, derivatives_that_are_refused) {
+TEST(Inputs, DerivativesThatAreRefused) {
   Slave slave(flag());
   slave.initialize();
   EXPECT_EQ(slave.set_rate("wind[1]", 1, 2), fmi2Discard);
@@ -76,7 +76,7 @@ TEST(Inputs, derivatives_that_are_refused) {
 }
 
 // A call that names one bad derivative changes none: the step is that of a cloth without any.
-TEST(Inputs, one_bad_derivative_refuses_the_whole_call) {
+TEST(Inputs, OneBadDerivativeRefusesTheWholeCall) {
   Slave slave(flag()), untouched(flag());
   slave.initialize();
   untouched.initialize();
@@ -89,7 +89,7 @@ TEST(Inputs, one_bad_derivative_refuses_the_whole_call) {
   EXPECT_EQ(slave.outputs(), untouched.outputs());
 }
 
-TEST(Inputs, a_derivative_that_leads_out_of_range_is_refused_at_the_step) {
+TEST(Inputs, ADerivativeThatLeadsOutOfRangeIsRefusedAtTheStep) {
   Slave slave(flag());
   slave.initialize();
   ASSERT_EQ(slave.step(0, kQ), fmi2OK);
@@ -104,7 +104,7 @@ TEST(Inputs, a_derivative_that_leads_out_of_range_is_refused_at_the_step) {
   EXPECT_EQ(slave.step(kQ, kQ), fmi2OK) << slave.last_message();
 }
 
-TEST(Inputs, an_orientation_of_length_zero_is_refused_at_the_step) {
+TEST(Inputs, AnOrientationOfLengthZeroIsRefusedAtTheStep) {
   Slave slave(flag()), untouched(flag());
   slave.initialize();
   untouched.initialize();
@@ -118,7 +118,7 @@ TEST(Inputs, an_orientation_of_length_zero_is_refused_at_the_step) {
 }
 
 // u + H u' with binary fractions is exact, so that both ways are the same path.
-TEST(Inputs, a_derivative_leads_to_the_value_at_the_end) {
+TEST(Inputs, ADerivativeLeadsToTheValueAtTheEnd) {
   Slave with(flag()), without(flag());
   with.initialize();
   without.initialize();
@@ -142,7 +142,7 @@ TEST(Inputs, a_derivative_leads_to_the_value_at_the_end) {
 
 // Only the step that follows knows of a derivative: in the next, the wind goes back from 3 to the value
 // set, 2.
-TEST(Inputs, a_derivative_is_for_one_step) {
+TEST(Inputs, ADerivativeIsForOneStep) {
   Slave once(flag()), twice(flag());
   once.initialize();
   twice.initialize();
@@ -159,7 +159,7 @@ TEST(Inputs, a_derivative_is_for_one_step) {
 }
 
 // Held points are where the frame has them at the end of the step: X -> p + R (X - p_0).
-TEST(Inputs, held_points_are_where_they_were_sent) {
+TEST(Inputs, HeldPointsAreWhereTheyWereSent) {
   Slave slave(flag());
   slave.initialize();
   ASSERT_EQ(slave.set("pin.hand.position[2]", 0.001), fmi2OK);
@@ -184,7 +184,7 @@ void drive(Slave& slave, double wind, double reach) {
   ASSERT_EQ(slave.set_rate("pin.pole.velocity[1]", reach), fmi2OK);
 }
 
-TEST(Inputs, a_saved_state_keeps_them_and_a_reset_forgets_them) {
+TEST(Inputs, ASavedStateKeepsThemAndAResetForgetsThem) {
   Slave slave(flag());
   slave.initialize();
   const std::vector<double> start = slave.outputs();

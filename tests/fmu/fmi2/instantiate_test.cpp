@@ -12,29 +12,29 @@ void expect_refused(Slave& slave, const std::vector<std::string>& words) {
   expect_sentence(slave, fmi2Error, words);
 }
 
-TEST(Instantiate, says_its_version_and_platform) {
+TEST(Instantiate, ReportsItsVersionAndPlatform) {
   EXPECT_STREQ(fmi2().GetVersion(), "2.0");
   EXPECT_STREQ(fmi2().GetTypesPlatform(), "default");
 }
 
-TEST(Instantiate, wrong_guid) {
+TEST(Instantiate, WrongGuid) {
   Slave slave("{00000000-0000-0000-0000-000000000000}", swatch().resources);
   expect_refused(slave, {"guid is {00000000-0000-0000-0000-000000000000}", "none, outline, all",
                          swatch(description::Nodes::kNone).guid, swatch(description::Nodes::kOutline).guid,
                          swatch(description::Nodes::kAll).guid});
 }
 
-TEST(Instantiate, missing_resources) {
+TEST(Instantiate, MissingResources) {
   Slave slave(swatch().guid, "file:///no/such/folder");
   expect_refused(slave, {"/no/such/folder/scene.toml"});
 }
 
-TEST(Instantiate, resource_location_of_another_kind) {
+TEST(Instantiate, ResourceLocationOfAnotherKind) {
   Slave slave(swatch().guid, "https://example.org/fmu/resources");
   expect_refused(slave, {"https://example.org/fmu/resources", "allowed", "file:"});
 }
 
-TEST(Instantiate, faulty_scene) {
+TEST(Instantiate, FaultyScene) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "drape_faulty_scene";
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "scene.toml") << "[scene]\nnam = \"typing error\"\n";
@@ -44,7 +44,7 @@ TEST(Instantiate, faulty_scene) {
   for (const LogEntry& entry : slave.log) EXPECT_EQ(entry.status, fmi2Error) << entry.message;
 }
 
-TEST(Instantiate, missing_arguments) {
+TEST(Instantiate, MissingArguments) {
   Slave slave;  // for its logger
   const fmi2CallbackFunctions* callbacks = &slave.callbacks;
   const char *guid = swatch().guid.c_str(), *location = swatch().resources.c_str();
@@ -66,7 +66,7 @@ TEST(Instantiate, missing_arguments) {
   EXPECT_EQ(instantiate("cloth", fmi2CoSimulation, guid, location), nullptr);
 }
 
-TEST(Instantiate, without_a_logger) {
+TEST(Instantiate, WithoutALogger) {
   fmi2CallbackFunctions callbacks{};
   fmi2Component c = fmi2().Instantiate("cloth", fmi2CoSimulation, swatch().guid.c_str(),
                                        swatch().resources.c_str(), &callbacks, fmi2False, fmi2True);

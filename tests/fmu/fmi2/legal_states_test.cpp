@@ -148,15 +148,15 @@ void expect_order(const Case& test, fmi2Status in_order) {
   }
 }
 
-TEST(Legal, every_function_in_every_phase) {
+TEST(LegalStates, EveryFunctionInEveryPhase) {
   for (const Case& test : kCases) expect_order(test, fmi2OK);
 }
 
-TEST(Legal, nothing_is_ever_pending) {
+TEST(LegalStates, NothingIsEverPending) {
   for (const Case& test : kAskPending) expect_order(test, fmi2Discard);
 }
 
-TEST(Legal, a_saved_state_can_be_set_in_every_phase) {
+TEST(LegalStates, ASavedStateCanBeSetInEveryPhase) {
   for (const char phase : kPhases) {
     SCOPED_TRACE(phase);
     Slave slave(swatch_brittle());
@@ -170,13 +170,13 @@ TEST(Legal, a_saved_state_can_be_set_in_every_phase) {
   }
 }
 
-TEST(Legal, no_component_is_an_error) {
+TEST(LegalStates, NoComponentIsAnError) {
   for (const Case& test : kCases) EXPECT_EQ(test.call(nullptr), fmi2Error) << test.name;
   fmi2().FreeInstance(nullptr);  // ignored, as the standard has it
 }
 
 // The run ends with a reason, and the state is that of before the step.
-TEST(Legal, after_an_error_the_last_good_state_can_be_read) {
+TEST(LegalStates, AfterAnErrorTheLastGoodStateCanBeRead) {
   Slave slave(swatch_brittle());
   slave.initialize();
   ASSERT_EQ(slave.step(0, 0.001), fmi2OK);

@@ -6,7 +6,7 @@
 namespace drape::fmi2 {
 namespace {
 
-TEST(Logging, unknown_category_is_refused) {
+TEST(Logging, UnknownCategoryIsRefused) {
   Slave slave;
   const fmi2String categories[] = {"logEvents", "logEverything"};
   EXPECT_EQ(fmi2().SetDebugLogging(slave.component, fmi2True, 2, categories), fmi2Discard);
@@ -15,7 +15,7 @@ TEST(Logging, unknown_category_is_refused) {
   expect_sentence(slave, fmi2Discard, {"missing"});
 }
 
-TEST(Logging, refusals_pass_every_filter) {
+TEST(Logging, RefusalsPassEveryFilter) {
   Slave slave;
   ASSERT_EQ(fmi2().SetDebugLogging(slave.component, fmi2False, 0, nullptr), fmi2OK);
   EXPECT_EQ(slave.set("damping", -1), fmi2Discard);
@@ -23,7 +23,7 @@ TEST(Logging, refusals_pass_every_filter) {
 }
 
 // The end of initialization reports the step limit; so does stiffer warp, which shortens the step.
-TEST(Logging, categories_are_obeyed) {
+TEST(Logging, CategoriesAreObeyed) {
   const auto categories_heard = [](bool on, std::vector<fmi2String> categories) {
     Slave slave;
     EXPECT_EQ(fmi2().SetDebugLogging(slave.component, on, categories.size(), categories.data()), fmi2OK);

@@ -8,7 +8,7 @@ void advance(Slave& slave, double from, double to) {
   ASSERT_EQ(slave.step(from, to - from), fmi2OK) << slave.last_message();
 }
 
-TEST(States, a_restored_state_continues_with_the_same_bits) {
+TEST(States, ARestoredStateContinuesWithTheSameBits) {
   Slave slave;
   slave.initialize();
   advance(slave, 0, 0.05);
@@ -33,7 +33,7 @@ TEST(States, a_restored_state_continues_with_the_same_bits) {
   EXPECT_EQ(fmi2().FreeFMUstate(slave.component, &state), fmi2OK);
 }
 
-TEST(States, a_state_can_be_overwritten_and_outlive_a_reset) {
+TEST(States, AStateCanBeOverwrittenAndOutliveAReset) {
   Slave slave;
   slave.initialize();
   fmi2FMUstate state = nullptr;
@@ -49,7 +49,7 @@ TEST(States, a_state_can_be_overwritten_and_outlive_a_reset) {
   advance(slave, 0.03, 0.04);
 }
 
-TEST(States, states_of_others_are_refused) {
+TEST(States, StatesOfOthersAreRefused) {
   Slave slave, other;
   slave.initialize();
   other.initialize();
@@ -67,7 +67,7 @@ TEST(States, states_of_others_are_refused) {
   expect_sentence(slave, fmi2Discard, {"missing"});
 }
 
-TEST(States, reset_starts_again) {
+TEST(States, ResetStartsAgain) {
   Slave slave;
   slave.initialize();
   const std::vector<double> start = slave.outputs();
@@ -84,7 +84,7 @@ TEST(States, reset_starts_again) {
   EXPECT_EQ(slave.outputs(), first);
 }
 
-TEST(States, two_instances_at_once_do_not_meet) {
+TEST(States, TwoInstancesAtOnceDoNotMeet) {
   Slave alone;
   alone.initialize();
   for (int i = 0; i < 5; ++i) advance(alone, 0.01 * i, 0.01 * (i + 1));

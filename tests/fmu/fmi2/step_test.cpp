@@ -24,7 +24,7 @@ double last_time(Slave& slave) {
   return time;
 }
 
-TEST(Step, refused_steps_change_nothing) {
+TEST(Step, RefusedStepsChangeNothing) {
   struct Case {
     double time, length;
     std::vector<std::string> words;
@@ -55,7 +55,7 @@ TEST(Step, refused_steps_change_nothing) {
 }
 
 // 100 additions of 0.001 do not give 0.1 exactly; neither the clock nor the stop time may mind.
-TEST(Step, a_master_may_add_up_its_own_clock) {
+TEST(Step, AMasterMayAddUpItsOwnClock) {
   Slave slave;
   initialize_with_stop(slave);
   double time = 1;
@@ -65,7 +65,7 @@ TEST(Step, a_master_may_add_up_its_own_clock) {
   EXPECT_EQ(slave.step(time, 0.001), fmi2Discard);
 }
 
-TEST(Step, setup_refuses_times_that_make_no_sense) {
+TEST(Step, SetupRefusesTimesThatMakeNoSense) {
   Slave slave;
   const auto setup = [&](double start, bool stop_defined, double stop) {
     return fmi2().SetupExperiment(slave.component, fmi2False, 0, start, stop_defined, stop);
@@ -79,7 +79,7 @@ TEST(Step, setup_refuses_times_that_make_no_sense) {
   EXPECT_EQ(setup(-1, false, -5), fmi2OK) << slave.last_message();  // the stop time is not defined
 }
 
-TEST(Step, grouping_of_intervals_leaves_the_same_bits) {
+TEST(Step, GroupingOfIntervalsLeavesTheSameBits) {
   std::vector<std::vector<double>> ends;
   for (const int steps : {1, 10, 100}) {
     Slave slave;
@@ -97,7 +97,7 @@ TEST(Step, grouping_of_intervals_leaves_the_same_bits) {
 }
 
 // Late on the clock a step is as sharp as at its start: a tenth of a step is no rounding.
-TEST(Step, a_late_clock_is_as_sharp_as_an_early_one) {
+TEST(Step, ALateClockIsAsSharpAsAnEarlyOne) {
   Slave slave;
   ASSERT_EQ(fmi2().SetupExperiment(slave.component, fmi2False, 0, 1e6, fmi2True, 1e6 + 0.01), fmi2OK);
   ASSERT_EQ(fmi2().EnterInitializationMode(slave.component), fmi2OK);
@@ -112,7 +112,7 @@ TEST(Step, a_late_clock_is_as_sharp_as_an_early_one) {
 }
 
 // 1e9 intervals at most; the clock stays where it was.
-TEST(Step, refuses_more_intervals_than_can_be_counted) {
+TEST(Step, RefusesMoreIntervalsThanCanBeCounted) {
   Slave slave;
   slave.initialize();
   EXPECT_EQ(slave.step(0, 1e20), fmi2Discard);
@@ -129,7 +129,7 @@ bool terminated(Slave& slave) {
 
 // A given step that the motion has made too large: the slave wants to end, for every retry would be
 // discarded. A value that is refused is put back, and the next try succeeds.
-TEST(Step, asks_for_the_end_only_where_every_retry_would_be_discarded) {
+TEST(Step, AsksForTheEndOnlyWhereEveryRetryWouldBeDiscarded) {
   const Swatch fixed =
       swatch_with("damping = 0.5\nenergy = true", "damping = 0.5\nenergy = true\nstep = 2e-5");
   Slave slave(fixed);

@@ -18,7 +18,7 @@ void expect_refused(Slave& slave, const std::string& name, double value,
   EXPECT_EQ(slave.get(name), before);
 }
 
-TEST(Values, out_of_range) {
+TEST(Values, OutOfRange) {
   Slave slave;
   slave.initialize();
   const std::string density = "fabric.wool.areal_density";
@@ -35,7 +35,7 @@ TEST(Values, out_of_range) {
   expect_refused(slave, "gravity[2]", kNan, {"gravity[2]", "nan", "allowed: -10000 to 10000 m/s2"});
 }
 
-TEST(Values, every_tunable_parameter_is_taken_and_read_back) {
+TEST(Values, EveryTunableParameterIsTakenAndReadBack) {
   Slave slave;
   slave.initialize();
   for (const std::string& name : swatch().names) {
@@ -50,7 +50,7 @@ TEST(Values, every_tunable_parameter_is_taken_and_read_back) {
   EXPECT_EQ(slave.get("fabric.wool.compression"), 0.5);
 }
 
-TEST(Values, one_bad_value_refuses_the_whole_call) {
+TEST(Values, OneBadValueRefusesTheWholeCall) {
   Slave slave;
   slave.initialize();
   const fmi2ValueReference references[] = {swatch().reference("damping"),
@@ -61,7 +61,7 @@ TEST(Values, one_bad_value_refuses_the_whole_call) {
   EXPECT_EQ(slave.get("damping"), 0.5);
 }
 
-TEST(Values, outputs_and_unknown_references_cannot_be_set) {
+TEST(Values, OutputsAndUnknownReferencesCannotBeSet) {
   Slave slave;
   slave.initialize();
   EXPECT_EQ(slave.set("tension.max", 1), fmi2Discard);
@@ -76,7 +76,7 @@ TEST(Values, outputs_and_unknown_references_cannot_be_set) {
   }
 }
 
-TEST(Values, missing_arrays_and_other_types) {
+TEST(Values, MissingArraysAndOtherTypes) {
   Slave slave;
   slave.initialize();
   const fmi2ValueReference reference = 1;
@@ -91,7 +91,7 @@ TEST(Values, missing_arrays_and_other_types) {
   expect_sentence(slave, fmi2Discard, {"value reference 1", "String"});
 }
 
-TEST(Values, fixed_parameters_until_initialization_ends) {
+TEST(Values, FixedParametersUntilInitializationEnds) {
   Slave slave;
   ASSERT_EQ(slave.set("step.max", 2e-5), fmi2OK) << slave.last_message();
   ASSERT_EQ(fmi2().EnterInitializationMode(slave.component), fmi2OK);
@@ -103,7 +103,7 @@ TEST(Values, fixed_parameters_until_initialization_ends) {
   EXPECT_LE(slave.get("step.size"), 1e-5);
 }
 
-TEST(Values, threads_are_whole_and_fixed) {
+TEST(Values, ThreadsAreWholeAndFixed) {
   Slave slave;
   for (const double threads : {0.0, 1.5, 65.0}) {
     EXPECT_EQ(slave.set("threads", threads), fmi2Discard);
@@ -119,7 +119,7 @@ TEST(Values, threads_are_whole_and_fixed) {
 }
 
 // The sample's warp diagram is 2, 6, 30 N. Each value alone is in range; together they fall.
-TEST(Values, falling_diagram_is_refused_at_the_end_of_initialization) {
+TEST(Values, FallingDiagramIsRefusedAtTheEndOfInitialization) {
   Slave slave;
   ASSERT_EQ(fmi2().EnterInitializationMode(slave.component), fmi2OK);
   ASSERT_EQ(slave.set("fabric.wool.warp.force[2]", 1), fmi2OK);
@@ -129,7 +129,7 @@ TEST(Values, falling_diagram_is_refused_at_the_end_of_initialization) {
   EXPECT_EQ(fmi2().ExitInitializationMode(slave.component), fmi2OK) << slave.last_message();
 }
 
-TEST(Values, falling_diagram_is_refused_at_the_step) {
+TEST(Values, FallingDiagramIsRefusedAtTheStep) {
   Slave slave, untouched;
   slave.initialize();
   untouched.initialize();
@@ -145,7 +145,7 @@ TEST(Values, falling_diagram_is_refused_at_the_step) {
 
 // r = v_0 t + g t^2/2 at the free end, as long as the wave from the bar has not come: gravity acts from the
 // step it is set.
-TEST(Values, tuned_gravity_acts) {
+TEST(Values, TunedGravityActs) {
   Slave slave, other;
   slave.initialize();
   other.initialize();

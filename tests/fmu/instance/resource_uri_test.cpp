@@ -6,7 +6,7 @@
 namespace drape::instance {
 namespace {
 
-TEST(ResourceUri, allowed_forms) {
+TEST(ResourceUri, AllowedForms) {
   const std::pair<const char*, const char*> cases[] = {
       {"file:///tmp/fmu/resources", "/tmp/fmu/resources"},
       {"file:/tmp/fmu/resources", "/tmp/fmu/resources"},
@@ -24,7 +24,7 @@ TEST(ResourceUri, allowed_forms) {
   }
 }
 
-TEST(ResourceUri, refused_forms) {
+TEST(ResourceUri, RefusedForms) {
   for (const char* location :
        {"", "file:", "file://", "file://otherhost/tmp", "file:relative", "http://localhost/tmp",
         "file:///tmp/%2", "file:///tmp/%zz", "file:///tmp/%00"}) {

@@ -47,7 +47,7 @@ std::string pack_swatch(const std::string& name, description::Nodes nodes) {
   return file;
 }
 
-TEST(Pack, holds_description_binary_scene_and_documentation) {
+TEST(Package, HoldsDescriptionBinarySceneAndDocumentation) {
   const Cloth cloth = open_swatch();
   std::map<std::string, std::string> entries =
       entries_of(pack_swatch("drape_pack.fmu", description::Nodes::kOutline));
@@ -61,7 +61,7 @@ TEST(Pack, holds_description_binary_scene_and_documentation) {
 }
 
 // What is compiled into the binary asks for its notice to travel with it.
-TEST(Pack, carries_the_licences_of_what_it_holds) {
+TEST(Package, CarriesTheLicencesOfWhatItHolds) {
   std::map<std::string, std::string> entries =
       entries_of(pack_swatch("drape_licences.fmu", description::Nodes::kNone));
   const std::string permission = "Permission is hereby granted, free of charge",
@@ -72,14 +72,14 @@ TEST(Pack, carries_the_licences_of_what_it_holds) {
   EXPECT_NE(entries[folder + "eigen.txt"].find("https://mozilla.org/MPL/2.0/"), std::string::npos);
 }
 
-TEST(Pack, same_scene_same_bytes) {
+TEST(Package, SameSceneSameBytes) {
   const std::string once = bytes_of(pack_swatch("drape_once.fmu", description::Nodes::kNone));
   EXPECT_FALSE(once.empty());
   EXPECT_EQ(once, bytes_of(pack_swatch("drape_again.fmu", description::Nodes::kNone)));
   EXPECT_NE(once, bytes_of(pack_swatch("drape_nodes.fmu", description::Nodes::kAll)));
 }
 
-TEST(Pack, names_the_file_it_cannot_write) {
+TEST(Package, NamesTheFileItCannotWrite) {
   const Cloth cloth = open_swatch();
   std::string problem;
   EXPECT_FALSE(

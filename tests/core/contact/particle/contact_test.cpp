@@ -46,7 +46,7 @@ Assembled on_incline(const SceneFolder& folder, double mu, double angle) {
 }
 
 // h: sticks iff tan a <= mu.
-TEST(Touch, SticksOnAnInclineUpToTheCoefficient) {
+TEST(Contact, SticksOnAnInclineUpToTheCoefficient) {
   const SceneFolder folder;
   const double mu = 0.4;
   Assembled below = on_incline(folder, mu, std::atan(0.999 * mu)),
@@ -60,7 +60,7 @@ TEST(Touch, SticksOnAnInclineUpToTheCoefficient) {
 }
 
 // h: x = g (sin a - mu cos a) t^2/2.
-TEST(Touch, SlidesDownAnIncline) {
+TEST(Contact, SlidesDownAnIncline) {
   const SceneFolder folder;
   const double mu = 0.4, a = 0.6, t = 0.4;
   Assembled cloth = on_incline(folder, mu, a);
@@ -72,7 +72,7 @@ TEST(Touch, SlidesDownAnIncline) {
 }
 
 // A sticking cloth does not creep.
-TEST(Touch, SticksForTenSeconds) {
+TEST(Contact, SticksForTenSeconds) {
   const SceneFolder folder;
   Assembled cloth = on_incline(folder, 0.4, std::atan(0.35));
   advance(cloth, 0.1);
@@ -82,7 +82,7 @@ TEST(Touch, SticksForTenSeconds) {
 }
 
 // Friction that lets go at 0.5 slides at 0.3.
-TEST(Touch, KineticFrictionActsOnceItSlides) {
+TEST(Contact, KineticFrictionActsOnceItSlides) {
   const SceneFolder folder;
   Assembled cloth = on_incline(folder, 0.5, std::atan(0.4));
   for (model::Lattice& l : cloth.system.lattices) l.contact_law.friction = {0.5, 0.3};
@@ -98,7 +98,7 @@ TEST(Touch, KineticFrictionActsOnceItSlides) {
 // h': a strip pulled round a cylinder. At each node that slides, T2/T1 = (1 + mu tan(D/2))/(1 - mu tan(D/2)),
 // D the turn of the thread there. The facets' normals are off by up to pi/1440; the ratio by 2 of that times
 // tan(D/2).
-TEST(Touch, TensionGrowsRoundACapstan) {
+TEST(Contact, TensionGrowsRoundACapstan) {
   const SceneFolder folder;
   const double mu = 0.3, radius = 0.05, cell = 0.005;
   scene::FabricSpec fabric = linen();
@@ -154,14 +154,14 @@ struct Synchronous {
 Synchronous synchronous(Assembled& a) {
   Synchronous s;
   for (Array& v : s.v) v.assign(a.system.nodes, 0.0);
-  dynamics::leapfrog_synchronous(a.system, a.motion, a.state, s.v[0].data(), s.v[1].data(), s.v[2].data(),
+  dynamics::leapfrog_synchronous(a.system, a.motion, a.state, {s.v[0].data(), s.v[1].data(), s.v[2].data()},
                                  s.pins);
   return s;
 }
 
 // A cloth that falls, meets a moving ball with friction and slides off: over every advance, what the cloth's
 // momentum gains is the weight's impulse less what the ball is told.
-TEST(Touch, MomentumIsBalancedOverEveryAdvance) {
+TEST(Contact, MomentumIsBalancedOverEveryAdvance) {
   const SceneFolder folder;
   Scene scene = reference::rectangle(linen(), 0.2, 0.2, 0.01);
   scene.pieces[0].place.origin = {-0.07, -0.1, 0.052};
@@ -194,7 +194,7 @@ TEST(Touch, MomentumIsBalancedOverEveryAdvance) {
 }
 
 // At 50 m/s against a thin plate and against a sharp ridge, at the automatic step.
-TEST(Touch, NothingGetsThroughAtFiftyMetresPerSecond) {
+TEST(Contact, NothingGetsThroughAtFiftyMetresPerSecond) {
   const SceneFolder folder;
   Mesh feature;  // a roof of 20 degrees, closed below
   feature.point = {{-1, 0, 0},       {1, 0, 0},        {1, 0.1763, -1},
@@ -227,7 +227,7 @@ TEST(Touch, NothingGetsThroughAtFiftyMetresPerSecond) {
 
 // Nor through a body of small triangles that is reached from afar, in steps that were chosen for free flight:
 // a ball of 0.05 m, whose facets lie within 1e-4 m of it.
-TEST(Touch, NothingGetsThroughFromAfar) {
+TEST(Contact, NothingGetsThroughFromAfar) {
   const SceneFolder folder;
   scene::FabricSpec dust = linen();
   dust.warp = dust.weft = dust.bias = {};
@@ -250,7 +250,7 @@ TEST(Touch, NothingGetsThroughFromAfar) {
 
 // A frictionless cloth pressed onto a table by a leaning gravity, in touch all the time: order 2 against the
 // judge.
-TEST(Touch, OrderIsTwoWhileNoContactOpensOrCloses) {
+TEST(Contact, OrderIsTwoWhileNoContactOpensOrCloses) {
   const SceneFolder folder;
   Scene scene = reference::smooth_scene();
   scene.fabrics[0].thickness = 1e-3;
@@ -276,7 +276,7 @@ TEST(Touch, OrderIsTwoWhileNoContactOpensOrCloses) {
 }
 
 // One result for every kernel, thread and grouping of advances.
-TEST(Touch, BitsAreThoseOfEveryKernelAndGrouping) {
+TEST(Contact, BitsAreThoseOfEveryKernelAndGrouping) {
   const SceneFolder folder;
   Scene scene = reference::rectangle(linen(), 0.2, 0.2, 0.01);
   scene.pieces[0].place.origin = {-0.07, -0.1, 0.0507};
@@ -299,7 +299,7 @@ TEST(Touch, BitsAreThoseOfEveryKernelAndGrouping) {
 }
 
 // What a body was told when something touched it is not told again once nothing does.
-TEST(Touch, LoadsOfThePastAreNotToldAgain) {
+TEST(Contact, PastLoadsAreNotReportedAgain) {
   const SceneFolder folder;
   Assembled a = on_incline(folder, 0.4, 0.1);
   advance(a, 0.01);
@@ -315,7 +315,7 @@ TEST(Touch, LoadsOfThePastAreNotToldAgain) {
 }
 
 // A state taken up again goes on as it would have.
-TEST(Touch, StateGoesOnAsItWas) {
+TEST(Contact, StateGoesOnAsItWas) {
   const SceneFolder folder;
   Scene scene = reference::rectangle(linen(), 0.2, 0.2, 0.01);
   scene.pieces[0].place.origin = {-0.07, -0.1, 0.0507};
@@ -326,7 +326,7 @@ TEST(Touch, StateGoesOnAsItWas) {
 }
 
 // Energies, friction and the motion of a body are all booked: the balance closes with order 2 of the step.
-TEST(Touch, EnergyIsBalanced) {
+TEST(Contact, EnergyIsBalanced) {
   const SceneFolder folder;
   Scene scene = reference::rectangle(linen(), 0.1, 0.1, 0.01);
   scene.energy = true;

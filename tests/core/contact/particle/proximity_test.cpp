@@ -14,7 +14,7 @@ namespace {
 // Particles that go about with velocities that are new in every stage. Due are the blocks with a particle
 // that is past its budget or would be after a step more, |r + h v - from| >= budget, and no others, whichever
 // groups sleep; also where the stages of a step go partly back in time.
-TEST(Watch, FindsWhatEveryComparisonWould) {
+TEST(Proximity, FindsWhatEveryComparisonWould) {
   constexpr std::size_t kNodes = 5 * kProximityGroup + math::kRowUnit, kBlocks = kNodes / math::kRowUnit;
   constexpr double kForward[] = {1}, kStep = 1e-3;
   const auto drifts = [&](int order) {

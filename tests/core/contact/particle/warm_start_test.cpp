@@ -46,7 +46,7 @@ double speed_along(const Assembled& a) {
 
 // The halves have equal weights, so that the cloth slides by the mean of their coefficients, 0.4. (Of cells
 // of two sizes, the smaller ones have the stiffer penalty and carry more of the seam.)
-TEST(Tied, SewnHalvesSlideByTheMeanOfTheirCoefficients) {
+TEST(WarmStart, SewnHalvesSlideByTheMeanOfTheirCoefficients) {
   const SceneFolder folder;
   const double angle = std::atan(0.5), t = 0.2;
   Assembled a = pair_on_incline(folder, angle, 1);
@@ -58,7 +58,7 @@ TEST(Tied, SewnHalvesSlideByTheMeanOfTheirCoefficients) {
   EXPECT_NEAR(speed_along(a) - before, gained, 1e-3 * gained);
 }
 
-TEST(Tied, SewnHalvesStickBelowIt) {
+TEST(WarmStart, SewnHalvesStickBelowIt) {
   const SceneFolder folder;
   Assembled a = pair_on_incline(folder, std::atan(0.36), 1.6);
   sewn_advance(a, 0.5);
@@ -75,7 +75,7 @@ bool rests(Assembled& a, double largest) {
 
 // One half lies on a table, the other hangs over its edge, and friction holds it by the seam, which lies on
 // the edge: of its nodes some touch and some do not.
-TEST(Tied, AHangingHalfRestsByItsSeam) {
+TEST(WarmStart, AHangingHalfRestsByItsSeam) {
   const SceneFolder folder;
   Scene scene = sewn_pair(0.1, 1.6, 0.7, 0.7);
   scene.mode = scene::Mode::kFit;
@@ -88,7 +88,7 @@ TEST(Tied, AHangingHalfRestsByItsSeam) {
 }
 
 // A strip in a groove of 90 degrees: the nodes at the bottom touch both of its sides.
-TEST(Tied, AStripRestsInAGroove) {
+TEST(WarmStart, AStripRestsInAGroove) {
   const SceneFolder folder;
   Scene scene = reference::rectangle(linen(), 0.1, 0.03, 0.01);
   scene.fabrics[0].friction = {0.2, 0.2};
@@ -123,7 +123,7 @@ TEST(Tied, AStripRestsInAGroove) {
 
 // Welds that no contact touches in a step are not met again: that leaves them as they are, up to rounding,
 // against all of them met again. Two sewn squares fall onto a ball below the seam, or on a box with ridges.
-TEST(Tied, WeldsLeftAloneAreMetAlready) {
+TEST(WarmStart, WeldsLeftAloneAreSatisfiedAlready) {
   const SceneFolder folder;
   const auto run = [&](bool features, bool all) {
     Scene scene = sewn_pair(0.05, 1.6, 0.2, 0.6);

@@ -56,7 +56,7 @@ std::uint64_t hash(const Eigen::VectorXd& v) {  // Fowler, Noll and Vo's, by num
   return h;
 }
 
-TEST(Golden, one_hash_for_all_fused_kernels_and_threads) {
+TEST(Golden, OneHashForAllFusedKernelsAndThreads) {
   int seen = 0;
   for (const char* kernel : {"scalar", "avx2", "avx512"}) {
     if (!kernel_named(kernel)) continue;
@@ -67,7 +67,7 @@ TEST(Golden, one_hash_for_all_fused_kernels_and_threads) {
 }
 
 // A master may have set another rounding: every lane and thread follows it alike.
-TEST(Golden, lanes_and_threads_round_alike_in_every_mode) {
+TEST(Golden, LanesAndThreadsRoundAlikeInEveryMode) {
   if (!kernel_named("scalar")) GTEST_SKIP() << "this processor has no AVX2 with FMA";
   const std::uint64_t nearest = hash(moved("scalar", 1));
   for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
@@ -84,7 +84,7 @@ TEST(Golden, lanes_and_threads_round_alike_in_every_mode) {
 // Each step rounds coordinates of 0.1 m, 1e-17 m, and the laws some ten times as much; 200 steps of the
 // stiffest motion add that up, and let it grow by the square of their number at most: 200^2/2 x 1e-16 m =
 // 2e-12 m.
-TEST(Golden, the_portable_kernel_is_within_rounding) {
+TEST(Golden, ThePortableKernelIsWithinRounding) {
   if (!kernel_named("scalar")) GTEST_SKIP() << "this processor has no AVX2 with FMA";
   const double off = (moved("portable", 1) - moved("scalar", 1)).lpNorm<Eigen::Infinity>();
   std::printf("portable: %.1e m off after %d steps\n", off, kSteps);

@@ -45,11 +45,11 @@ State moved(const Scene& scene, int threads) {
   return a.state;
 }
 
-class Blocks : public testing::TestWithParam<Cloth> {};
-INSTANTIATE_TEST_SUITE_P(Cloths, Blocks, testing::ValuesIn(kCloths),
+class RowBlocks : public testing::TestWithParam<Cloth> {};
+INSTANTIATE_TEST_SUITE_P(Cloths, RowBlocks, testing::ValuesIn(kCloths),
                          [](const auto& cloth) { return cloth.param.name; });
 
-TEST_P(Blocks, GiveTheBitsOfOneThread) {
+TEST_P(RowBlocks, GiveTheBitsOfOneThread) {
   for (const Shape shape : {Shape::kRectangle, Shape::kDiscWithHole, Shape::kSlits}) {
     const Scene scene = scene_of(GetParam(), shape);
     const State one = moved(scene, 1);
@@ -62,7 +62,7 @@ TEST_P(Blocks, GiveTheBitsOfOneThread) {
 }
 
 // Every row in one block, whatever the threads.
-TEST(Blocks, CoverEveryRowOnce) {
+TEST(RowBlocks, CoverEveryRowOnce) {
   Assembled a = assemble(scene_of(kCloths[0], Shape::kSlits));
   for (int threads = 1; threads <= 40; ++threads) {
     std::vector<std::vector<int>> times;
@@ -75,7 +75,7 @@ TEST(Blocks, CoverEveryRowOnce) {
   }
 }
 
-TEST(Blocks, AreNoMoreThanAreWorthIt) {
+TEST(RowBlocks, AreNoMoreThanPay) {
   Assembled a = assemble(scene_of(kCloths[0], Shape::kSlits));
   a.system.threads = 8;
   EXPECT_EQ(threads_wanted(a.system), 1);

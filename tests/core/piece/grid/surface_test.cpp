@@ -70,7 +70,7 @@ scene::PieceSpec bodice() {
 }
 
 // Coordinates of 0.2 m carry 3e-17 m: over a rim of 1 m that is 1e-15 of the area of 0.03 m2.
-TEST(Surface, is_the_piece_at_rest) {
+TEST(Surface, IsThePieceAtRest) {
   const scene::PieceSpec piece = bodice();
   const Grid grid = grid_make(scene_of(piece), 0);
   const Surface surface = surface_make(grid);
@@ -83,7 +83,7 @@ TEST(Surface, is_the_piece_at_rest) {
 }
 
 // Any piece: 1e-12 of a cell at coordinates of up to 60 m (grid_test), on every point of the rim.
-TEST(Surface, has_the_area_of_any_piece) {
+TEST(Surface, HasTheAreaOfAnyPiece) {
   RandomPiece random(20);
   for (int k = 0; k < 200; ++k) {
     const scene::PieceSpec piece = k % 2 ? random.piece() : random.snapped_piece();
@@ -99,7 +99,7 @@ TEST(Surface, has_the_area_of_any_piece) {
 }
 
 // Holes that lie within a cell, several in one: their part falls into polygons without holes.
-TEST(Surface, opens_holes_within_a_cell) {
+TEST(Surface, OpensHolesWithinACell) {
   scene::PieceSpec piece = rectangle(0, 0, 0.05, 0.04, 0.01);
   const auto hole = [](double x, double y, double size) {
     return std::vector<Vec2>{{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}};
@@ -119,7 +119,7 @@ TEST(Surface, opens_holes_within_a_cell) {
 
 // The lines that open holes are no lines of the grid, and their polygons are moved there and back: where two
 // of them meet there is still one corner. Two holes in each of many cells, anywhere.
-TEST(Surface, joins_the_polygons_of_opened_holes) {
+TEST(Surface, JoinsThePolygonsOfOpenedHoles) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> at(0.0005, 0.0035), size(0.0003, 0.0006);
   scene::PieceSpec piece = rectangle(0, 0, 0.2, 0.1, 0.01);
@@ -137,7 +137,7 @@ TEST(Surface, joins_the_polygons_of_opened_holes) {
 
 // Neighbours share their corners, beside merged parts too: one corner a place, and every side belongs to two
 // polygons or to the rim.
-TEST(Surface, has_no_cracks) {
+TEST(Surface, HasNoCracks) {
   for (const scene::OutlineModel outline : {scene::OutlineModel::kCutCell, scene::OutlineModel::kPaper}) {
     scene::PieceSpec piece = piece_of({}, 0.01);
     for (int k = 0; k < 90; ++k)

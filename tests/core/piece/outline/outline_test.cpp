@@ -30,7 +30,7 @@ std::vector<std::string> faults_of(const scene::PieceSpec& piece) {
 
 // |p - centre| = r for every point of an arc, and it goes round as told: area under the chord = r^2 (a - sin
 // a)/2 less what the chords cut off, at most 2/3 of the sag along the arc.
-TEST(Outline, ArcsLieOnTheirCircleAndTurnAsTold) {
+TEST(Outline, ArcsLieOnTheirCircleAndTurnAsSpecified) {
   for (const double radius : {1.0, 1.2, 7.0, 1e4})
     for (const bool large : {false, true})
       for (const bool right : {false, true}) {

@@ -56,7 +56,7 @@ std::vector<Slope> slopes_along(const Held& h, bool warp) {
   return list;
 }
 
-TEST(Hold, EdgeIsHeldAtItsCornersAndCrossings) {
+TEST(Support, EdgeIsHeldAtItsCornersAndCrossings) {
   EXPECT_EQ(held(rectangle(0, 0, 2.5, 2, 1), edges_pin({2})).hold.points,
             (Points{{0, 2}, {1, 2}, {2, 2}, {2.5, 2}}));
   // the last node lies inside, the corner beyond it
@@ -71,13 +71,13 @@ TEST(Hold, EdgeIsHeldAtItsCornersAndCrossings) {
   EXPECT_EQ(held(fixed, edges_pin({2})).hold.centre, (Vec2{1.0625, 2}));
 }
 
-TEST(Hold, HeldPointsOfAWholeCellEdgeAreNodes) {
+TEST(Support, HeldPointsOfAWholeCellEdgeAreNodes) {
   const Held h = held(rectangle(0.1, -0.7, 0.4, 0.6, 0.01), edges_pin({0, 1, 2, 3}));
   EXPECT_EQ(h.hold.points.size(), 2u * 41 + 2 * 61 - 4);
   for (const GridPoint& at : h.hold.at) EXPECT_EQ(std::count(at.weight, at.weight + 4, 1.0), 1);
 }
 
-TEST(Hold, PointsAreHeldOnce) {
+TEST(Support, PointsAreHeldOnce) {
   const Held h = held(rectangle(0, 0, 2.5, 2, 1),
                       points_pin({{2.5, 2}, {0.3, 0.4}, {1 + 1e-10, 1}, {0.3, 0.4}, {1, 1}}));
   EXPECT_EQ(h.hold.points, (Points{{0.3, 0.4}, {1, 1}, {2.5, 2}}));
@@ -87,7 +87,7 @@ TEST(Hold, PointsAreHeldOnce) {
 // An arc of radius r about (0, 0), turned by its grain: points within the sag of r, each on a thread (or an
 // end), one for each thread that it crosses and that runs nearer to its normal than the other kind: along the
 // quarter circle the warp at x <= 1/sqrt 2, the weft at y <= 1/sqrt 2.
-TEST(Hold, CurvedEdgeIsHeldWhereItCrossesThreads) {
+TEST(Support, CurvedEdgeIsHeldWhereItCrossesYarns) {
   for (const double grain : {0.0, 0.4}) {
     scene::PieceSpec piece = piece_of({{1, 0}, {0, 1}, {0, 0.5}, {0.5, 0}}, 0.1);
     piece.curves = {{0, {}, 1, false, true}};
@@ -115,7 +115,7 @@ TEST(Hold, CurvedEdgeIsHeldWhereItCrossesThreads) {
 
 // Each thread that an oblique edge holds has two nodes beside it, of which no other held point takes part but
 // those at the corners: the rows leave one motion of the two.
-TEST(Hold, ObliqueEdgeLeavesOneMotionOfEachThread) {
+TEST(Support, ObliqueEdgeLeavesOneMotionOfEachYarn) {
   for (const double slope : {0.3, 0.7, 1.0, 1.6, 4.0})
     for (const double shift : {0.0, 0.13, 0.61}) {
       const double w = slope < 1 ? 9 : 9 / slope;
@@ -142,7 +142,7 @@ TEST(Hold, ObliqueEdgeLeavesOneMotionOfEachThread) {
 
 // Along a grid line s = 1; half a cell beyond it s = 1/2, or 1.1 where the strip of 0.1 cells is merged;
 // below 0.2: 0.2 where it is none.
-TEST(Clamp, EdgeAcrossTheThreads) {
+TEST(Clamp, EdgeAcrossTheYarns) {
   for (const double top : {3.0, 2.5, 2.1}) {
     scene::PieceSpec piece = rectangle(0, 0, 4, top, 1);
     piece.grid_origin = Vec2{0, 0};
@@ -220,7 +220,7 @@ Points disc(Vec2 centre, double radius, int n) {
 }
 
 // Nodes within the disc, those hardly outside, and the share of each leaving link outside it.
-TEST(Hold, DiscRegion) {
+TEST(Support, DiscRegion) {
   RandomPiece random(4);
   for (int trial = 0; trial < 50; ++trial) {
     const double r = random(1.2, 4);
@@ -274,7 +274,7 @@ TEST(Hold, DiscRegion) {
 
 // A region that holds all cloth of a cut cell holds its corners beyond the piece too; one far larger than the
 // piece, all.
-TEST(Hold, RegionHoldsCellsWhoseClothLiesInside) {
+TEST(Support, RegionHoldsCellsWhoseClothLiesInside) {
   scene::PieceSpec piece = rectangle(0, 0, 2.5, 2, 1);
   EXPECT_EQ(held(piece, region_pin({{1, -1}, {2.5, -1}, {2.5, 3}, {1, 3}})).hold.points,
             (Points{{1, 0}, {2, 0}, {3, 0}, {1, 1}, {2, 1}, {3, 1}, {1, 2}, {2, 2}, {3, 2}}));

@@ -83,13 +83,13 @@ std::string with(std::string text, const std::string& from, const std::string& t
   return text.replace(text.find(from), from.size(), to);
 }
 
-TEST(SceneResolve, StandsAlone) {
+TEST(InlineFiles, StandsAlone) {
   expect_round_trip(kScene, kFabric);
   expect_round_trip(kCloth, kFabric);
 }
 
 // Sheets are resolved to plain keys: nothing is left to convert, on whatever machine the text is read.
-TEST(SceneResolve, SheetsBecomePlainKeys) {
+TEST(InlineFiles, SheetsBecomePlainKeys) {
   const std::string own = "areal_density = 0.2\nwarp.force = [0, 3, 9]\n", scene = with(kScene, own, "");
   for (const std::string& fabric : {kKes, kFast, kStrips, kPt2}) {
     expect_round_trip(scene, fabric);
@@ -105,7 +105,7 @@ TEST(SceneResolve, SheetsBecomePlainKeys) {
   expect_round_trip(with(kScene, own, "kes = { W = 21.7, G = 0.77, B = [0.11, 0.13] }\n"), kFabric);
 }
 
-TEST(SceneResolve, AwkwardNumbersKeepTheirBits) {
+TEST(InlineFiles, AwkwardNumbersKeepTheirBits) {
   std::string scene = with(kScene, "[0, 0.5, -9.81]", "[1e-320, -0.0, 0.30000000000000004]");
   scene = with(scene, "damping = 0.25", "damping = 0.3333333333333333");
   scene = with(scene, "[0, 3, 9]", "[0, 4.9406564584124654e-324, 2.2250738585072014e-308]");
@@ -115,7 +115,7 @@ TEST(SceneResolve, AwkwardNumbersKeepTheirBits) {
   expect_round_trip(scene, fabric);
 }
 
-TEST(SceneResolve, RandomBitsSurvive) {
+TEST(InlineFiles, RandomBitsSurvive) {
   std::mt19937_64 random(7);
   for (int trial = 0; trial < 200; ++trial) {
     std::string force = "[0";
@@ -130,7 +130,7 @@ TEST(SceneResolve, RandomBitsSurvive) {
   }
 }
 
-TEST(SceneResolve, TextOfAnyKindSurvives) {
+TEST(InlineFiles, TextOfAnyKindSurvives) {
   expect_round_trip(kScene, with(kFabric, "\"made up\"", R"("""a "quoted" \\ back\u0007 'slash'
 second line \"\"\" \t end é"""
 )"));

@@ -18,7 +18,7 @@ Scene scene_of(const SceneFolder& folder, const std::string& scene, const std::s
   return read;
 }
 
-TEST(SceneRead, EveryKeyLands) {
+TEST(SceneRead, EveryKeyIsRead) {
   const SceneFolder folder;
   const Scene s = scene_of(folder, kScene);
   EXPECT_EQ(s.name, "sheet_2");
@@ -56,7 +56,7 @@ TEST(SceneRead, EveryKeyLands) {
   EXPECT_EQ(s.probes[0].at, (Vec2{0.2, 0}));
 }
 
-TEST(SceneRead, EveryKeyOfAClothLands) {
+TEST(SceneRead, EveryKeyOfAClothIsRead) {
   const SceneFolder folder;
   const Scene s = scene_of(folder, kCloth);
   EXPECT_EQ(s.mode, Mode::kFit);
@@ -99,7 +99,7 @@ TEST(SceneRead, EveryKeyOfAClothLands) {
   EXPECT_EQ(s.pins[2].drive, Drive::kPosition);
 }
 
-TEST(SceneRead, FabricFileAndItsOverridesLandInSiUnits) {
+TEST(SceneRead, FabricFileAndItsOverridesAreReadInSiUnits) {
   const SceneFolder folder;
   const Scene s = scene_of(folder, kScene);
   ASSERT_EQ(s.fabrics.size(), 1u);
@@ -193,7 +193,7 @@ TEST(SceneRead, AxesAreMadeOrthonormal) {
 
 // What says nothing may be said: one number for both frictions, no curves and no holes, an air that only has
 // a density, the values of the keys that have only one.
-TEST(SceneRead, WhatSaysNothing) {
+TEST(SceneRead, WhatStatesNothing) {
   const SceneFolder folder;
   std::string text = kScene;
   const auto put = [&](const std::string& before, const std::string& more) {

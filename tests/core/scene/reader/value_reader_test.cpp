@@ -8,7 +8,7 @@ namespace {
 
 class SceneFault : public testing::TestWithParam<Case> {};
 
-TEST_P(SceneFault, Says) { EXPECT_EQ(scene_fault(GetParam()), GetParam().messages); }
+TEST_P(SceneFault, GivesItsMessages) { EXPECT_EQ(scene_fault(GetParam()), GetParam().messages); }
 
 const Case kKeys[] = {
     {"unknown_key",

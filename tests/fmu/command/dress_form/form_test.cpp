@@ -117,7 +117,7 @@ TEST(Form, SplineIsNatural) {
   for (double m : none) EXPECT_NEAR(m, 0, 1e-14);
 }
 
-TEST_F(Command, form_writes_an_obj) {
+TEST_F(Command, FormWritesAnObj) {
   Done done = drape("form -o body.obj --bust 0.92 --waist 0.72 --hips 0.98 --height 1.70");
   ASSERT_EQ(done.code, 0) << done.text;
   std::size_t vertices = 0, faces = 0;
@@ -127,7 +127,7 @@ TEST_F(Command, form_writes_an_obj) {
   EXPECT_EQ(faces, mesh.triangles.size());
 }
 
-TEST_F(Command, form_refuses_measures_out_of_range) {
+TEST_F(Command, FormRefusesMeasuresOutOfRange) {
   const Done done = drape("form -o body.obj --bust 92 --waist nan --hips -1 --height 170");
   EXPECT_EQ(done.code, 1);
   EXPECT_EQ(done.text,

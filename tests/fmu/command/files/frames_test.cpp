@@ -55,7 +55,7 @@ std::vector<T> array_of(const std::string& file, const std::string& name) {
   return values;
 }
 
-TEST_F(Command, frames_follow_the_outline) {
+TEST_F(Command, FramesFollowTheOutline) {
   std::ofstream(folder / "bodice.toml") << kScene;
   const Done done = drape("run bodice.toml -o out --frames --every 0.005");
   ASSERT_EQ(done.code, 0) << done.text;

@@ -1,9 +1,7 @@
 // `drape import`: patterns as scenes.
 #include "command/garmentcode/garment.h"
-#include "command/garmentcode/place_near.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "command/command_fixture.h"
 #include "piece/outline/outline.h"
@@ -113,7 +111,7 @@ void expect_ends_meet(const Scene& scene) {
   }
 }
 
-TEST_F(Import, sews_ends_that_meet) {
+TEST_F(Import, SewsEndsThatMeet) {
   const Done done = import(kTunic);
   ASSERT_EQ(done.code, 0) << done.text;
   const Scene scene = scene_of();
@@ -126,7 +124,7 @@ TEST_F(Import, sews_ends_that_meet) {
 }
 
 // A back that goes round like the front is sewn right to wrong: edges start where their seams start.
-TEST_F(Import, sews_right_to_wrong) {
+TEST_F(Import, SewsRightToWrong) {
   std::string json = kTunic;
   const std::size_t from = json.find("\"vertices\""), to = json.find("\"front\": {");
   json.replace(from, to - from, R"("vertices": [[-30, 0], [30, 0], [30, 55], [20, 78], [8, 80], [-8, 80],
@@ -149,7 +147,7 @@ TEST_F(Import, sews_right_to_wrong) {
 // length (chord h: sagitta k h^2/8, shorter by (k h)^2/24). Closed forms, m: the arc 2 r asin(c/2r); the
 // parabola with control point 0.5, h: with q = 4 h/2 (slope at the end), c/2 [sqrt(1 + q^2) + asinh(q)/q];
 // the cubic by Simpson's rule of its derivative.
-TEST_F(Import, keeps_the_lengths_of_curves) {
+TEST_F(Import, KeepsTheLengthsOfCurves) {
   ASSERT_EQ(import(kTunic).code, 0);
   const Scene scene = scene_of();
   const auto length = [&](int piece, int edge) {
@@ -193,7 +191,7 @@ TEST_F(Import, keeps_the_lengths_of_curves) {
 }
 
 // P = s + p0 (e - s) + p1 perp: the same control points as points of the panel.
-TEST_F(Import, takes_control_points_either_way) {
+TEST_F(Import, TakesControlPointsEitherWay) {
   ASSERT_EQ(import(kTunic).code, 0);
   const Scene relative = scene_of();
   std::string json =
@@ -217,25 +215,7 @@ TEST_F(Import, takes_control_points_either_way) {
   }
 }
 
-// (x, y) of a panel is at Rz Ry Rx (x, y, 0): each turn as its own matrix.
-TEST(ImportPanel, TurnsAboutXThenYThenZ) {
-  const std::vector<double> degrees{20, -35, 130};
-  Vec3 made[2];
-  panel_axes(degrees, made[0], made[1]);
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    Vec3 v{0, 0, 0};
-    v[axis] = 1;
-    for (std::size_t k = 0; k < 3; ++k) {  // about axis k, from axis i to axis j
-      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-      const double a = degrees[k] * std::numbers::pi / 180, vi = v[i], vj = v[j];
-      v[i] = std::cos(a) * vi - std::sin(a) * vj;
-      v[j] = std::sin(a) * vi + std::cos(a) * vj;
-    }
-    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(made[axis][k], v[k], 1e-15);
-  }
-}
-
-TEST_F(Import, runs_as_it_is) {
+TEST_F(Import, RunsAsItIs) {
   ASSERT_EQ(import(kTunic, "--cell 0.03").code, 0);
   EXPECT_EQ(drape("check tunic.toml").code, 0);
   EXPECT_EQ(drape("run tunic.toml -o out --until 0.02").code, 0);
@@ -244,7 +224,7 @@ TEST_F(Import, runs_as_it_is) {
   EXPECT_NE(text.find("  [0.3, 0],  # edge 1, sewn to edge 6 of back\n"), std::string::npos) << text;
 }
 
-TEST_F(Import, puts_a_wool_beside_the_scene_but_never_over_another) {
+TEST_F(Import, PutsAWoolBesideTheSceneButNeverOverAnother) {
   ASSERT_EQ(import(kTunic).code, 0);
   EXPECT_NE(text_of("tunic.toml").find("file = \"wool.toml\""), std::string::npos);
   const std::string wool = text_of("wool.toml");
@@ -256,7 +236,7 @@ TEST_F(Import, puts_a_wool_beside_the_scene_but_never_over_another) {
   EXPECT_EQ(text_of("wool.toml"), wool + "\n# mine\n");
 }
 
-TEST_F(Import, takes_a_fabric_from_elsewhere) {
+TEST_F(Import, TakesAFabricFromElsewhere) {
   fs::create_directory(folder / "mill");
   ASSERT_EQ(import(kTunic).code, 0);
   fs::rename(folder / "wool.toml", folder / "mill" / "3rd twill.toml");
@@ -269,7 +249,7 @@ TEST_F(Import, takes_a_fabric_from_elsewhere) {
 }
 
 // Centimetres and metres, told by the height.
-TEST_F(Import, measures_the_body) {
+TEST_F(Import, MeasuresTheBody) {
   write("cm.obj", "v 0 0 0\nv 10 170 0\nv 0 170 10\nf 1 2 3\n");
   Done done = import(kTunic, "--body cm.obj");
   ASSERT_EQ(done.code, 0) << done.text;
@@ -282,77 +262,7 @@ TEST_F(Import, measures_the_body) {
   EXPECT_NE(text_of("tunic.toml").find("mesh = \"m.obj\"\n\n"), std::string::npos);
 }
 
-// 12 mm off the body: from afar, and where the body comes a little through.
-TEST(ImportPlace, PutsPanelsNearTheBodyAndOutside) {
-  for (const double belly : {0.1, 0.23}) {
-    Scene scene;
-    scene::PieceSpec front;
-    front.outline = {{-0.2, 0}, {0.2, 0}, {0.2, 0.5}, {-0.2, 0.5}};
-    front.place.origin = {0, 1, 0.2};
-    scene.pieces = {front};
-    std::vector<Vec3> body{{0.1, 1.2, belly}};
-    for (const double y : {1.0, 1.25, 1.5})
-      for (const double x : {-0.15, 0.15})
-        for (const double z : {-0.1, 0.1}) body.push_back({x, y, z});
-    garment_place_near(scene, body);
-    EXPECT_NEAR(scene.pieces[0].place.origin[2], belly + 0.012, 1e-12);
-  }
-}
-
-// A panel 0.4 m x 0.5 m across z, its lower edge at y = 1, and a box of points about the axis of y.
-scene::PieceSpec panel_at(double x, double z, double width = 0.4, double height = 0.5) {
-  scene::PieceSpec panel;
-  panel.outline = {{-width / 2, 0}, {width / 2, 0}, {width / 2, height}, {-width / 2, height}};
-  panel.place.origin = {x, 1, z};
-  return panel;
-}
-std::vector<Vec3> box_points(double low, double high, double half) {  // of y; of z
-  std::vector<Vec3> points;
-  for (int k = 0; k <= 10; ++k)
-    for (const double x : {-0.15, 0.0, 0.15})
-      for (const double z : {-half, half}) points.push_back({x, low + k * (high - low) / 10, z});
-  return points;
-}
-double placed(const scene::PieceSpec& panel, const std::vector<Vec3>& body) {
-  Scene scene;
-  scene.pieces = {panel};
-  garment_place_near(scene, body);
-  EXPECT_EQ(scene.pieces[0].place.origin[0], panel.place.origin[0]);
-  EXPECT_EQ(scene.pieces[0].place.origin[1], panel.place.origin[1]);
-  return scene.pieces[0].place.origin[2];
-}
-
-// The body's surface at z = 0.1 or -0.1: 12 mm off it on the side where most of the panel is.
-TEST(ImportPlace, PutsAPanelOutsideWhereverItIs) {
-  const std::vector<Vec3> whole = box_points(0.9, 1.6, 0.1), low = box_points(0.9, 1.2, 0.1);
-  EXPECT_NEAR(placed(panel_at(0, 0.3), whole), 0.112, 1e-12);
-  EXPECT_NEAR(placed(panel_at(0, -2), whole), -0.112, 1e-12) << "far off";
-  EXPECT_NEAR(placed(panel_at(0, 0.105), whole), 0.105, 1e-12) << "near enough";
-  EXPECT_NEAR(placed(panel_at(0, 0.05), low), 0.112, 1e-12) << "with its lower half in the body";
-  EXPECT_NEAR(placed(panel_at(0, 0.05), whole), 0.112, 1e-12) << "wholly in it";
-  EXPECT_NEAR(placed(panel_at(2, 0.3), whole), 0.3, 1e-12) << "beside it";
-  EXPECT_NEAR(placed(panel_at(0, 0.1), {}), 0.1, 1e-12) << "no body";
-  // in the middle of a body of which 0.25 m are on either side: left to the scene's own check
-  EXPECT_NEAR(placed(panel_at(0, 0), box_points(0.9, 1.6, 0.25)), 0, 1e-12);
-}
-
-// A pocket on a panel, and a flap on both, stay over it in their order, 12 mm from one to the next; panels
-// beside each other stay in one plane; front and back do not know of each other.
-TEST(ImportPlace, KeepsLayersApart) {
-  const std::vector<Vec3> body = box_points(0.9, 1.6, 0.1);
-  Scene scene;
-  scene.pieces = {panel_at(0.05, 0.35, 0.08, 0.1), panel_at(0.05, 0.32, 0.1, 0.12), panel_at(0, 0.3),
-                  panel_at(0, -0.3), panel_at(0.41, 0.3)};
-  scene.pieces[4].outline[0][0] = scene.pieces[4].outline[3][0] = -0.3;  // 0.09 m over the front
-  garment_place_near(scene, body);
-  EXPECT_NEAR(scene.pieces[2].place.origin[2], 0.112, 1e-12);
-  EXPECT_NEAR(scene.pieces[1].place.origin[2], 0.124, 1e-12);
-  EXPECT_NEAR(scene.pieces[0].place.origin[2], 0.136, 1e-12);
-  EXPECT_NEAR(scene.pieces[3].place.origin[2], -0.112, 1e-12);
-  EXPECT_NEAR(scene.pieces[4].place.origin[2], 0.112, 1e-12);
-}
-
-TEST_F(Import, refuses_bad_bodies) {
+TEST_F(Import, RefusesBadBodies) {
   write("tunic.json", kTunic);
   const std::string line = "import tunic.json -o tunic.toml --body ";
   expect_refused(line + "none.obj", {"none.obj: cannot be read"});
@@ -368,7 +278,7 @@ TEST_F(Import, refuses_bad_bodies) {
   expect_refused(line + "giant.obj", {"giant.obj: is 17000 high along y; allowed: 0.3 to 3 m"});
 }
 
-TEST_F(Import, refuses_bad_files_and_options) {
+TEST_F(Import, RefusesBadFilesAndOptions) {
   write("tunic.json", kTunic);
   expect_refused("import none.json -o a.toml", {"none.json: cannot be read"});
   expect_refused("import . -o a.toml", {".: cannot be read"});
@@ -388,7 +298,7 @@ TEST_F(Import, refuses_bad_files_and_options) {
         << done.text;
 }
 
-TEST_F(Import, tells_every_fault_at_once) {
+TEST_F(Import, ReportsEveryFaultAtOnce) {
   expect_faults("[]", {"is a list [...]; wanted: an object {...}"});
   expect_faults("{}", {"properties is missing; wanted: an object {...}",
                        "pattern is missing; wanted: an object {...}"});
@@ -415,7 +325,7 @@ TEST_F(Import, tells_every_fault_at_once) {
                        "to one seam"});
 }
 
-TEST_F(Import, tells_what_is_wrong_with_a_panel) {
+TEST_F(Import, ReportsWhatIsWrongWithAPanel) {
   expect_faults(
       edited(kTunic, "{\"endpoints\": [0, 1]}", "{\"endpoints\": [0, 2]}"),
       {"pattern.panels.back.edges[1] starts at vertex 1; wanted: vertex 2, where edge 0 ends: the edges do "
@@ -440,7 +350,7 @@ TEST_F(Import, tells_what_is_wrong_with_a_panel) {
 }
 
 // Texts with bytes and words exchanged: each is a scene that passes its checks, or is told what is wrong.
-TEST_F(Import, survives_any_text) {
+TEST_F(Import, SurvivesAnyText) {
   const std::vector<std::string> words = {"null", "[]",        "{}",   "-1",       "1e9",        "1e999",
                                           "0.5",  "\"\"",      "true", "[[0, 1]]", "\"circle\"", "\"cubic\"",
                                           "7",    "[0, 0, 0]", ",",    "}"};
