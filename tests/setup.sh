@@ -5,24 +5,28 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
 build="$root/build"
 python="$root/.venv/bin/python"
 
-# The one list of Debian packages. The last line is what VTK loads to draw without a screen.
+# The Debian packages of the quickstart. The last line is what VTK loads to draw without a screen.
 debian_packages=(
   g++ cmake ninja-build pkg-config python3 python3-venv
-  libeigen3-dev libsundials-dev libtomlplusplus-dev libzip-dev libfcl-dev libtinyobjloader-dev nlohmann-json3-dev
-  libcli11-dev libpugixml-dev libgtest-dev
+  libeigen3-dev libtomlplusplus-dev libzip-dev libfcl-dev libtinyobjloader-dev nlohmann-json3-dev
+  libcli11-dev libpugixml-dev
   libegl1 libgl1-mesa-dri
 )
+
+# What the reference, the benchmark and the tests add. libsundials-dev alone brings 175 packages, MPI and PETSc among them.
+test_packages=(libsundials-dev libgtest-dev)
 
 say() { printf '\n== %s\n' "$*"; }
 die() { printf 'drape: %s\n' "$*" >&2; exit 1; }
 
+# install_debian_packages [package ...]: those of the quickstart, and these.
 install_debian_packages() {
   if ! command -v dpkg-query >/dev/null; then
     say "Not a Debian system: going on with the compiler and libraries that are installed"
     return
   fi
   local missing=() package
-  for package in "${debian_packages[@]}"; do
+  for package in "${debian_packages[@]}" "$@"; do
     dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
   done
   [[ ${#missing[@]} -eq 0 ]] && return
@@ -54,6 +58,19 @@ install_python_packages() {
   "$python" -m pip install --quiet --disable-pip-version-check -r "$wanted" </dev/null
   cp "$wanted" "$installed"
 }
+
+# stage NAME command ...: runs it and prints how long it took; stages_print repeats all of them.
+stages=()
+stage() {
+  local name=$1 start=$SECONDS code=0
+  shift
+  say "$name"
+  "$@" || code=$?
+  stages+=("$(printf '%6d s  %s%s' $((SECONDS - start)) "$name" "$([[ $code -eq 0 ]] || echo ': FAILED')")")
+  echo "${stages[-1]}"
+  return $code
+}
+stages_print() { printf '%s\n' "${stages[@]}"; }
 
 # build_drape [cmake options]: options given once stay in build/, so the two scripts can share the folder.
 build_drape() {

@@ -8,15 +8,30 @@
 namespace drape::dynamics {
 namespace {
 
-bool runs_here(const Kernel& k) {
-  if (&k == &kKernelPortable) return true;
-  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  if (&k == &kKernelAvx512)
-    return avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
-  return avx2;
+bool runs_anywhere() { return true; }
+[[maybe_unused]] bool has_avx2() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
+[[maybe_unused]] bool has_avx512() {
+  return has_avx2() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+         __builtin_cpu_supports("avx512vl");
 }
 
-constexpr const Kernel* kByChoice[] = {&kKernelAvx512, &kKernelAvx2, &kKernelPortable, &kKernelScalar};
+// The kernels of this build, the fastest first. CMake says which there are.
+struct Choice {
+  const Kernel* kernel;
+  bool (*runs_here)();
+};
+constexpr Choice kByChoice[] = {
+#ifdef DRAPE_KERNEL_AVX512
+    {&kKernelAvx512, has_avx512},
+#endif
+#ifdef DRAPE_KERNEL_AVX2
+    {&kKernelAvx2, has_avx2},
+#endif
+    {&kKernelPortable, runs_anywhere},
+#ifdef DRAPE_KERNEL_SCALAR
+    {&kKernelScalar, has_avx2},
+#endif
+};
 
 void pass_run_all(const Kernel& kernel, const System& system, const model::Scheme& c, Workspace& w,
                   const State& s, const PassTarget& to) {
@@ -63,16 +78,16 @@ void kernel_forces(const Kernel& kernel, const System& system, const State& s, W
 }
 
 const Kernel* kernel_named(const char* name) {
-  for (const Kernel* k : kByChoice)
-    if (std::strcmp(k->name, name) == 0 && runs_here(*k)) return k;
+  for (const Choice& choice : kByChoice)
+    if (std::strcmp(choice.kernel->name, name) == 0 && choice.runs_here()) return choice.kernel;
   return nullptr;
 }
 
 const Kernel& kernel_pick() {
   if (const char* expected = std::getenv("DRAPE_SIMD"))
     if (const Kernel* k = kernel_named(expected)) return *k;
-  for (const Kernel* k : kByChoice)
-    if (runs_here(*k)) return *k;
+  for (const Choice& choice : kByChoice)
+    if (choice.runs_here()) return *choice.kernel;
   return kKernelPortable;
 }
 

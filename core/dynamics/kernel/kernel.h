@@ -73,7 +73,7 @@ void kernel_forces(const Kernel& kernel, const System& system, const State& stat
 double velocity_extrapolation(const System& system, const State& state);
 
 // The fastest kernel of this processor. The environment variable DRAPE_SIMD = portable | scalar | avx2 |
-// avx512 selects one that the processor supports. `scalar` is a slow reference with fused arithmetic.
+// avx512 selects one that build and processor have. `scalar` is a slow reference with fused arithmetic.
 const Kernel& kernel_pick();
 const Kernel* kernel_named(const char* name);  // null: unknown, or not supported here
 

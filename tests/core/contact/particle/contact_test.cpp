@@ -289,6 +289,7 @@ TEST(Contact, BitsAreThoseOfEveryKernelAndGrouping) {
     return positions(a);
   };
   const Eigen::VectorXd whole = run("scalar", 1);
+  if (whole.size() == 0) GTEST_SKIP() << "no kernel with fused arithmetic";
   for (const char* kernel : {"avx2", "avx512"}) {
     const Eigen::VectorXd other = run(kernel, 6);
     if (other.size() == 0) continue;  // not on this processor
