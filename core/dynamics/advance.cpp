@@ -14,11 +14,11 @@ namespace {
 
 using math::vector3::operator*;
 
-constexpr int kLimitCheckLongest = 32;                // steps between two looks at the step limit, at most
-constexpr int kLimitCheckGiven = 8;                   // the same where the scene gives the step
+constexpr int kLimitCheckLongest = 32;                // steps between two checks of the step limit, at most
+constexpr int kLimitCheckGiven = 8;                   // where the scene gives the step
 constexpr std::int64_t kIntervalsBeforeGrowth = 100;  // intervals before the step may grow
 
-// Room for v_{n-3/2} where forces depend on velocity; while it is not known, v_{n-1/2} stands for it.
+// Allocates v_{n-3/2} where forces depend on velocity. While it is unknown, v_{n-1/2} stands for it.
 void rates_begin(const System& system, State& s) {
   const bool rates = model::system_has_rates(system);
   if (rates != s.wx.empty()) return;
@@ -30,11 +30,11 @@ void rates_begin(const System& system, State& s) {
 
 std::int64_t steps_for(double length, double h_max) {
   const double n = std::ceil(length / h_max * (1 - 1e-12));
-  constexpr double kMax = 1e16;  // beyond 1e9 intervals of kSubsMost steps; no number counts as beyond, too
+  constexpr double kMax = 1e16;  // more than 1e9 intervals of kMaxStepsPerInterval steps; also for NaN
   return n < 1 ? 1 : std::int64_t(n < kMax ? n : kMax);
 }
 
-// The largest step allowed at the state the last look saw.
+// The largest step allowed at an omega^2.
 double step_allowed(const System& system, double damping, double omega2) {
   if (system.step_given > 0) return std::min(system.step_given, system.step_max);
   return std::min(step_safety(system, damping, omega2) * step_limit_of(system, omega2), system.step_max);
@@ -51,8 +51,8 @@ bool all_finite(const System& system, const State& s) {
   return sum == 0;
 }
 
-// Looks at the step limit where the present velocities lead until the next look. A long look that finds the
-// step too large is repeated over fewer steps: in vibrating cloth velocities turn long before.
+// Checks the step limit along the present velocities up to the next check. A check over many steps that finds
+// the step too large is repeated over fewer: in vibrating cloth velocities reverse long before.
 void check_step_limit(const System& system, const Motion& motion, State& s, double h) {
   if (system.step_given > 0) {
     s.omega2 = step_limit_omega2(system, *motion.kernel, s);
@@ -76,7 +76,7 @@ void describe_step(std::string& event, const char* verb, double time, double h, 
   event = text;
 }
 
-// Fewer steps for the coming interval of q, where the last hundred would have allowed it.
+// Fewer steps for the next interval of q, where the last hundred would have allowed it.
 void steps_relax(const System& system, State& s, std::string& event) {
   if (s.intervals_since_change < kIntervalsBeforeGrowth || system.fit) return;
   const double q = system.communication;
@@ -89,8 +89,8 @@ void steps_relax(const System& system, State& s, std::string& event) {
   describe_step(event, "grows", model::state_time(s, q), q / double(expected), s);
 }
 
-// Looks at the step limit after `done` of the n steps that fill `length`; where it has fallen, n doubles, in
-// a fit the inertia grows.
+// Checks the step limit after `done` of the n steps that fill `length`. Where it has fallen, n doubles; in a
+// fit the inertia grows.
 Advance limit_check(const System& system, Motion& motion, State& s, double length, std::int64_t& n,
                     std::int64_t& done, std::string& event) {
   if (!all_finite(system, s)) return Advance::kNotFinite;
@@ -114,7 +114,7 @@ Advance limit_check(const System& system, Motion& motion, State& s, double lengt
   return Advance::kDone;
 }
 
-// n steps that fill `length`; more when the limit falls on the way. None where a fit is at rest.
+// Takes n steps that fill `length`; more when the limit falls meanwhile. None where a fit is at rest.
 Advance interval_run(const System& system, Motion& motion, State& s, double length, std::int64_t n,
                      std::string& event) {
   for (std::int64_t done = 0; done < n && !s.relaxation.at_rest; ++done) {
@@ -129,7 +129,7 @@ Advance interval_run(const System& system, Motion& motion, State& s, double leng
   return Advance::kDone;
 }
 
-void subs_begin(const System& system, const Motion& motion, State& s) {
+void steps_begin(const System& system, const Motion& motion, State& s) {
   if (system.step_given == 0) s.max_contact_step = contact::max_step(system, s);
   s.omega2 = s.max_omega2 = step_limit_omega2(system, *motion.kernel, s);
   s.steps_per_interval = steps_for(system.communication, step_now(system, s, s.omega2));
@@ -143,8 +143,8 @@ double kinetic_energy(const System& system, const State& s) {
   return sum / 2;
 }
 
-// Links on ridges share nodes with each other and with particles that touch, so that what bodies have been
-// told of the half step before this advance is found as it was then, and taken out of the first step of it.
+// Links on sharp edges share nodes with each other and with particles in contact. So the impulse that was
+// reported for the half step before this advance is computed as it was then, and taken out of its first step.
 void edge_half_kick_report(const System& system, Motion& motion, State& s) {
   motion.contact.half_kick_reported = contact::edge_any(s) && last_half(system, s) > 0 && !system.fit;
   if (!motion.contact.half_kick_reported) return;
@@ -154,8 +154,8 @@ void edge_half_kick_report(const System& system, Motion& motion, State& s) {
     s.body[b].impulse = {-1.0 * motion.contact.load[b].force, -1.0 * motion.contact.load[b].torque};
 }
 
-// Lays the paths of an advance and begins them. Where the velocity of a pin jumps, so do those of the cloth;
-// the impulse is the first of the advance. (The paper's scheme takes it up in its first step.)
+// Begins the paths of an advance. Where the velocity of a pin jumps, so does that of the cloth; the impulse
+// is the first of the advance. (In the paper's scheme it is part of the first step.)
 void inputs_begin(const System& system, Motion& motion, State& s, double length) {
   s.pin_impulse.assign(s.pin_impulse.size(), math::Wrench{});
   for (model::BodyContact& body : s.body) body.impulse = math::Wrench{};
@@ -179,7 +179,7 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   if (system.energy) s.input += kinetic_energy(system, s) - before;
 }
 
-// Lets the system change before an interval; where it has, looks again at what is held.
+// Lets the system change before an interval. Where it has, targets and rates of held points are updated.
 void interval_open(Motion& motion, State& s, double intervals, const IntervalBegins& begins) {
   if (!begins || !begins(intervals)) return;
   held_refresh(motion.constraints, s, motion.held);
@@ -214,11 +214,11 @@ void leapfrog_begin(const System& system, Motion& motion, State& s) {
   constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
                       nullptr);
   rates_begin(system, s);
-  subs_begin(system, motion, s);
+  steps_begin(system, motion, s);
   if (s.body.empty() && !contact::self_enabled(system)) return;
   contact::begin(system, motion.kernel->contact, motion.contact, s);
   contact::self_begin(system, s);
-  subs_begin(system, motion, s);  // with what is near
+  steps_begin(system, motion, s);  // with contact in the bound
 }
 
 void leapfrog_retuned(const System& system, Motion& motion, State& s) {
@@ -226,7 +226,7 @@ void leapfrog_retuned(const System& system, Motion& motion, State& s) {
   s.steps_to_limit_check = 0;
   s.limit_check_period = 1;
   if (system.fit) relaxation_resume(s), relaxation_forget(s);
-  if (s.steps == 0) subs_begin(system, motion, s);
+  if (s.steps == 0) steps_begin(system, motion, s);
 }
 
 Advance leapfrog_advance(const System& system, Motion& motion, State& s, double length, std::string& event,

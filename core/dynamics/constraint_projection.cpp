@@ -144,7 +144,7 @@ void rows_apply(const System& system, const constraint::Constraints& c, const St
   }
 }
 
-// The scalar rows of rows and links: what is left of the rows, as in `left`, and what `excess` says of links.
+// Sets the right-hand side of the scalar rows: left(k) of row k, excess(k) of link k.
 template <class Left, class Excess>
 void rigid_right_hand_side(const constraint::Constraints& c, constraint::RigidNow& now, Left left,
                            Excess excess) {
@@ -162,7 +162,7 @@ double largest_excess(const constraint::Constraints& c, const model::Field& r) {
   return largest;
 }
 
-// Rows and links met at positions r, by sweeps; what they took in now.y. `v` follows by 1/h.
+// Projects positions r onto rows and links by sweeps, with multipliers in now.y. `v` changes by 1/h of that.
 void rigid_project_positions(const System& system, const constraint::Constraints& c, const Array& target,
                              const model::Field& r, const model::Field* v, double h,
                              constraint::RigidNow& now) {
@@ -180,7 +180,7 @@ void rigid_project_positions(const System& system, const constraint::Constraints
   }
 }
 
-// A field brought to the rates of rows and links; what they took in held.y.
+// Projects a field onto the rates of rows and links, with multipliers in held.y.
 void rigid_project(const System& system, const constraint::Constraints& c, const model::Field& f,
                    HeldMotion& held) {
   constexpr int kSweeps = 4;

@@ -1,9 +1,12 @@
-// Constraints at work: after each step, and on accelerations and velocities for output.
+// Projection onto the constraints: of each step, and of accelerations and velocities for output.
 //
-// At the beginning of an advance the step's kick, from t_n - h_o/2 to t_n + h/2, belongs to two advances. The
-// one before has been told the impulse that turns its last half kick into the prescribed velocity, m
-// [v_{n-1/2} + h_o a/2 - (1 + c h_o/2) v_n]; the new one gets the rest, so that impulses and the momenta of
-// synchronous velocities balance exactly.
+// At the beginning of an advance the kick of the step, from t_n - h_o/2 to t_n + h/2, belongs to two
+// advances. The one before has reported the impulse that turns its last half kick into the prescribed
+// velocity,
+//
+//     m [v_{n-1/2} + h_o a/2 - (1 + c h_o/2) v_n];
+//
+// the new one gets the rest. So impulses and the momenta of synchronous velocities balance exactly.
 #pragma once
 #include "dynamics/held_motion.h"
 #include "model/field.h"
@@ -22,15 +25,15 @@ void constraints_project_again(const System& system, const constraint::Constrain
                                const model::Scheme& scheme, const char* touched, HeldMotion& held,
                                State& state);
 
-// Ends a step: what is held at t_{n+1} is so now.
+// Ends a step: the targets of t_{n+1} become those of t_n.
 void constraints_end_step(const constraint::Constraints& constraints, const State& state, HeldMotion& held);
 
 // Projects a field of accelerations or velocities onto held.rate; `load` [pins], where it is not null,
-// receives m times what was taken out: for accelerations, the pins' forces on the outside world.
+// receives m times what was taken out: for accelerations, the forces of the pins on the outside world.
 void constraints_project(const System& system, const constraint::Constraints& constraints, HeldMotion& held,
                          model::Field field, std::vector<math::Wrench>* load);
 
-// Puts held points where they are to be at t_n, by the least change in the norm of the masses.
+// Moves held points to their targets at t_n by the smallest change in the norm of the masses.
 void constraints_place(const System& system, const constraint::Constraints& constraints, HeldMotion& held,
                        model::Field positions);
 

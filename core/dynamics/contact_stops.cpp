@@ -1,4 +1,4 @@
-// What stops hold, for pressures: the part of a body's force that its penalty has not. core/README.md,
+// The forces of stops, for pressures: the part of a body's force beyond its penalty. core/README.md,
 // section 9.
 #include "dynamics/advance.h"
 

@@ -20,8 +20,8 @@ Vec3 part_rate(const math::RigidMotion& f, double share, const Vec3& arm, model:
          cross(f.angular_velocity, cross(f.angular_velocity, arm));
 }
 
-// Of a link along itself: what turning asks, and what a step does against what it is off; in a fit a step
-// moves by h^2 times the lightness.
+// The acceleration along a link: of its rotation, and of what a step does against its error of length. In a
+// fit a step moves by h^2 times the inverse mass scale.
 double link_acceleration(const constraint::RigidLink& link, const State& s) {
   const auto [a, b] = link.node;
   const Vec3 turns = Vec3{s.vx[b], s.vy[b], s.vz[b]} - Vec3{s.vx[a], s.vy[a], s.vz[a]};

@@ -6,29 +6,29 @@
 
 namespace drape::dynamics {
 
-// Where held points are and are to be; "held" counts the fixed nodes, then the rows.
+// Held points at t_n and t_{n+1}. "held" counts the fixed nodes, then the rows.
 struct HeldMotion {
   Array now, next;  // [held x 3] m, targets at t_n and t_{n+1}
   Array rate;       // [held x 3] prescribed velocities (or accelerations)
   Array arm;        // [parts x 3] m, R (start - share p_0) at t_n
   Array old;        // [entries x 3] m/s, v_{n-1/2} of fixed nodes and of the rows' and links' nodes in order
   Array y, z;       // [rows x 3]
-  Array out;        // [held x 3] what the last projection took out, times m
+  Array out;        // [held x 3] m times what the last projection took out
   Array taken;      // [held x 3] the sum of these since it was 0
   constraint::RigidNow rigid;  // links
-  bool moves = false;          // a target does
-  double work = 0;             // J, of the pins on the cloth in the half step that the state's sums lack
+  bool moves = false;          // a target moves
+  double work = 0;             // J, of the pins on the cloth in the half step that the sums of the state lack
 };
 HeldMotion held_make(const constraint::Constraints& constraints);
 
-// Targets and arms at the frames of a state.
+// Sets targets and arms from the motions of the pins of a state.
 void held_refresh(const constraint::Constraints& constraints, const State& state, HeldMotion& held);
 
 // The velocities that held points are to have, or their accelerations.
 void held_rates(const constraint::Constraints& constraints, const State& state, model::Pass pass,
                 HeldMotion& held);
 
-// Keeps v_{n-1/2} of the held nodes.
+// Stores v_{n-1/2} of the held nodes.
 void held_store_velocities(const constraint::Constraints& constraints, const State& state, HeldMotion& held);
 
 // The work of the pins on the cloth while a projection of `centred` m v turned `before` v_{n-1/2} into v_n.

@@ -89,7 +89,7 @@ void seams_restore(const System& system, Motion& motion, const State& s) {
     motion.welded[p] = is_welded(s, p);
     if (is_welded(s, p)) rows.push_back(weld_row(system.seams.pair[p].gap));
   }
-  std::vector<Problem> none;  // the pins have been judged when the system was made
+  std::vector<Problem> none;  // the pins were checked when the system was made
   motion.constraints =
       constraint::constraints_make(rows, system.inverse_mass, system.constraints.pins, none, system.links);
   motion.held = held_make(motion.constraints);

@@ -23,7 +23,7 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
     s.input = now.input + done.work_of_pins + done.work_of_bodies;
   }
   const double half = last_half(system, s);
-  // what has been taken out for the first step (ridges_told) does not come in any more
+  // The half kick that was taken out in advance (edge_half_kick_report) is added back here.
   const bool adds = !s.advance_begins || motion.contact.half_kick_reported;
   for (std::size_t b = 0; adds && b < s.body.size(); ++b) {
     s.body[b].impulse.force += motion.contact.load[b].force;
@@ -41,7 +41,7 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
   }
   if (contact::edge_any(s))
     contact::edge_store_velocities(system, s,
-                                   motion.contact.edge_pairs);  // what penalties lost is counted above
+                                   motion.contact.edge_pairs);  // the loss of penalties is counted above
   s.h_old = s.h_older = 0;
 }
 
@@ -66,10 +66,14 @@ model::Scheme scheme_of_last_kick(const System& system, const State& s) {
           .centred = system.composition ? 1 : 1 + damping_of(system, s) * half};
 }
 
-// v_n = (v_{n-1/2} + (h_old/2) f)/(1 + c h_old/2) with the free acceleration f = F/m + g; above order 2, the
-// damped v of the last drift + b h_old f; the paper's scheme holds v_n itself. Loads are what a projection
-// takes out of that half kick; where there was none, and in a fit, whose steps have another inertia, of the
-// accelerations f - c v_n, from which v_n then follows again.
+// With the free acceleration f = F/m + g,
+//
+//     v_n = (v_{n-1/2} + (h_old/2) f)/(1 + c h_old/2).
+//
+// Above order 2 it is the damped v of the last drift + b h_old f. The paper's scheme holds v_n itself. Loads
+// are what the projection takes out of that half kick. Where there was none, and in a fit, whose steps have
+// another inertia, loads are those of the accelerations f - c v_n, and v_n follows from the projected
+// accelerations.
 HalfKick leapfrog_synchronous(const System& system, Motion& motion, const State& s, model::Field f,
                               std::vector<math::Wrench>& load) {
   const model::Scheme scheme = scheme_of_last_kick(system, s);
@@ -80,15 +84,16 @@ HalfKick leapfrog_synchronous(const System& system, Motion& motion, const State&
   double* now[] = {f.x, f.y, f.z};
   const double* inverse_mass_scale = s.inverse_mass_scale.empty() ? nullptr : s.inverse_mass_scale.data();
   const Vec3 gravity = gravity_of(system, s);
-  const auto each = [&](auto value) {  // from what it is, v_{n-1/2}, h_old/2, 1/m, g; unused nodes too
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double *v = staggered[k]->data(), *inverse_mass = system.inverse_mass.data();
-      const double g = gravity[k];
-      for (std::size_t n = 0; n < system.nodes; ++n)
-        now[k][n] = value(now[k][n], v[n], inverse_mass_scale ? half * inverse_mass_scale[n] : half,
-                          inverse_mass[n], g);
-    }
-  };
+  const auto each =
+      [&](auto value) {  // of force or acceleration, v_{n-1/2}, h_old/2, 1/m, g; unused nodes too
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double *v = staggered[k]->data(), *inverse_mass = system.inverse_mass.data();
+          const double g = gravity[k];
+          for (std::size_t n = 0; n < system.nodes; ++n)
+            now[k][n] = value(now[k][n], v[n], inverse_mass_scale ? half * inverse_mass_scale[n] : half,
+                              inverse_mass[n], g);
+        }
+      };
   HeldMotion& held = motion.held;
   load.assign(s.pin_impulse.size(), math::Wrench{});
   held_refresh(motion.constraints, s, held);
