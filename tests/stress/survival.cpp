@@ -77,7 +77,7 @@ constexpr Cloth kCloths[] = {
 };
 
 Scene scene_of(const Cloth& cloth, double damping, int order) {
-  const SceneFolder folder;
+  const tests::SceneFolder folder;
   const std::string text =
       "[scene]\nname = \"survival\"\ndamping = " + std::to_string(damping) +
       "\norder = " + std::to_string(order) + "\n[options]\nclamp_correction = false\n[fabric.cloth]\n" +
@@ -86,7 +86,7 @@ Scene scene_of(const Cloth& cloth, double damping, int order) {
       "place = { origin = [0, 0, 0], axis_x = [1, 0, 0], axis_y = [0, 1, 0] }\n" +
       "[[pin]]\nname = \"peg\"\npiece = \"square\"\n" + cloth.pins;
   std::vector<Problem> problems;
-  const Scene scene = scene_load(folder.write("scene.toml", text), problems);
+  const Scene scene = validation::scene_load(folder.write("scene.toml", text), problems);
   for (const Problem& p : problems) std::fprintf(stderr, "%s\n", problem_text(p).c_str());
   if (!problems.empty()) std::exit(1);
   return scene;
@@ -97,13 +97,13 @@ struct Run {
   State state;
   dynamics::Motion motion;
   Array vx, vy, vz;
-  std::vector<PinLoad> load;
+  std::vector<math::Wrench> load;
 };
 
 // Level cloth with every free particle off by up to kCrumple of a cell and moving at up to kThrow.
 void run_begin(Run& r, const Scene& scene, unsigned seed) {
   std::vector<Problem> problems;
-  r.system = system_assemble(scene, r.state, problems);
+  r.system = assembly::system_assemble(scene, r.state, problems);
   r.motion = dynamics::motion_make(r.system);
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -113,7 +113,7 @@ void run_begin(Run& r, const Scene& scene, unsigned seed) {
       (*a)[n] += held ? 0 : kCrumple * kCell * unit(random);
     for (Array* a : {&r.state.vx, &r.state.vy, &r.state.vz}) (*a)[n] = held ? 0 : kThrow * unit(random);
   }
-  for (const FixedNode& f : r.system.constraints.fixed) {
+  for (const constraint::FixedNode& f : r.system.constraints.fixed) {
     r.state.x[f.node] = f.target.start[0], r.state.y[f.node] = f.target.start[1],
     r.state.z[f.node] = f.target.start[2];
     r.state.vx[f.node] = r.state.vy[f.node] = r.state.vz[f.node] = 0;
@@ -209,7 +209,7 @@ int run(long steps, unsigned seeds, const char* only, double smallest, double la
   // What a linear system promises: bounded at the default factor.
   int broken = 0;
   for (const Job& j : jobs)
-    broken += j.ratio <= (j.damping > 0 ? kSafetyDamped : kSafetyUndamped) && !j.survived;
+    broken += j.ratio <= (j.damping > 0 ? dynamics::kSafetyDamped : dynamics::kSafetyUndamped) && !j.survived;
   if (broken)
     std::printf("%d runs at or below the default factors %g, undamped, and %g grew\n", broken,
                 dynamics::kSafetyUndamped, dynamics::kSafetyDamped);
