@@ -1,4 +1,4 @@
-# Sourced by examples/quickstart.sh and tests/run.sh. Installs what is missing, configures and builds into build/.
+# Sourced by examples/quickstart.sh, tests/run.sh and .ci/run. Installs what is missing, configures and builds into build/.
 # Everything that is already there is left alone, so a second run needs no network and takes seconds.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
@@ -13,7 +13,8 @@ debian_packages=(
   libegl1 libgl1-mesa-dri
 )
 
-# What the reference, the benchmark and the tests add. libsundials-dev alone brings 175 packages, MPI and PETSc among them.
+# What the reference, the benchmark and the tests add. libsundials-dev alone brings MPI, PETSc
+# and some 170 packages more, so the quickstart does without it.
 test_packages=(libsundials-dev libgtest-dev)
 
 say() { printf '\n== %s\n' "$*"; }
@@ -59,18 +60,16 @@ install_python_packages() {
   cp "$wanted" "$installed"
 }
 
-# stage NAME command ...: runs it and prints how long it took; stages_print repeats all of them.
-stages=()
+# stage NAME command ...: runs it and prints how long it took; stages_print repeats all, those of scripts it ran too.
+export DRAPE_STAGES=${DRAPE_STAGES:-$(mktemp)}
 stage() {
-  local name=$1 start=$SECONDS code=0
+  local name=$1 start=$SECONDS
   shift
   say "$name"
-  "$@" || code=$?
-  stages+=("$(printf '%6d s  %s%s' $((SECONDS - start)) "$name" "$([[ $code -eq 0 ]] || echo ': FAILED')")")
-  echo "${stages[-1]}"
-  return $code
+  "$@"
+  printf '%6d s  %s\n' $((SECONDS - start)) "$name" | tee -a "$DRAPE_STAGES"
 }
-stages_print() { printf '%s\n' "${stages[@]}"; }
+stages_print() { cat "$DRAPE_STAGES"; }
 
 # build_drape [cmake options]: options given once stay in build/, so the two scripts can share the folder.
 build_drape() {

@@ -29,6 +29,14 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+bool name_fits(const std::string& name) {
+  constexpr std::size_t kMaxLength = 64;
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto inner = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; };
+  return !name.empty() && name.size() <= kMaxLength && letter(name[0]) &&
+         std::all_of(name.begin(), name.end(), inner);
+}
+
 std::string spelling_nearest(std::string_view word, const std::vector<std::string>& known) {
   std::string nearest;
   std::size_t smallest = std::string::npos;

@@ -32,10 +32,9 @@ int run_bench(std::vector<std::string> arguments) {
 }  // namespace
 
 void command_bench(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("bench", "measure particle-steps per second; pin it to one core");
-  command->allow_extras();  // the benchmark reads the arguments,
-  command->set_help_flag();  // --help among them
-  command->callback([command, &exit_code] { exit_code = run_bench(command->remaining()); });
+  CLI::App* command = command_add(app, "bench", "measure particle-steps per second; pin it to one core");
+  command_accept_all(*command);  // the benchmark reads the words
+  command_on_run(*command, [command, &exit_code] { exit_code = run_bench(command_words(*command)); });
 }
 
 }  // namespace drape::command

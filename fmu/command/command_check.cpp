@@ -158,11 +158,11 @@ int check(const Options& options) {
 
 void command_check(CLI::App& app, int& exit_code) {
   CLI::App* command =
-      app.add_subcommand("check", "read and validate a scene; print its size, step limit and cost");
+      command_add(app, "check", "read and validate a scene; print its size, step limit and cost");
   auto options = std::make_shared<Options>();
   option_scene(*command, options->scene_file);
-  command->add_option("--picture", options->picture, "draw the pieces on their grids")->type_name("FILE.svg");
-  command->callback([options, &exit_code] { exit_code = check(*options); });
+  option_add(*command, "--picture", options->picture, "draw the pieces on their grids", {.type = "FILE.svg"});
+  command_on_run(*command, [options, &exit_code] { exit_code = check(*options); });
 }
 
 }  // namespace drape::command

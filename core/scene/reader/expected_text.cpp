@@ -81,14 +81,6 @@ const char* node_kind(const toml::node& node) {
   }
 }
 
-bool name_fits(const std::string& name) {
-  constexpr std::size_t kMaxLength = 64;
-  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  const auto inner = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; };
-  return !name.empty() && name.size() <= kMaxLength && letter(name[0]) &&
-         std::all_of(name.begin(), name.end(), inner);
-}
-
 void location_note(Faults& faults, const std::string& path, const toml::node& node) {
   if (node.source().path) faults.locations[path] = {*node.source().path, node.source().begin.line};
 }

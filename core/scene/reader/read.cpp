@@ -5,6 +5,7 @@
 #include "scene/reader/normalize.h"
 #include "scene/reader/schema.h"
 #include "scene/reader/table_reader.h"
+#include "scene/spelling.h"
 
 namespace drape::scene {
 

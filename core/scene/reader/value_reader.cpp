@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "scene/reader/table_reader.h"
+#include "scene/spelling.h"
 
 namespace drape::scene {
 

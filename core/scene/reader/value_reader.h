@@ -85,11 +85,6 @@ std::string key_number(const Key& key, double value);
 std::string words_text(const std::vector<std::string>& words);
 const char* node_kind(const toml::node& node);
 
-// Names of objects become part of the names of FMU variables.
-bool name_fits(const std::string& name);
-constexpr const char* kNameRule =
-    "is no name; wanted: a letter, then letters, digits or underscores, at most 64 characters in all";
-
 // Stores the location of a path.
 void location_note(Faults& faults, const std::string& path, const toml::node& node);
 
