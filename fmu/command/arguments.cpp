@@ -106,7 +106,9 @@ void flag_add(CLI::App& command, const char* names, bool& to, const char* text) 
   command.add_flag(names, to, text);
 }
 
-void option_require_range(CLI::Option& option, double low, double high) { option.check(CLI::Range(low, high)); }
+void option_require_range(CLI::Option& option, double low, double high) {
+  option.check(CLI::Range(low, high));
+}
 bool option_given(const CLI::Option& option) { return option.count() > 0; }
 
 bool is_positive_number(const std::string& text) {

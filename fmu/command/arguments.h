@@ -16,7 +16,8 @@ namespace drape::command {
 // Adds a command to the line, or to another command. `run` is called when the line has been read.
 CLI::App* command_add(CLI::App& app, const char* name, const char* description);
 void command_on_run(CLI::App& command, std::function<void()> run);
-void command_require_one(CLI::App& command);  // one of its own commands must follow, as in `drape fabric test`
+void command_require_one(
+    CLI::App& command);  // one of its own commands must follow, as in `drape fabric test`
 
 // A command that accepts any words, even --help; command_words returns them in order.
 void command_accept_all(CLI::App& command);

@@ -34,9 +34,9 @@ CLI::Option* option_nodes(CLI::App& command, description::Nodes& nodes) {
   const auto problem = [](const std::string& text) {
     return kChoices.contains(text) ? "" : "'" + text + "'; allowed: none, outline, all";
   };
-  return option_add(
-      command, "--nodes", [&nodes](const std::string& text) { nodes = kChoices.at(text); },
-      "particles with variables of their own", {.type = "none|outline|all", .problem = problem});
+  return option_add(command, "--nodes", [&nodes](const std::string& text) { nodes = kChoices.at(text); },
+                    "particles with variables of their own",
+                    {.type = "none|outline|all", .problem = problem});
 }
 
 // An option for a time above 0 s. Without the option, `seconds` keeps its value.

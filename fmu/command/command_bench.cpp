@@ -19,7 +19,8 @@ int run_bench(std::vector<std::string> arguments) {
   const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
   const std::string program = here / "drape_bench";
   if (!std::filesystem::exists(program, error))
-    return fail(kBadInput, "this build has no benchmark; configure with -DDRAPE_REFERENCE=ON -DDRAPE_BENCH=ON");
+    return fail(kBadInput,
+                "this build has no benchmark; configure with -DDRAPE_REFERENCE=ON -DDRAPE_BENCH=ON");
   arguments.insert(arguments.begin(), program);
   std::vector<char*> words;
   for (std::string& argument : arguments) words.push_back(argument.data());

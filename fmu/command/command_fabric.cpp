@@ -310,8 +310,8 @@ void command_fabric(CLI::App& app, int& exit_code) {
   command_on_run(*command, [tested, &exit_code] { exit_code = test(*tested); });
 
   auto calibrated = std::make_shared<Options>();
-  command = command_add(
-      *fabric, "calibrate", "find the corrections with which strips return the diagrams; store them in the file");
+  command = command_add(*fabric, "calibrate",
+                        "find the corrections with which strips return the diagrams; store them in the file");
   options_add(*command, *calibrated);
   CLI::Option* output = option_add(*command, "-o,--output", calibrated->output,
                                    "file to write; default: the fabric file itself", {.type = "FILE.toml"});

@@ -45,7 +45,8 @@ void command_form(CLI::App& app, int& exit_code) {
   measure("--waist", options->measures.waist, "girth of the waist");
   measure("--hips", options->measures.hips, "girth at the fullest part of the hips");
   measure("--height", options->measures.height, "from the floor to the top of the head");
-  command_on_run(*command, [options, &exit_code] { exit_code = form_write(options->measures, options->file); });
+  command_on_run(*command,
+                 [options, &exit_code] { exit_code = form_write(options->measures, options->file); });
 }
 
 }  // namespace drape::command

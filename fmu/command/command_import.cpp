@@ -110,9 +110,8 @@ void command_import(CLI::App& app, int& exit_code) {
   CLI::App* command = command_add(app, "import", "make a scene of a sewing pattern (GarmentCode JSON)");
   auto options = std::make_shared<Options>();
   option_add(*command, "PATTERN", options->pattern, "pattern (JSON)", {.required = true});
-  CLI::Option* body =
-      option_add(*command, "--body", options->body, "who wears it; without, it is sewn weightless",
-                 {.type = "BODY.obj"});
+  CLI::Option* body = option_add(*command, "--body", options->body,
+                                 "who wears it; without, it is sewn weightless", {.type = "BODY.obj"});
   option_add(*command, "-o,--output", options->output, "the scene", {.type = "SCENE", .required = true});
   option_add(*command, "--cell", options->cell, "cells of the pieces, m",
              {.type = "METRES", .default_shown = true});

@@ -71,9 +71,9 @@ void command_reference(CLI::App& app, int& exit_code) {
   option_seconds(*command, "--until", options->run.until, "end time; default: the scene's duration");
   option_seconds(*command, "--every", options->run.every,
                  "time between rows; default: a hundredth of the duration");
-  option_add(
-      *command, "--nodes", [options](const std::string& which) { options->run.nodes = which == "all"; },
-      "particles with variables of their own", {.type = "none|all", .choices = {"none", "all"}});
+  option_add(*command, "--nodes",
+             [options](const std::string& which) { options->run.nodes = which == "all"; },
+             "particles with variables of their own", {.type = "none|all", .choices = {"none", "all"}});
   command_on_run(*command, [options, &exit_code] { exit_code = run_reference(*options); });
 }
 

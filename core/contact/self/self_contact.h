@@ -33,7 +33,8 @@ void self_invalidate_proximity(const System& system, State& state, double moved)
 void self_store_velocities(const System& system, SelfContactWorkspace& workspace, State& state, double h);
 
 // Adds self-contact to a free step. Needs self_store_velocities.
-void self_apply(const System& system, SelfContactWorkspace& workspace, const model::Scheme& scheme, State& state);
+void self_apply(const System& system, SelfContactWorkspace& workspace, const model::Scheme& scheme,
+                State& state);
 
 // After the particles have moved for `drift` s.
 void self_update_proximity(const System& system, State& state, double drift);

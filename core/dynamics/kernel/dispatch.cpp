@@ -65,8 +65,7 @@ double velocity_extrapolation(const System& system, const State& s) {
   return s.h_old / (s.h_old + s.h_older);
 }
 
-void kernel_step(const Kernel& kernel, const System& system, const model::Scheme& c, Workspace& w,
-                 State& s) {
+void kernel_step(const Kernel& kernel, const System& system, const model::Scheme& c, Workspace& w, State& s) {
   pass_run_all(kernel, system, c, w, s, {&s, nullptr, nullptr, nullptr});
 }
 

@@ -49,7 +49,7 @@ struct PassTarget {
 // One pass over a block of rows. The workspace holds the forces of irregular elements. `rates` includes the
 // forces that depend on velocity; for these a step keeps the old velocity in w.
 using LatticePass = void (*)(const System&, const RowBlock&, const model::Scheme&, const Workspace&,
-                      double* scratch, const State&, const PassTarget&);
+                             double* scratch, const State&, const PassTarget&);
 
 struct Kernel {
   const char* name;

@@ -1,4 +1,5 @@
-// The kernel with the fused arithmetic of AVX2, one double at a time: a slow reference for benchmark and tests.
+// The kernel with the fused arithmetic of AVX2, one double at a time: a slow reference for benchmark and
+// tests.
 #include "contact/particle/response.h"
 #include "dynamics/kernel/lattice_pass.h"
 #include "dynamics/step_size/cell_bound.h"

@@ -44,8 +44,9 @@ std::vector<std::string> panel_names(const JsonFaults& faults, const Json& patte
     const bool there = std::find(names.begin(), names.end(), name) != names.end();
     const bool again = std::find(ordered.begin(), ordered.end(), name) != ordered.end();
     if (!there || again)
-      json_fault(faults, path,
-                 "= " + json_text((*order)[k]) + (again ? " stands there twice" : " is no panel of the pattern"));
+      json_fault(
+          faults, path,
+          "= " + json_text((*order)[k]) + (again ? " stands there twice" : " is no panel of the pattern"));
     else ordered.push_back(name);
   }
   for (const std::string& name : names)

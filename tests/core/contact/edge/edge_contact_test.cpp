@@ -39,7 +39,8 @@ TEST(EdgeContact, MomentumIsBalancedOverEveryAdvance) {
   for (Array& of : v) of.assign(a.system.nodes, 0.0);
   std::vector<math::Wrench> pins;
   const auto now = [&] {
-    dynamics::leapfrog_synchronous(a.system, a.motion, a.state, {v[0].data(), v[1].data(), v[2].data()}, pins);
+    dynamics::leapfrog_synchronous(a.system, a.motion, a.state, {v[0].data(), v[1].data(), v[2].data()},
+                                   pins);
     return momentum(a, v);
   };
   Vec3 before = now();
