@@ -12,7 +12,7 @@
 namespace drape::dynamics {
 namespace {
 
-using math::vector3::operator*;
+using namespace math::vector3;
 
 constexpr int kLimitCheckLongest = 32;                // steps between two checks of the step limit, at most
 constexpr int kLimitCheckGiven = 8;                   // where the scene gives the step
@@ -89,41 +89,48 @@ void steps_relax(const System& system, State& s, std::string& event) {
   describe_step(event, "grows", model::state_time(s, q), q / double(expected), s);
 }
 
-// Checks the step limit after `done` of the n steps that fill `length`. Where it has fallen, n doubles; in a
-// fit the inertia grows.
-Advance limit_check(const System& system, Motion& motion, State& s, double length, std::int64_t& n,
-                    std::int64_t& done, std::string& event) {
+// Steps that fill `length` (s), of which some are done.
+struct Interval {
+  double length;
+  std::int64_t steps, done = 0;
+  double h() const { return length / double(steps); }
+};
+
+// Checks the step limit within an interval. Where it has fallen, the number of steps doubles; in a fit the
+// inertia grows.
+Advance limit_check(const System& system, Motion& motion, State& s, Interval& interval, std::string& event) {
   if (!all_finite(system, s)) return Advance::kNotFinite;
-  const auto h = [&] { return length / double(n); };
   if (system.fit) {
-    relaxation_update(system, motion, s, h());
+    relaxation_update(system, motion, s, interval.h());
     return Advance::kDone;
   }
-  check_step_limit(system, motion, s, h());
+  check_step_limit(system, motion, s, interval.h());
   if (system.step_given > 0)
-    return h() > step_limit_of(system, s.omega2) ? Advance::kStepAboveLimit : Advance::kDone;
-  while (h() > step_now(system, s, s.omega2)) {
-    if (h() * double(kMaxStepsPerInterval) < system.communication) return Advance::kTooManySteps;
-    n *= 2;
-    done *= 2;
+    return interval.h() > step_limit_of(system, s.omega2) ? Advance::kStepAboveLimit : Advance::kDone;
+  while (interval.h() > step_now(system, s, s.omega2)) {
+    if (interval.h() * double(kMaxStepsPerInterval) < system.communication) return Advance::kTooManySteps;
+    interval.steps *= 2;
+    interval.done *= 2;
     s.steps_per_interval *= 2;
     s.intervals_since_change = 0;
     s.max_omega2 = s.omega2;
-    describe_step(event, "falls", model::state_time(s, system.communication) + double(done) * h(), h(), s);
+    const double h = interval.h();
+    describe_step(event, "falls", model::state_time(s, system.communication) + double(interval.done) * h, h,
+                  s);
   }
   return Advance::kDone;
 }
 
-// Takes n steps that fill `length`; more when the limit falls meanwhile. None where a fit is at rest.
-Advance interval_run(const System& system, Motion& motion, State& s, double length, std::int64_t n,
-                     std::string& event) {
-  for (std::int64_t done = 0; done < n && !s.relaxation.at_rest; ++done) {
+// Takes the steps of an interval; more when the limit falls meanwhile. None where a fit is at rest.
+Advance interval_run(const System& system, Motion& motion, State& s, Interval interval, std::string& event) {
+  for (; interval.done < interval.steps && !s.relaxation.at_rest; ++interval.done) {
     if (s.steps_to_limit_check-- <= 0) {
-      if (const Advance how = limit_check(system, motion, s, length, n, done, event); how != Advance::kDone)
+      if (const Advance how = limit_check(system, motion, s, interval, event); how != Advance::kDone)
         return how;
       --s.steps_to_limit_check;
     }
-    leapfrog_step(system, motion, s, length / double(n), double(done + 1) / double(n), 1 / double(n));
+    const double steps = double(interval.steps);
+    leapfrog_step(system, motion, s, interval.length / steps, double(interval.done + 1) / steps, 1 / steps);
   }
   if (system.fit && !s.relaxation.at_rest && !path_moves(motion.path)) check_convergence(system, motion, s);
   return Advance::kDone;
@@ -248,7 +255,7 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
       interval_open(motion, s, 1, interval_begins);
       steps_relax(system, s, event);
       path_interval(motion.path, s, k, q);
-      result = interval_run(system, motion, s, q, s.steps_per_interval, event);
+      result = interval_run(system, motion, s, {q, s.steps_per_interval}, event);
       ++s.tick;
       ++s.intervals_since_change;
     }
@@ -256,7 +263,7 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
     interval_open(motion, s, length / q, interval_begins);
     steps_relax(system, s, event);
     result =
-        interval_run(system, motion, s, length, steps_for(length, q / double(s.steps_per_interval)), event);
+        interval_run(system, motion, s, {length, steps_for(length, q / double(s.steps_per_interval))}, event);
     s.intervals_since_change += std::max<std::int64_t>(1, std::int64_t(length / q));
     s.origin = model::state_time(s, q) + length;
     s.tick = 0;

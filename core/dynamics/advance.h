@@ -90,10 +90,10 @@ struct HalfKick {
 // where there is none, and in a fit, whose steps have another inertia.
 model::Scheme scheme_of_last_kick(const System& system, const State& state);
 
-// Synchronous velocities of all nodes at the present time (into v [nodes]) and the loads of the pins on the
+// Synchronous velocities of all nodes at the present time (into f [nodes]) and the loads of the pins on the
 // outside world (load [pins]): their mean over the last half step, which the impulses of the state lack;
 // before the first step, the present ones. Those of bodies are in motion.contact.load.
-HalfKick leapfrog_synchronous(const System& system, Motion& motion, const State& state, model::Field v,
+HalfKick leapfrog_synchronous(const System& system, Motion& motion, const State& state, model::Field f,
                               std::vector<math::Wrench>& load);
 
 // The forces of the stops of bodies at t_n, whatever the velocity.

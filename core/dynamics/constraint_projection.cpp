@@ -162,10 +162,18 @@ double largest_excess(const constraint::Constraints& c, const model::Field& r) {
   return largest;
 }
 
-// Projects positions r onto rows and links by sweeps, with multipliers in now.y. `v` changes by 1/h of that.
+// Positions, and the velocities that change by 1/h of what positions do; null: none do.
+struct MovedPositions {
+  model::Field r;
+  const model::Field* v = nullptr;
+  double h = 1;  // s
+};
+
+// Projects positions onto rows and links by sweeps, with multipliers in now.y.
 void rigid_project_positions(const System& system, const constraint::Constraints& c, const Array& target,
-                             const model::Field& r, const model::Field* v, double h,
-                             constraint::RigidNow& now) {
+                             const MovedPositions& moved, constraint::RigidNow& now) {
+  const model::Field &r = moved.r, *v = moved.v;
+  const double h = moved.h;
   constexpr int kSweeps = 4;
   constexpr double kMet = 1e-9;
   const constraint::RigidField fields[] = {{r.x, r.y, r.z, 1},
@@ -229,7 +237,7 @@ void rigid_apply(const System& system, const constraint::Constraints& c, const S
     math::cholesky_solve_scalar(now.factor, now.b.data());
     std::copy_n(now.b.begin(), held.z.size(), held.z.begin());
   }
-  rigid_project_positions(system, c, held.next, r, &v, step.scheme.drift, now);
+  rigid_project_positions(system, c, held.next, {r, &v, step.scheme.drift}, now);
   for (std::size_t k = 0; k < c.rows.size(); ++k) {
     Vec3 impulse = (step.scheme.impulse / step.scheme.drift) * at(now.y, k);
     if (system.energy)
@@ -279,7 +287,7 @@ void constraints_place(const System& system, const constraint::Constraints& c, H
                        model::Field r) {
   for (std::size_t k = 0; k < c.fixed.size(); ++k) set(r, c.fixed[k].node, at(held.now, k));
   if (!c.rigid.link.empty()) {
-    rigid_project_positions(system, c, held.now, r, nullptr, 1, held.rigid);
+    rigid_project_positions(system, c, held.now, {r}, held.rigid);
     constraint::rigid_aim(c.rigid, r.x, r.y, r.z, held.rigid);
     return;
   }

@@ -33,8 +33,8 @@ void constraints_end_step(const constraint::Constraints& constraints, const Stat
 void constraints_project(const System& system, const constraint::Constraints& constraints, HeldMotion& held,
                          model::Field field, std::vector<math::Wrench>* load);
 
-// Moves held points to their targets at t_n by the smallest change in the norm of the masses.
+// Moves held points at positions r to their targets at t_n by the smallest change in the norm of the masses.
 void constraints_place(const System& system, const constraint::Constraints& constraints, HeldMotion& held,
-                       model::Field positions);
+                       model::Field r);
 
 }  // namespace drape::dynamics

@@ -10,8 +10,7 @@
 namespace drape::dynamics {
 namespace {
 
-using math::vector3::operator*;
-using math::vector3::operator+=;
+using namespace math::vector3;
 
 // h_old = 0 is the half kick of the start.
 model::Scheme scheme_of_leapfrog(const System& system, const State& s, double h) {

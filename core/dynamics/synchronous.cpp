@@ -8,8 +8,7 @@
 
 namespace drape::dynamics {
 
-using math::vector3::operator*;
-using math::vector3::operator+=;
+using namespace math::vector3;
 
 void leapfrog_complete(const System& system, Motion& motion, State& s) {
   if (s.h_old == 0 || system.integrator == scene::Integrator::kPaper) return;

@@ -21,13 +21,7 @@
 namespace drape::contact {
 namespace {
 
-using math::vector3::cross;
-using math::vector3::dot;
-using math::vector3::norm;
-using math::vector3::operator*;
-using math::vector3::operator+;
-using math::vector3::operator-;
-using math::vector3::operator+=;
+using namespace math::vector3;
 using Lane = simd::ScalarLane<false>;
 
 constexpr double kSoft = 0.5;        // of W^2 of a particle

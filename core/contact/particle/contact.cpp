@@ -12,12 +12,7 @@
 namespace drape::contact {
 namespace {
 
-using math::vector3::cross;
-using math::vector3::dot;
-using math::vector3::operator*;
-using math::vector3::operator+;
-using math::vector3::operator-;
-using math::vector3::operator+=;
+using namespace math::vector3;
 
 ContactPass contact_pass_of(const System& system, ContactWorkspace& workspace, const State& s, std::size_t b,
                             double* sum) {

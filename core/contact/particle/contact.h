@@ -69,7 +69,7 @@ struct SynchronousPass {
 void warm_start(const System& system, const ContactWorkspace& workspace, const model::Scheme& scheme,
                 State& state);
 void warm_start_synchronous(const System& system, ContactWorkspace& workspace, const State& state,
-                            const SynchronousPass& pass);
+                            const SynchronousPass& of);
 
 // Adds the contact of bodies to a free step. Needs store_velocities.
 void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
@@ -88,7 +88,7 @@ void invalidate_proximity(State& state);
 // Adds contact to the field of a pass. workspace.load, dissipated and input are then those of this half kick,
 // as impulses; for accelerations, workspace.load is a force.
 void apply_synchronous(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
-                       const State& state, const SynchronousPass& pass);
+                       const State& state, const SynchronousPass& of);
 
 // The longest step (s) in which no particle leaves the region that its neighbours were searched in.
 double max_step(const System& system, const State& state);

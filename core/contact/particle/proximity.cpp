@@ -10,10 +10,7 @@
 namespace drape::contact {
 namespace {
 
-using math::vector3::cross;
-using math::vector3::operator*;
-using math::vector3::operator+;
-using math::vector3::operator-;
+using namespace math::vector3;
 
 void block_update(const System& system, ContactWorkspace& workspace, State& s, std::size_t b,
                   std::size_t node, double ahead) {
