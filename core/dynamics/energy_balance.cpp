@@ -135,7 +135,8 @@ void balance_drifted(const System& system, const Balance& b, State& s, double de
 }
 
 BalanceNow balance_now(const System& system, Balance& b, const State& s, double extrapolation,
-                       const Array& vx, const Array& vy, const Array& vz) {
+                       const Velocities& v) {
+  const Array &vx = v.x, &vy = v.y, &vz = v.z;
   if (system.integrator == scene::Integrator::kPaper || system.composition) return {s.dissipated, s.input};
   rates_set(system, b, s, extrapolation);
   pull_set(system, b, s, extrapolation);

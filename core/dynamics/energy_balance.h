@@ -25,10 +25,13 @@ void balance_end(const System& system, const Balance& balance, State& state, dou
 void balance_drifted(const System& system, const Balance& balance, State& state, double decay);
 
 // J from the start to t_n, with the half step that the sums of the state lack. v: synchronous velocities.
+struct Velocities {
+  const Array &x, &y, &z;  // [nodes] m/s
+};
 struct BalanceNow {
   double dissipated, input;
 };
 BalanceNow balance_now(const System& system, Balance& balance, const State& state, double extrapolation,
-                       const Array& vx, const Array& vy, const Array& vz);
+                       const Velocities& v);
 
 }  // namespace drape::dynamics

@@ -17,7 +17,7 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
   const HalfKick done = leapfrog_synchronous(system, motion, s, motion_field(motion), load);
   if (system.energy) {
     const BalanceNow now =
-        balance_now(system, motion.balance, s, extrapolation, motion.now_x, motion.now_y, motion.now_z);
+        balance_now(system, motion.balance, s, extrapolation, {motion.now_x, motion.now_y, motion.now_z});
     s.dissipated = now.dissipated + done.dissipated_by_contact + done.dissipated_by_self_contact;
     s.input = now.input + done.work_of_pins + done.work_of_bodies;
   }

@@ -127,9 +127,15 @@ namespace {
 
 // How far (m) a node may move until its distance to sharp features must be found again; marks whether one is
 // near. Infinite where it is marked, or the body has none.
-double edge_travel(const SharpRange& of, model::EdgeContact& c, std::size_t n, const Vec3& x,
-                   double clearance, double step, std::vector<std::uint32_t>& scratch) {
+struct MovingNode {
+  std::size_t n;
+  const Vec3& x;           // m, in the body's frame
+  double clearance, step;  // m: at least to the surface; of the next step
+};
+double edge_travel(const SharpRange& of, model::EdgeContact& c, const MovingNode& node,
+                   std::vector<std::uint32_t>& scratch) {
   if (of.sharp.feature.empty()) return INFINITY;
+  const auto& [n, x, clearance, step] = node;
   const double within = of.within + 2 * kAhead * step;
   double distance = clearance;
   if (distance <= within + of.margin)
@@ -165,7 +171,7 @@ void update_neighbours(const NeighbourBody& body, const NeighbourNodes& nodes, N
            grid.reach, near.listed, side_known(c.blocks, name, i, side) ? &side : nullptr},
           scratch.features, found);
     const double edge_free =
-        edge_travel(features, c.edges, n, x[i], near.clearance, norm(step[i]), scratch.sharp);
+        edge_travel(features, c.edges, {n, x[i], near.clearance, norm(step[i])}, scratch.sharp);
     const double free_distance = std::max(std::min(found.free_distance, edge_free), kMin * contact_distance);
     c.x[n] = x[i][0], c.y[n] = x[i][1], c.z[n] = x[i][2];
     c.free_distance2[n] = free_distance * free_distance;

@@ -145,7 +145,8 @@ Swung swung(int order, int n, double damping, bool driven = false,
   std::vector<math::Wrench> load;
   Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
   dynamics::leapfrog_synchronous(a.system, a.motion, a.state, {vx.data(), vy.data(), vz.data()}, load);
-  const dynamics::BalanceNow now = dynamics::balance_now(a.system, a.motion.balance, a.state, 0, vx, vy, vz);
+  const dynamics::BalanceNow now =
+      dynamics::balance_now(a.system, a.motion.balance, a.state, 0, {vx, vy, vz});
   drape_energy e = outputs::energy_potential(a.system, a.state);
   e.kinetic = outputs::energy_kinetic(a.system, vx, vy, vz);
   return {
