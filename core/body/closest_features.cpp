@@ -169,7 +169,7 @@ double candidates_collect(const BodySurface& s, const std::vector<int>& triangle
   for (int t : triangle) {
     const Facet& f = s.facet[std::size_t(t)];
     const Vec3 d = q.x - f.middle;
-    const double square = dot(d, d), radius = f.reach;
+    const double square = dot(d, d), radius = f.radius;
     if (square >= (radius + clear) * (radius + clear)) continue;
     const double over = std::abs(dot(d, f.normal));
     if (over >= q.reach || square >= (radius + q.reach) * (radius + q.reach)) {

@@ -7,8 +7,8 @@
 //      f  \ / f   e
 //     ------o---------
 //
-// The distance to a feature at p is |D (x - p)|, where D = n n^T for a face with normal n, D = 1 - e e^T for
-// an edge along e, and D = 1 for a vertex.
+// The distance to a feature at p is |D (x - p)|. D = n n^T for a face with normal n, D = 1 - e e^T for an
+// edge along e, and D = 1 for a vertex.
 #pragma once
 #include <array>
 #include <vector>

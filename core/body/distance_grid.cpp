@@ -59,7 +59,7 @@ Voxel voxel_subdivide(const DistanceGrid& v, int level, const Voxel& whole, cons
   for (int t : whole.triangle) {
     const Facet& f = v.surface->facet[std::size_t(t)];
     const Vec3 d = centre - f.middle;
-    const double far = f.reach + std::max(listed, clear);
+    const double far = f.radius + std::max(listed, clear);
     if (dot(d, d) > far * far) continue;
     const double distance = closest_features_distance(*v.surface, t, centre);
     clear = std::min(clear, distance);

@@ -21,9 +21,9 @@ struct SurfaceEdge {
 
 // The data of a triangle that a search reads first, in one cache line.
 struct alignas(64) Facet {
-  Vec3 middle;   // m
-  double reach;  // m, from the middle to the farthest corner
-  Vec3 normal;   // of length 1; outwards where the surface is a solid
+  Vec3 middle;    // m
+  double radius;  // m, from the middle to the farthest corner
+  Vec3 normal;    // of length 1; outwards where the surface is a solid
 };
 
 struct BodySurface {

@@ -29,8 +29,8 @@ inline double segment_distance2(const Vec3& p, const Vec3& a, const Vec3& b) {
   return dot(arm, arm);
 }
 
-// The closest point is the foot a + u e1 + v e2 of the perpendicular, with (p - a - u e1 - v e2).e = 0, where
-// that is inside the triangle. Otherwise it is on an edge.
+// The foot of the perpendicular is a + u e1 + v e2 with (p - a - u e1 - v e2).e = 0. If it is inside the
+// triangle, it is the closest point. Otherwise the closest point is on an edge.
 inline TriangleClosest triangle_closest(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   using namespace vector3;
   const Vec3 e1 = b - a, e2 = c - a, q = p - a;

@@ -6,11 +6,16 @@
 namespace drape::math {
 namespace {
 
-// Adds a segment of width d that starts at the value f. Its slope runs from k to k_next; its mean slope is s.
-// The polynomial is that of core/README.md, section 2, in powers of t.
-void segment_add(Curve& c, double start, double origin, double f, double d, double k, double k_next,
-                 double s) {
-  if (c.segments > 0) c.segment[c.segments - 1].end = start;
+struct SegmentShape {
+  double f, d;       // value at the origin; width
+  double k, k_next;  // slopes at both ends
+  double s;          // mean slope
+};
+
+// Adds a segment from `origin` on: the polynomial of core/README.md, section 2, in powers of t.
+void segment_add(Curve& c, double origin, const SegmentShape& shape) {
+  const auto [f, d, k, k_next, s] = shape;
+  if (c.segments > 0) c.segment[c.segments - 1].end = origin;
   CurveSegment& to = c.segment[c.segments++];
   const double bump = 30 * (s - (k + k_next) / 2);
   to.origin = origin;
@@ -21,9 +26,7 @@ void segment_add(Curve& c, double start, double origin, double f, double d, doub
   to.c5 = bump / (5 * d * d * d * d);
 }
 
-void line_add(Curve& c, double start, double origin, double f, double k) {
-  segment_add(c, start, origin, f, 1, k, k, k);
-}
+void line_add(Curve& c, double origin, double f, double k) { segment_add(c, origin, {f, 1, k, k, k}); }
 
 // Slopes at the points: the weighted harmonic mean of Fritsch and Butland (1984), limited to twice the
 // smaller of the two secant slopes.
@@ -159,20 +162,20 @@ Curve curve_make(const std::vector<double>& e, const std::vector<double>& f, con
   const bool straight =
       std::all_of(s.begin(), s.end(), [&](double v) { return std::abs(v - s[0]) <= 1e-14 * std::abs(s[0]); });
   if (straight && (below.odd || r == 1)) {
-    line_add(c, 0, 0, 0, k[0]);
+    line_add(c, 0, 0, k[0]);
     starts_set(c);
     return c;
   }
   if (!below.odd && r != 1) {
     const double w = below.blend, f_blend = -k[0] * w * (1 + r) / 2;
-    line_add(c, -w, -w, f_blend, r * k[0]);
-    segment_add(c, -w, -w, f_blend, w, r * k[0], k[0], k[0] * (1 + r) / 2);
+    line_add(c, -w, f_blend, r * k[0]);
+    segment_add(c, -w, {f_blend, w, r * k[0], k[0], k[0] * (1 + r) / 2});
   } else if (!below.odd) {
-    line_add(c, 0, 0, 0, k[0]);
+    line_add(c, 0, 0, k[0]);
   }
   const int zero = c.segments;
-  for (std::size_t i = 0; i < s.size(); ++i) segment_add(c, e[i], e[i], f[i], d[i], k[i], k[i + 1], s[i]);
-  line_add(c, e.back(), e.back(), f.back(), k.back());
+  for (std::size_t i = 0; i < s.size(); ++i) segment_add(c, e[i], {f[i], d[i], k[i], k[i + 1], s[i]});
+  line_add(c, e.back(), f.back(), k.back());
   energies_set(c, zero);
   bins_set(c);
   starts_set(c);

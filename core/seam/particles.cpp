@@ -8,10 +8,9 @@
 namespace drape::seam {
 namespace {
 
-constexpr double kReach = 1.5;  // cells, largest length of a tie [P]
-constexpr std::size_t kMin =
-    3;  // smallest number of ties of a particle; the closest nodes make up for missing ones
-constexpr double kSame = 1e-9;  // cells: particles closer than this are the same
+constexpr double kReach = 1.5;   // cells, largest length of a tie [P]
+constexpr std::size_t kMin = 3;  // smallest number of ties of a particle, if need be beyond kReach
+constexpr double kSame = 1e-9;   // cells: particles closer than this are the same
 
 double distance(Vec2 p, Vec2 q) { return std::hypot(q[0] - p[0], q[1] - p[1]); }
 
