@@ -78,7 +78,7 @@ struct ContactBlocks {
 // A link or cell of the cloth (an index in EdgeElements) near a sharp feature of the body.
 struct EdgePair {
   std::uint32_t element, feature;
-  bool outside = false;      // known to lie outside the body
+  bool outside = false;      // known to belong outside the body
   double sticking = 0;       // 1 where it sticks, else 0
   double share = 0;          // 1, of its penalty
   double stored = 0;         // J, of its penalty
@@ -104,8 +104,8 @@ struct BodyContact {
   math::Wrench
       impulse;    // N s, N m s, of the cloth on the body in the last advance, without its last half step
   Array x, y, z;  // [nodes] m, a particle's position when its neighbours were last updated
-  Array free_distance2;  // [nodes] m^2, square of its free distance: how far it may move from there before
-                         // its neighbours must be updated; infinite at unused nodes
+  Array free_distance2;   // [nodes] m^2, square of its free distance: how far it may move from there before
+                          // its neighbours must be updated; infinite at unused nodes
   Array group_clearance;  // [nodes / kRowUnit] m: how far all nodes of a group may still move before one must
                           // be compared with its free distance; at the group's first block, for a fixed body
   ContactBlocks blocks;
