@@ -78,7 +78,7 @@ struct ContactBlocks {
 // A link or cell of the cloth (an index in EdgeElements) near a sharp feature of the body.
 struct EdgePair {
   std::uint32_t element, feature;
-  bool outside = false;      // known to lie outside the body
+  bool outside = false;      // known to belong outside the body
   double sticking = 0;       // 1 where it sticks, else 0
   double share = 0;          // 1, of its penalty
   double stored = 0;         // J, of its penalty

@@ -1,5 +1,5 @@
-// With R = exp(f) and theta = |f|, the left Jacobian of the rotations gives the angular velocity [Chirikjian
-// 2011]:
+// With R = exp(f) and theta = |f|, the left Jacobian of the rotations gives the angular velocity (Chirikjian
+// 2011):
 //
 //     w  = f' + A f x f' + B f x (f x f')
 //     w' = f'' + A f x f'' + B [f x (f x f'') + f' x (f x f')] + A' f x f' + B' f x (f x f')

@@ -51,7 +51,7 @@ typedef struct drape_fabric {
   drape_diagram warp, weft, bias;    /* count 0: no law in this direction */
   double bending_warp, bending_weft; /* N m: rigidity per width, before the Poisson factor */
   double poisson;                    /* 1, Poisson's ratio in the bending rigidity */
-  double compression;                /* 1, stiffness in compression over the one in tension */
+  double compression;                /* 1, slope of the laws below zero over that at zero */
   double damping;                    /* s, damping along the links over their stiffness */
   double friction;                   /* 1, static coefficient; the kinetic one keeps its ratio to it */
 } drape_fabric;
@@ -101,7 +101,7 @@ typedef struct drape_inputs {
 
 /* Outputs: the state of a cloth at the present time. */
 typedef struct drape_strain {
-  double min, max, mean; /* fraction, over the links of one yarn direction; the mean is weighted by area */
+  double min, max, mean; /* fraction, over the links of one direction; the mean is weighted by area */
 } drape_strain;
 
 typedef struct drape_probe {
