@@ -1,4 +1,4 @@
-// `drape reference` in a build without it; linked with command_reference_absent.cpp alone.
+// `drape reference` in a build without the reference solver; linked with command_reference_absent.cpp alone.
 #include <gtest/gtest.h>
 
 #include <cstdio>
