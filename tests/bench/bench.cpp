@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kKernels[] = {"portable", "scalar", "avx2", "avx512"};
 constexpr int kSides[] = {33, 65, 129, 257, 1025};
 
-// Million particle-steps per second of each, measured by turns.
+// Million particle-steps per second of each cloth, measured alternately.
 std::vector<double> rates_of(std::vector<Ready>& cloths, const Patience& patience) {
   std::vector<Contender> contenders;
   for (Ready& r : cloths)
@@ -28,7 +28,7 @@ std::vector<double> rates_of(std::vector<Ready>& cloths, const Patience& patienc
   return rates;
 }
 
-// A row for each cloth, against the first.
+// Adds a row for each cloth, with its ratio to the first.
 void rows_add(const char* group, const std::vector<std::string>& names, std::vector<Ready>& cloths,
               const std::string& against, const Patience& patience, std::vector<Row>& rows) {
   const std::vector<double> rates = rates_of(cloths, patience);
@@ -37,7 +37,7 @@ void rows_add(const char* group, const std::vector<std::string>& names, std::vec
                     rates[k], rates[k] / rates[0], against});
 }
 
-// Every instruction set of this processor on one cloth, against the portable kernel.
+// Adds every instruction set of this processor on one cloth, against the portable kernel.
 void race_kernels(const Features& features, int side, const Patience& patience, std::vector<Row>& rows) {
   const Scene scene = scene_of(features, side);
   std::vector<Ready> cloths;
@@ -57,7 +57,7 @@ std::vector<Row> kernel_rows(const Patience& patience) {
   return rows;
 }
 
-// One and two threads by size; not to be pinned to one core.
+// One and two threads by size; the process must not be pinned to one core.
 std::vector<Row> thread_rows(const Patience& patience) {
   std::vector<Row> rows;
   for (const Features& features : {kStretchShear, kHinges, kFull})
@@ -101,7 +101,7 @@ std::vector<Row> feature_rows(const Patience& patience) {
   return rows;
 }
 
-// The share of the port bound that the kernel reaches; both measured in this run.
+// The fraction of the port bound that the kernel reaches. Both are measured in this run.
 std::vector<Row> bound_rows(const Patience& patience) {
   std::vector<Row> rows;
   for (Ports (*measure)() : {ports_avx2, ports_avx512}) {
@@ -122,7 +122,7 @@ std::vector<Row> bound_rows(const Patience& patience) {
   return rows;
 }
 
-// What tests/bench/peers/run.py compares others with.
+// The rows against which tests/bench/peers/run.py compares other programs.
 std::vector<Row> peer_rows(const Patience& patience) {
   std::vector<Ready> cloths;
   std::vector<std::string> names;
@@ -135,7 +135,8 @@ std::vector<Row> peer_rows(const Patience& patience) {
   return rows;
 }
 
-// A scene as it is: the time of a simulated second, and how much of a step the pass takes.
+// Adds a scene as it is: the wall time of a simulated second, and the share of a step that the kernel's pass
+// takes.
 void scene_rows_add(const std::string& file, const Patience& patience, std::vector<Row>& rows) {
   std::vector<Problem> problems;
   const Scene scene = validation::scene_load(file, problems);

@@ -1,4 +1,5 @@
-// The benchmark: groups of rows, each a ratio measured in one run. Run it pinned: taskset -c 0 drape bench.
+// The benchmark: groups of rows, each a ratio measured in one run. Run it pinned to a core: taskset -c 0
+// drape bench.
 #pragma once
 #include <string>
 #include <vector>
@@ -11,11 +12,11 @@ struct Row {
   std::size_t particles;
   std::string contender;  // the kernel
   double rate;            // million particle-steps per second
-  double ratio;           // of this rate to that of the row's yardstick, named in `against`
+  double ratio;           // of this rate to that of the row named in `against`
   std::string against;
 };
 
-// How long each figure is measured: `turns` times `seconds`; and the scenes of the group of that name.
+// How long each figure is measured, `turns` times `seconds`; and the scenes of the group "scenes".
 struct Patience {
   int turns = 7;
   double seconds = 0.1;
@@ -26,7 +27,7 @@ struct Group {
   const char* name;
   const char* description;
   std::vector<Row> (*rows)(const Patience&);
-  bool by_default = true;  // false: runs when it is named
+  bool by_default = true;  // false: the group runs only when it is named
 };
 const std::vector<Group>& groups();
 

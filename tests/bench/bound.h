@@ -1,4 +1,4 @@
-// The least time that the arithmetic ports need for one particle's step.
+// The shortest time that the arithmetic ports allow for one particle's step.
 #pragma once
 #include "bench/cloths.h"
 #include "bench/ports.h"
@@ -23,8 +23,7 @@ struct Operations {
 inline constexpr Operations kStretchShearOperations{55, 33, 4, 2, 8},
     kHingesOperations{55 + 6 + 68, 33 + 24, 4, 2, 10};
 
-// Million particle-steps per second: multiplications, additions, the divider and loads are ports of their
-// own.
+// Million particle-steps per second. Multiplications, additions, the divider and loads use separate ports.
 double port_bound(const Operations& operations, const Ports& ports);
 
 }  // namespace drape::bench

@@ -15,7 +15,8 @@ constexpr double kCell = 0.01;      // m
 constexpr double kCrumple = 0.003;  // of a cell
 constexpr double kStep = 0.4;       // of the limit
 
-// Slope at zero k (N/m on a 50 mm strip), three times as steep at 10 %; straight with one point.
+// A diagram of slope k at zero (N/m on a 50 mm strip), three times as steep at 10 %; straight with one
+// point.
 scene::DiagramSpec diagram(double k, int points) {
   scene::DiagramSpec d{{0}, {0}, {}};
   for (int i = 1; i <= points; ++i) {

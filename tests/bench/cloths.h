@@ -1,4 +1,5 @@
-// The cloths of the benchmark: squares of any number of particles, with what a step may have to compute.
+// The cloths of the benchmark: squares of any number of particles, with the features that a step may have to
+// compute.
 #pragma once
 #include <string>
 
@@ -15,7 +16,7 @@ struct Features {
   double damping = 0;    // c, 1/s
   double springs = 0;    // beta, s
   bool air = false;
-  bool energy = false;  // the balance is kept
+  bool energy = false;  // the energy balance is computed
   int layers =
       0;  // with self-contact: 1, alone; 2, two squares that lie on each other, of half the particles
 };
@@ -27,16 +28,16 @@ inline constexpr Features kFull{"full model", 16, true, true, 2};
 // About `side` squared particles in cells of 1 cm.
 Scene scene_of(const Features& features, int side);
 
-// Ready to step.
+// A cloth that is ready to step.
 struct Ready {
   System system;
   State state;
   dynamics::Motion motion;
   double step = 0;  // s
 };
-Ready ready_at_start(const Scene& scene, int threads = 1);  // as the scene says; its step is automatic
+Ready ready_at_start(const Scene& scene, int threads = 1);  // as in the scene, with the automatic step
 
-// A little crumpled, in steps of a fixed size.
+// The same, crumpled a little, in steps of a fixed size.
 Ready ready(const Scene& scene, int threads = 1);
 
 }  // namespace drape::bench

@@ -1,4 +1,4 @@
-// The benchmark's program, which `drape bench` starts.
+// The program of the benchmark, which `drape bench` starts.
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -15,9 +15,9 @@
 namespace drape::bench {
 namespace {
 
-enum ExitCode { kDone = 0, kBadInput = 1, kFailedRun = 2 };  // those of `drape`
+enum ExitCode { kDone = 0, kBadInput = 1, kFailedRun = 2 };  // the exit codes of `drape`
 
-constexpr const char *kPrecision = "precision", *kSeams = "seams";  // groups that are not among the others
+constexpr const char *kPrecision = "precision", *kSeams = "seams";  // groups with tables of their own
 
 struct Options {
   std::vector<std::string> groups, scenes;
@@ -30,7 +30,7 @@ int fail(ExitCode code, const std::string& sentence) {
   return code;
 }
 
-// Says on standard error what is wrong with a scene.
+// Returns false and reports the problems on standard error if a scene cannot be opened.
 bool scene_opens(const std::string& file) {
   const auto log = [](void*, drape_log_kind kind, const char* message) {
     if (kind == DRAPE_LOG_ERROR) std::fprintf(stderr, "error: %s\n", message);
@@ -57,7 +57,7 @@ bool rows_write(const std::string& file, const std::vector<Row>& rows) {
   return std::fclose(out) == 0;
 }
 
-// Rows of its own, and a table per scene.
+// Runs a group with rows of its own and a table per scene.
 int run_precision(const Options& options) {
   const std::vector<PrecisionRow> rows = precision(options.quick);
   if (options.csv_file.empty()) return kDone;

@@ -1,9 +1,9 @@
-// What the arithmetic ports of this core do in a second, lane by lane.
+// The throughput of this core's arithmetic ports, for operations on a lane.
 #pragma once
 
 namespace drape::bench {
 
-// Seconds that one operation on a lane takes where nothing waits for it.
+// Seconds that one operation on a lane takes where no other operation waits for it.
 struct Ports {
   const char* kernel;
   int width;  // doubles in a lane

@@ -1,4 +1,4 @@
-// Throughput of a lane's operations: independent ones in a row, as many as hide their latency; the best of
+// Throughput of a lane's operations: as many independent ones in a row as hide their latency; the best of
 // many short runs.
 #pragma once
 #include <chrono>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kChains = 12, kRounds = 400, kRuns = 400;
 
-// op(a, p) gives a chain its next value; p: numbers of its own.
+// op(a, p) gives a chain its next value. `p`: numbers of the chain.
 template <class L, class Op>
 double seconds_per_op(Op op) {
   using Clock = std::chrono::steady_clock;
@@ -24,7 +24,7 @@ double seconds_per_op(Op op) {
     for (int round = 0; round < kRounds; ++round)
       for (int k = 0; k < kChains; ++k) chain[k] = kept(op(chain[k], numbers + k * L::kWidth));
     for (int k = 0; k < kChains; ++k) L::store(numbers + k * L::kWidth, chain[k]);
-    asm volatile("" : : "r"(numbers) : "memory");  // somebody may look at them
+    asm volatile("" : : "r"(numbers) : "memory");  // keeps the compiler from removing them
     const double spent = std::chrono::duration<double>(Clock::now() - start).count();
     if (spent < best) best = spent;
   }

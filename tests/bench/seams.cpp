@@ -102,7 +102,7 @@ Scene cut(const SeamCase& of) {
 
 using Entries = std::vector<Eigen::Triplet<double>>;
 
-// B and t.
+// The matrix B and the targets t.
 struct Held {
   Eigen::SparseMatrix<double> rows;
   Eigen::VectorXd target;
@@ -149,7 +149,7 @@ Held held_of(const Scene& scene, const Rest& rest) {
   return held;
 }
 
-// The links along a seam.
+// Adds the links along a seam.
 void links_add(const Rest& rest, Entries& to) {
   for (const model::Seam& seam : rest.system.seams.seam)
     for (std::size_t k = seam.link_first; k < seam.link_first + seam.link_count; ++k) {
@@ -197,7 +197,7 @@ Rest rest_of(const Scene& scene) {
   return rest;
 }
 
-// The displacement at a point of a piece, along y.
+// The displacement along y at a point of a piece.
 double lift(const Rest& rest, std::size_t piece, Vec2 p) {
   const piece::GridPoint at = piece::grid_locate(rest.grids[piece], p);
   double sum = 0;
@@ -207,7 +207,7 @@ double lift(const Rest& rest, std::size_t piece, Vec2 p) {
   return sum;
 }
 
-// rms of the difference of the strains between points two coarse cells apart.
+// The rms difference of the strains between points two coarse cells apart.
 double strain_error(const SeamCase& of, const Rest& sewn, const Rest& whole) {
   const double step = 2 * of.ratio * kWidth / of.across, slope = std::tan(std::numbers::pi / 6);
   double sum = 0;

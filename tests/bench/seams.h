@@ -1,11 +1,11 @@
-// What a cut that is sewn again does to a strip: `drape bench seams`, and the tests of model case "cut and
-// sewn".
+// The effect on a strip of a cut that is sewn again: `drape bench seams`, and the tests of the model's case
+// "cut and sewn".
 //
-//      |////////|     A strip of W x 3 W, warp along y, jaws at both ends, pulled by 1e-4 of its length in
-//      its
-//      |________|     plane; linear laws. It is cut along the weft, along the warp or at 30 degrees to the
-//      |        |     weft and sewn again, the lower (left) piece on cells of W/n, the other on cells `ratio`
-//      |////////|     times as large. Both are compared with the strip in one piece on cells of W/n.
+//      |////////|     A strip of W x 3 W, warp along y, jaws at both ends, pulled in its plane by
+//      |________|     1e-4 of its length; linear laws. It is cut along the weft, along the warp or at
+//      |        |     30 degrees to the weft and sewn again, the lower (left) piece on cells of W/n,
+//      |////////|     the other on cells `ratio` times as large. Both are compared with the strip in
+//                     one piece on cells of W/n.
 //
 // The rest is the solution of K u = 0 on what pins and seams leave free, K the stiffness of the strip at
 // rest, by the method of multipliers:
@@ -37,8 +37,8 @@ struct SeamFigure {
 };
 SeamFigure seam_figure(const SeamCase& of);
 
-// Prints the table: all cuts, ratios and ties at W/20 and W/40, with the order in the cell; as CSV where a
-// file is named. False where that cannot be written.
+// Prints the table: all cuts, ratios and ties at W/20 and W/40, with the order in the cell. If a file is
+// named, it is written as CSV. Returns false where that fails.
 bool seams_print(const std::string& csv_file, bool quick);
 
 }  // namespace drape::bench

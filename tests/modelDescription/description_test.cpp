@@ -1,4 +1,4 @@
-// The variable table and what is printed from it.
+// The variable table and the texts printed from it.
 #include "description.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ std::vector<std::string> lines_of(std::istream&& text) {
   return lines;
 }
 
-// Compared line by line, so that a difference reads as one line.
+// Compares line by line, so that a difference is reported as one line.
 void expect_sample(const std::string& scene) {
   const Cloth cloth(drape_open(scene.c_str(), nullptr, nullptr), drape_close);
   ASSERT_TRUE(cloth);
@@ -43,7 +43,8 @@ void expect_sample(const std::string& scene) {
 TEST(Description, XmlIsTheCommittedSample) { expect_sample(kScene); }
 TEST(Description, XmlOfADrivenClothIsTheCommittedSample) { expect_sample(kFlag); }
 
-// What `drive` names, and turns for clamps; the start is the present pose: the middle of the pole, the point.
+// The inputs that `drive` selects, with orientations for clamps. They start at the present pose: the middle
+// of the pole, the point.
 TEST(Description, InputsStartWhereTheClothIs) {
   const Cloth cloth(drape_open(kFlag.c_str(), nullptr, nullptr), drape_close);
   ASSERT_TRUE(cloth);

@@ -103,7 +103,7 @@ double apart(const std::vector<double>& a, const std::vector<double>& b) {
   double largest = 0;
   for (std::size_t k = 0; k < a.size(); ++k) {
     const double d = std::abs(a[k] - b[k]);
-    largest = d <= largest ? largest : d;  // what is no number stays
+    largest = d <= largest ? largest : d;  // a NaN stays
   }
   return largest;
 }

@@ -32,12 +32,12 @@ constexpr double kDampings[] = {0, 0.2};     // 1/s
 constexpr double kSide = 0.1, kCell = 0.01;  // m, of the square
 constexpr double kCrumple = 0.004;           // of a cell
 constexpr double kThrow = 0.3;               // m/s
-constexpr int kLook = 4;                     // steps between looks at the limit
+constexpr int kLook = 4;                     // steps between checks of the limit
 constexpr int kWindow = 5000;                // steps after which the step may grow again
 constexpr int kSample = 100;                 // steps between samples of the energy
-constexpr double kRise = 0.1;                // of the energy there is
+constexpr double kRise = 0.1;                // of the energy available
 
-// A fabric and a way to hang it up.
+// A fabric and its pins.
 struct Cloth {
   const char* name;
   const char* fabric;
@@ -207,7 +207,7 @@ int run(long steps, unsigned seeds, const char* only, double smallest, double la
   for (std::thread& t : threads) t.join();
   std::printf("order %d, %ld steps, %u seeds, %zu runs\n", order, steps, seeds, jobs.size());
   for (double damping : kDampings) table_print(jobs, damping);
-  // What a linear system promises: bounded at the default factor.
+  // The guarantee of a linear system: bounded at the default factor.
   int broken = 0;
   for (const Job& j : jobs)
     broken += j.ratio <= (j.damping > 0 ? dynamics::kSafetyDamped : dynamics::kSafetyUndamped) && !j.survived;

@@ -1,6 +1,7 @@
-// Tissu's core in double precision, called as its Python module calls it: tissu_drop SECONDS PLACES writes
-// the places of the particles at the end as lines of x y z and prints what the frames took in wall and
-// processor seconds. drop_tissu.py defines the capitals. Y is up here, and lengths are in decimetres: hinges
+// Tissu's core in double precision, called as its Python module calls it. `tissu_drop SECONDS PLACES` writes
+// the positions of the particles at the end as lines of x y z, and prints the wall and processor seconds of
+// the frames. drop_tissu.py defines the names in capitals. Y is up here, and lengths are in decimetres:
+// hinges of triangles below 1e-4 squared units have no effect.
 // of triangles below 1e-4 squared units do nothing.
 #include <chrono>
 #include <cstdio>
@@ -38,8 +39,8 @@ void scene_fill(Tissu::World& world, Tissu::Solver& solver) {
   Tissu::ClothMesh().initGrid(SIDE, SIDE, CELL * kUnits, *cloth, solver, corner, level);
   world.addCloth(cloth);
 
-  // A particle weighs one unit before the cloth's mass is added, and gravity is a force that does not ask for
-  // its mass: it falls as it should when all weigh one.
+  // A particle weighs one unit before the cloth's mass is added. Gravity is a force that does not depend on
+  // the mass of a particle: the fall is right when all particles weigh one unit.
   for (int id = 0; id < SIDE * SIDE; ++id) solver.setParticleInverseMass(id, 1.0);
   solver.setSubsteps(kSubsteps);
   solver.setIterations(kIterations);

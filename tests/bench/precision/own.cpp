@@ -16,7 +16,8 @@ Scene scene_for(Scene scene, Own own) {
   return scene;
 }
 
-// r <- r + h v,  v <- v + h (F/m + g - c v): the old velocity moves, the old place pulls.
+// r <- r + h v,  v <- v + h (F/m + g - c v): the old velocity moves the particles, the old positions give
+// the forces.
 void euler_step(Ready& r, Array (&f)[3], double h) {
   dynamics::kernel_forces(*r.motion.kernel, r.system, r.state, r.motion.workspace,
                           {f[0].data(), f[1].data(), f[2].data()});

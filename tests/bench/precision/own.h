@@ -1,4 +1,4 @@
-// Drape's own steps, the paper's, and explicit Euler: fixed steps that end at the end.
+// Drape's own steps, the paper's, and explicit Euler: fixed steps that end exactly at the end.
 #pragma once
 #include "bench/precision/trial.h"
 
@@ -6,14 +6,14 @@ namespace drape::bench {
 
 enum class Own { kLeapfrog2, kOrder4, kOrder6, kPaper, kEuler };
 
-// True where the scene allows it.
+// True where the scene allows the method.
 bool own_fits(const Scene& scene, Own own);
 
-// Steps (a real number) from the start to the end at the step limit of the start.
+// The number of steps (a real number) from the start to the end, at the step limit of the start.
 double own_least_steps(const Scene& scene, Own own, double end);
 
 struct Stepped {
-  Eigen::VectorXd r;  // [3 particles]; empty where the run left the finite numbers
+  Eigen::VectorXd r;  // [3 particles]; empty if the run reached numbers that are not finite
   long evaluations;
   double seconds;
 };

@@ -22,11 +22,11 @@ constexpr OwnMethod kOwn[] = {{"Drape", Own::kLeapfrog2, 2},
                               {"paper", Own::kPaper, 1},
                               {"explicit Euler", Own::kEuler, 1}};
 
-constexpr double kAsExact = 1e-11;  // below, the reference's own error counts
+constexpr double kAsExact = 1e-11;  // below this error, the error of the reference solver counts
 constexpr long kEulerShare = 15;    // of the budget: undamped, it needs a step of about 2/(omega^2 end)
-constexpr double kNoAnswer = 1;     // an error that large is none
+constexpr double kNoAnswer = 1;     // an error this large means no answer
 
-// How much a sweep may take, in evaluations of forces so that its rows do not depend on the machine.
+// The size of a sweep, in evaluations of forces, so that its rows do not depend on the machine.
 struct Budget {
   long own, kernel, krylov, reference;  // of one sweep; krylov: on the kernel, by methods that solve systems
   double tightest;                      // relative tolerance
@@ -48,7 +48,7 @@ Exact exact_of(const Trial& t) {
   return {r, (r - start.head(n)).lpNorm<Eigen::Infinity>()};
 }
 
-// The median over turns of what a run takes, where it is short.
+// The time of a run; for a short run, the median over several.
 template <class Run>
 double seconds_of(double first, const Budget& budget, Run run) {
   std::vector<double> turns{first};
@@ -68,7 +68,7 @@ struct Sweep {
   }
 };
 
-// From the largest step that gives an answer down by halves.
+// Halves the step from the largest one that gives an answer.
 void sweep_own(const Sweep& s, const OwnMethod& m) {
   if (!own_fits(s.trial.scene, m.own)) return;
   double largest = own_least_steps(s.trial.scene, m.own, s.trial.end);
@@ -90,7 +90,7 @@ void sweep_own(const Sweep& s, const OwnMethod& m) {
   }
 }
 
-// Tolerances down by tens from 1e-2 until the error is there, or the evaluations are used up.
+// Divides the tolerance by ten from 1e-2 until the error is reached, or the evaluations are used up.
 void sweep_solver(const Sweep& s, const Equations& e, const Method& m, const char* forces, long largest) {
   long left = largest;
   for (double rtol = 1e-2; rtol > 0.9 * s.budget.tightest && left > 0; rtol /= 10) {
@@ -108,8 +108,9 @@ void sweep_solver(const Sweep& s, const Equations& e, const Method& m, const cha
   }
 }
 
-// Seconds of a sweep for an error: the cheapest run that meets it, or between two neighbours of a sweep, one
-// to either side, along the line of their logarithms. Infinite where no run does.
+// The seconds in which a sweep reaches an error: those of the cheapest run that does, or interpolated along
+// the line of the logarithms between two neighbours of the sweep, one on either side. Infinite where no run
+// does.
 double seconds_for(const std::vector<PrecisionRow>& sweep, double error) {
   double best = INFINITY;
   for (std::size_t k = 0; k < sweep.size(); ++k) {
@@ -132,7 +133,7 @@ std::pair<std::string, double> best_of(const Sweeps& sweeps, double error) {
   return best;
 }
 
-// Drape's best order against the best solver on Drape's kernel; wanted: at most half of its time.
+// Compares Drape's best order with the best solver on Drape's kernel. The aim is at most half of its time.
 void summary_print(const std::string& scene, const std::vector<PrecisionRow>& rows) {
   Sweeps drape, peers;
   for (const PrecisionRow& row : rows) {

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kKrylov = 20;  // vectors of SPGMR, at most
 
-// What one run allocates, and what its right-hand sides see.
+// The allocations of one run, and the data of its right-hand sides.
 struct Session {
   const Equations& equations;
   long evaluations = 0, most;
@@ -41,19 +41,19 @@ void close(Session& s) {
   if (s.context) SUNContext_Free(&s.context);
 }
 
-// The equations do not depend on time. Numbers that are not finite ask for a smaller step; too many
+// The equations do not depend on time. Numbers that are not finite request a smaller step; too many
 // evaluations end the run.
 int evaluate(Session& s, const Rate& rate, N_Vector y, N_Vector ydot) {
   if (++s.evaluations > s.most) return -1;
   double* to = N_VGetArrayPointer(ydot);
   rate(N_VGetArrayPointer(y), to);
-  double sum[8] = {};  // side by side, so that the check costs little beside the forces
+  double sum[8] = {};  // independent sums, so that the check is cheap beside the forces
   const sunindextype n = N_VGetLength(y);
   for (sunindextype k = 0; k + 8 <= n; k += 8)
     for (sunindextype j = 0; j < 8; ++j) sum[j] += 0 * to[k + j];
   for (sunindextype k = n / 8 * 8; k < n; ++k) sum[0] += 0 * to[k];
   for (double part : sum)
-    if (part != 0) return 1;  // no number, too
+    if (part != 0) return 1;  // also true for NaN
   return 0;
 }
 Session& of(void* user) { return *static_cast<Session*>(user); }
@@ -66,14 +66,14 @@ int outer(realtype, N_Vector y, N_Vector ydot, void* s) {
 int inner(realtype, N_Vector y, N_Vector ydot, void* s) {
   return evaluate(of(s), of(s).equations.inner, y, ydot);
 }
-void hear(int, const char*, const char*, char*, void*) {}  // a run that fails is no row
+void hear(int, const char*, const char*, char*, void*) {}  // a failed run gives no row
 
 void demand(int flag, const char* call) {
   if (flag < 0)
     throw std::runtime_error(std::string("SUNDIALS: ") + call + " returned " + std::to_string(flag));
 }
 
-// The last stage at c = 0: core/reference/solver.cpp tells why.
+// The last stage at c = 0: core/reference/solver.cpp explains it.
 void erk_table(Session& s, int order) {
   const ARKODE_ERKTableID id = order == 2   ? ARKODE_HEUN_EULER_2_1_2
                                : order == 3 ? ARKODE_BOGACKI_SHAMPINE_4_2_3

@@ -48,8 +48,8 @@ scene::FabricSpec wool() {
   return f;
 }
 
-// A square of (side - 1) cells, level, or hanging in the plane of x and z; held along edge `held`, or at the
-// two corners of that edge.
+// A square of (side - 1) cells, horizontal, or hanging in the plane of x and z. It is held along edge
+// `held`, or at the two corners of that edge.
 Scene square(const char* name, const scene::FabricSpec& f, int side, int held, bool corners, bool hanging) {
   const double l = (side - 1) * kCell;
   Scene s;

@@ -18,14 +18,14 @@ std::vector<Trial> trials(bool quick);
 
 using Rate = std::function<void(const double* y, double* rate)>;
 
-// y holds positions and velocities, and with the judge's forces what it integrates beside them.
+// y holds positions and velocities; with the reference solver's forces also what it integrates beside them.
 struct Equations {
   std::vector<double> start;  // y at 0
   std::vector<double> scale;  // absolute tolerance over the relative one: a cell, 1 m/s
   Rate rate;                  // f
   // f = outer + inner: bending, weight and air; stretch, shear, -m c v and r' = v, which set the step limit.
   Rate outer, inner;
-  std::function<Eigen::VectorXd(const double* y)> positions;  // [3 particles] in the judge's order
+  std::function<Eigen::VectorXd(const double* y)> positions;  // [3 particles] in the reference's order
 };
 Equations equations_of_kernel(const Scene& scene);
 Equations equations_of_reference(const Scene& scene);

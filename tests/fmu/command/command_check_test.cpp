@@ -1,4 +1,4 @@
-// What `drape check` tells and draws.
+// What `drape check` prints and draws.
 #include <pugixml.hpp>
 
 #include "command/command_fixture.h"
@@ -13,7 +13,7 @@ TEST_F(Command, CheckReportsSizeAreaAndMass) {
             std::string::npos)
       << done.text;
 
-  // 3.5 x 2.1 cells: the upper row is taken over, the last column cut; the other has a slit of two cells.
+  // 3.5 x 2.1 cells: the upper row is merged, the last column cut. The other piece has a slit of two cells.
   std::ofstream(folder / "scene.toml", std::ios::app) << R"(
 [[piece]]
 name = "flap"

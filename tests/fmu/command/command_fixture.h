@@ -55,7 +55,7 @@ class Command : public testing::Test {
     for (std::string line; std::getline(text, line);) lines.push_back(line);
     return lines;
   }
-  // Refused with one sentence in which the words stand.
+  // Expects a refusal with one sentence that contains these words.
   void expect_refused(const std::string& arguments, const std::vector<std::string>& words) const {
     const Done done = drape(arguments);
     EXPECT_EQ(done.code, 1) << done.text;

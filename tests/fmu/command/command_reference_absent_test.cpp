@@ -1,4 +1,4 @@
-// `drape reference` in a build without it.
+// `drape reference` in a build without the reference solver.
 #include <gtest/gtest.h>
 
 #include "command/command.h"

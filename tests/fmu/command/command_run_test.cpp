@@ -1,11 +1,11 @@
-// The `drape` command as a user types it: words it takes and refuses, and what it writes.
+// The `drape` command as a user types it: words that it accepts and refuses, and the files that it writes.
 #include "command/command_fixture.h"
 #include "decimal.h"
 
 namespace drape::command {
 namespace {
 
-// One --set for several settings, one for each, and both; a plus; the same bits.
+// One --set for several settings, one for each, and both; a plus sign; the same bits.
 TEST_F(Command, TakesSettingsInARow) {
   const std::string run = "run scene.toml --until 0.004 --every 0.002 -o ";
   ASSERT_EQ(drape(run + "none").code, 0);
@@ -72,7 +72,8 @@ TEST_F(Command, WritesTheTimesThatWereAskedFor) {
   }
 }
 
-// The columns of the judge are those of the run, in the same order, but for what only the run has.
+// The reference solver has the columns of the run, in the same order, except for those that only the run
+// has.
 TEST_F(Command, ReferenceHasTheColumnsOfRun) {
   const std::string options = " scene.toml --until 0.002 --every 0.001 --nodes all -o ";
   ASSERT_EQ(drape("run" + options + "run").code, 0);
@@ -88,7 +89,7 @@ TEST_F(Command, ReferenceHasTheColumnsOfRun) {
   EXPECT_FALSE(std::getline(reference_header, expected, ',')) << expected;
   std::istringstream lacking(left_out);
   for (std::string name; lacking >> name;) EXPECT_EQ(name, "step.stability");
-  // Rows have the numbers of their columns: the weight that the pin begins to carry, and the time.
+  // Each value is under its column: the weight that the pin begins to bear, and the time.
   const auto cell = [&](const std::string& file, const std::string& name) {
     std::istringstream names(lines_of(file)[0]), cells(lines_of(file)[3]);
     for (std::string column, value; std::getline(names, column, ',') && std::getline(cells, value, ',');)
@@ -130,7 +131,8 @@ TEST_F(Command, InputsThatAreRefused) {
   expect_refused("run scene.toml -o out --inputs u.csv", {"u.csv:1:2", "'wind[1]'", "no inputs"});
 }
 
-// Linear between rows, the ends hold; quotes, blanks, empty lines and line ends of any kind.
+// Linear between rows; the first and last rows hold outside. Quotes, blanks, empty lines and line ends of
+// any kind.
 TEST_F(Command, InputsAreLinearBetweenRows) {
   fs::copy_file(DRAPE_SAMPLES "/flag.toml", folder / "flag.toml");
   std::ofstream(folder / "few.csv")
@@ -148,7 +150,7 @@ TEST_F(Command, InputsAreLinearBetweenRows) {
   EXPECT_NE(text_of("few/outputs.csv"), text_of("none/outputs.csv"));
 }
 
-// 1e5 steps in an interval: the cost shows after a few of them.
+// 1e5 steps in an interval: the cost is known after a few of them.
 TEST_F(Command, CheckDoesNotWaitForAnInterval) {
   std::string scene = text_of("scene.toml");
   scene.replace(scene.find("duration = 0.2"), 14, "duration = 0.2\ncommunication = 2\nstep = 2e-6");
@@ -162,7 +164,7 @@ TEST_F(Command, CheckDoesNotWaitForAnInterval) {
   EXPECT_LT(simulated, 2);
 }
 
-// A step above the limit of the assembled cloth has its line, as every fault, and stands alone.
+// A step above the limit of the assembled cloth is reported with its line, like every fault, and alone.
 TEST_F(Command, FaultOfTheAssembledClothHasItsLine) {
   std::string scene = text_of("scene.toml");
   scene.replace(scene.find("duration = 0.2"), 14, "duration = 0.2\nstep = 1e-3");

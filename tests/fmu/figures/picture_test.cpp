@@ -1,4 +1,4 @@
-// The picture of a scene's pieces: well-formed, and nothing of the grid left out.
+// The picture of a scene's pieces is well-formed and shows all of the grid.
 #include "figures/picture.h"
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ bool has(const std::vector<std::string>& texts, const std::string& text) {
   return std::find(texts.begin(), texts.end(), text) != texts.end();
 }
 
-// Concave, with a curved edge, a dart and a hole, at a grain of 20 degrees; held in all ways.
+// Concave, with a curved edge, a dart and a hole, at a grain of 20 degrees; held in every way.
 Scene bodice() {
   Scene scene;
   scene::PieceSpec piece;
@@ -100,8 +100,8 @@ TEST(Picture, ShowsWhatTheGridMakesOfAPiece) {
                                   "cell 10 mm, " + std::to_string(particles) + " particles"})
     EXPECT_TRUE(has(texts, text)) << text;
 
-  // The parts and the whole cells are the cloth. Rounding to 0.01 moves sides of some 20 units each by 0.005
-  // at most: 0.1 of the 400 square units of a part.
+  // The parts and the whole cells are the cloth. Rounding to 0.01 moves sides of some 20 units by at most
+  // 0.005 each: 0.1 of the 400 square units of a part.
   double left, right, parts = 0;  // of the scale, whose path goes left, left, left, right, ...
   ASSERT_EQ(
       std::sscanf(elements["scale"][0].attribute("d").value(), "M%lf %*fL%*f %*fL%*f %*fL%lf", &left, &right),
@@ -134,7 +134,7 @@ TEST(Picture, DistinguishesPinsClampsAndDrivenOnes) {
     EXPECT_TRUE(has(texts, text)) << text;
 }
 
-// The warp points to the upper left at a positive grain; rows of pieces that do not fit side by side.
+// The warp points to the upper left at a positive grain. Pieces that do not fit side by side are in rows.
 TEST(Picture, PlacesPiecesInRows) {
   Scene scene = bodice();
   scene.pins.clear();
@@ -156,7 +156,7 @@ TEST(Picture, PlacesPiecesInRows) {
   EXPECT_EQ(rows.begin()->second, 2);
 }
 
-// Whole cells only: the strip outside them is mass; no share is told.
+// Whole cells only: the strip outside them is mass, and no share is shown.
 TEST(Picture, ShowsTheStripOfThePaper) {
   Scene scene = bodice();
   scene.outline = scene::OutlineModel::kPaper;

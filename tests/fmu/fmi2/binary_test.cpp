@@ -1,4 +1,4 @@
-// What the binary shows and needs: the functions of the standard, and the C library.
+// What the binary exports and needs: the functions of the standard, and the C library.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -1,4 +1,4 @@
-// Inputs and their derivatives through FMI: what is refused, what acts, what a state keeps.
+// Inputs and their derivatives through FMI: which are refused, which act, which a saved state contains.
 #include <cmath>
 #include <limits>
 
@@ -75,7 +75,7 @@ TEST(Inputs, DerivativesThatAreRefused) {
   expect_sentence(slave, fmi2Discard, {"fmi2SetRealInputDerivatives", "missing"});
 }
 
-// A call that names one bad derivative changes none: the step is that of a cloth without any.
+// A call with one bad derivative changes none: the step is that of a cloth without derivatives.
 TEST(Inputs, OneBadDerivativeRefusesTheWholeCall) {
   Slave slave(flag()), untouched(flag());
   slave.initialize();
@@ -100,7 +100,7 @@ TEST(Inputs, ADerivativeThatLeadsOutOfRangeIsRefusedAtTheStep) {
   expect_sentence(slave, fmi2Discard,
                   {"wind[1]", "derivative", "= 1001 m/s", "allowed: from -1000 to 1000 m/s"});
   EXPECT_EQ(slave.outputs(), before);
-  EXPECT_EQ(slave.get("wind[1]"), 1);  // where it is
+  EXPECT_EQ(slave.get("wind[1]"), 1);  // its present position
   EXPECT_EQ(slave.step(kQ, kQ), fmi2OK) << slave.last_message();
 }
 
@@ -117,7 +117,7 @@ TEST(Inputs, AnOrientationOfLengthZeroIsRefusedAtTheStep) {
   EXPECT_EQ(slave.outputs(), untouched.outputs());
 }
 
-// u + H u' with binary fractions is exact, so that both ways are the same path.
+// u + H u' with binary fractions is exact, so both ways give the same path.
 TEST(Inputs, ADerivativeLeadsToTheValueAtTheEnd) {
   Slave with(flag()), without(flag());
   with.initialize();
@@ -140,8 +140,8 @@ TEST(Inputs, ADerivativeLeadsToTheValueAtTheEnd) {
   EXPECT_EQ(with.outputs(), without.outputs());
 }
 
-// Only the step that follows knows of a derivative: in the next, the wind goes back from 3 to the value
-// set, 2.
+// A derivative applies only to the step that follows. In the next one, the wind goes back from 3 to the
+// value set, 2.
 TEST(Inputs, ADerivativeIsForOneStep) {
   Slave once(flag()), twice(flag());
   once.initialize();
@@ -158,7 +158,7 @@ TEST(Inputs, ADerivativeIsForOneStep) {
   EXPECT_EQ(once.outputs(), twice.outputs());
 }
 
-// Held points are where the frame has them at the end of the step: X -> p + R (X - p_0).
+// Held points are where the pin's motion puts them at the end of the step: X -> p + R (X - p_0).
 TEST(Inputs, HeldPointsAreWhereTheyWereSent) {
   Slave slave(flag());
   slave.initialize();

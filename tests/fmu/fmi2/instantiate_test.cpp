@@ -1,4 +1,4 @@
-// What stands in the way of an instance is said in a sentence, and no instance is made.
+// Where an instance cannot be made, one sentence gives the reason, and none is made.
 #include <filesystem>
 #include <fstream>
 

@@ -1,5 +1,5 @@
 // Calls in and out of order: each function of FMI 2.0 in each phase, against the table of section 4.2.4 of
-// the standard, retyped here from the standard and not taken from the code.
+// the standard. The table is typed here from the standard, not taken from the code.
 #include <functional>
 
 #include "fmi2/slave.h"
@@ -14,7 +14,7 @@ const char* const kPhaseNames[] = {"instantiated", "initialization mode", "step 
 
 struct Case {
   const char* name;
-  const char* legal;  // phases in which the call is in order
+  const char* legal;  // phases in which the call is legal
   std::function<fmi2Status(fmi2Component)> call;
 };
 
@@ -95,7 +95,7 @@ const Case kCases[] = {
      [](fmi2Component c) { return fmi2().GetNominalsOfContinuousStates(c, nullptr, 0); }},
 };
 
-// In order or not, these two need an answer of their own: see the tests below.
+// Legal or not, these two need an answer of their own: see the tests below.
 const Case kSetState = {"SetFMUstate", "INSTE", nullptr};
 const Case kAskPending[] = {
     {"GetStatus", "ST", [](fmi2Component c) { return fmi2().GetStatus(c, fmi2DoStepStatus, &status); }},
@@ -126,7 +126,7 @@ void lead_to(Slave& slave, char phase) {
   slave.log.clear();
 }
 
-// The phase shows in the sentence about a call that is never legal.
+// The phase is named in the sentence about a call that is never legal.
 std::string phase_of(Slave& slave) {
   EXPECT_EQ(fmi2().CancelStep(slave.component), fmi2Error);
   return slave.last_message();
@@ -172,10 +172,10 @@ TEST(LegalStates, ASavedStateCanBeSetInEveryPhase) {
 
 TEST(LegalStates, NoComponentIsAnError) {
   for (const Case& test : kCases) EXPECT_EQ(test.call(nullptr), fmi2Error) << test.name;
-  fmi2().FreeInstance(nullptr);  // ignored, as the standard has it
+  fmi2().FreeInstance(nullptr);  // ignored, as the standard requires
 }
 
-// The run ends with a reason, and the state is that of before the step.
+// The run ends with a reason, and the state is the one before the step.
 TEST(LegalStates, AfterAnErrorTheLastGoodStateCanBeRead) {
   Slave slave(swatch_brittle());
   slave.initialize();

@@ -1,4 +1,4 @@
-// Log categories: refusals always pass, the rest as the master asks.
+// Log categories: refusals are always logged, other messages as the master asks.
 #include <algorithm>
 
 #include "fmi2/slave.h"
@@ -22,7 +22,7 @@ TEST(Logging, RefusalsPassEveryFilter) {
   expect_sentence(slave, fmi2Discard, {"damping"});
 }
 
-// The end of initialization reports the step limit; so does stiffer warp, which shortens the step.
+// The end of initialization reports the step limit; so does a stiffer warp, which shortens the step.
 TEST(Logging, CategoriesAreObeyed) {
   const auto categories_heard = [](bool on, std::vector<fmi2String> categories) {
     Slave slave;

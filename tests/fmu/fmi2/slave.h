@@ -1,5 +1,5 @@
 // The FMU's binary as a master sees it: functions found by name in the loaded library, a log, an instance
-// that frees itself.
+// that is freed automatically.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -65,7 +65,7 @@ struct LogEntry {
   std::string category, message;
 };
 
-// The sample cloth: its guid, its table's names, and a folder with its resources.
+// The sample cloth: its guid, the names of its table, and a folder with its resources.
 struct Swatch {
   std::string guid, resources;  // resources as a file: URI
   std::vector<std::string> names;
@@ -74,20 +74,20 @@ struct Swatch {
 };
 const Swatch& swatch(description::Nodes nodes = description::Nodes::kNone);
 
-// The sample with inputs: a clamp and a point that are driven, and wind.
+// The sample with inputs: a driven clamp, a driven point and wind.
 const Swatch& flag();
 
-// The sample with another text in place of one of its own; the variables must stay.
+// The sample with another text in place of one of its own. The variables must stay the same.
 Swatch swatch_with(const std::string& from, const std::string& to);
 
-// With a warp that gives way up to 2 % and hardly beyond: no step is short enough there.
+// The sample with a warp that yields up to 2 % and hardly beyond: no step is short enough there.
 const Swatch& swatch_brittle();
 
 struct Slave {
   std::vector<LogEntry> log;
   fmi2CallbackFunctions callbacks{};
   fmi2Component component = nullptr;
-  const Swatch* cloth;  // whose names are used
+  const Swatch* cloth;  // the cloth whose names are used
 
   explicit Slave(const Swatch& cloth = swatch(), bool logging_on = false);
   Slave(const std::string& guid, const std::string& resources);
@@ -104,7 +104,7 @@ struct Slave {
   std::string last_message() const { return log.empty() ? "" : log.back().message; }
 };
 
-// A refused call leaves one sentence, in which these words stand.
+// Expects that a refused call leaves one sentence, which contains these words.
 void expect_sentence(Slave& slave, fmi2Status status, const std::vector<std::string>& words);
 
 }  // namespace drape::fmi2

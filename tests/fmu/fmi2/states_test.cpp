@@ -1,4 +1,4 @@
-// Saved states, reset, several instances: the same bits again.
+// Saved states, reset, several instances: the same bits each time.
 #include "fmi2/slave.h"
 
 namespace drape::fmi2 {
@@ -13,7 +13,7 @@ TEST(States, ARestoredStateContinuesWithTheSameBits) {
   slave.initialize();
   advance(slave, 0, 0.05);
   ASSERT_EQ(slave.set("fabric.wool.bending.warp", 2e-6),
-            fmi2OK);  // not yet committed: it belongs to the state too
+            fmi2OK);  // not yet committed: a saved state contains it too
   fmi2FMUstate state = nullptr;
   ASSERT_EQ(fmi2().GetFMUstate(slave.component, &state), fmi2OK);
   const std::vector<double> there = slave.outputs();

@@ -1,5 +1,5 @@
-// fmi2SetupExperiment and fmi2DoStep: times that make no sense are refused, and the motion does not depend on
-// how a master groups the communication intervals (1 ms in the sample).
+// fmi2SetupExperiment and fmi2DoStep: impossible times are refused, and the motion does not depend on how a
+// master groups the communication intervals (1 ms in the sample).
 #include <limits>
 
 #include "fmi2/slave.h"
@@ -54,7 +54,7 @@ TEST(Step, RefusedStepsChangeNothing) {
   EXPECT_EQ(slave.outputs(), untouched.outputs());
 }
 
-// 100 additions of 0.001 do not give 0.1 exactly; neither the clock nor the stop time may mind.
+// 100 additions of 0.001 do not give 0.1 exactly; both the clock and the stop time must accept the sum.
 TEST(Step, AMasterMayAddUpItsOwnClock) {
   Slave slave;
   initialize_with_stop(slave);
@@ -96,7 +96,7 @@ TEST(Step, GroupingOfIntervalsLeavesTheSameBits) {
   EXPECT_EQ(ends[0], ends[2]);
 }
 
-// Late on the clock a step is as sharp as at its start: a tenth of a step is no rounding.
+// At a late time the clock is as strict as at its start: a tenth of a step is not taken for rounding.
 TEST(Step, ALateClockIsAsSharpAsAnEarlyOne) {
   Slave slave;
   ASSERT_EQ(fmi2().SetupExperiment(slave.component, fmi2False, 0, 1e6, fmi2True, 1e6 + 0.01), fmi2OK);
@@ -127,8 +127,8 @@ bool terminated(Slave& slave) {
   return value;
 }
 
-// A given step that the motion has made too large: the slave wants to end, for every retry would be
-// discarded. A value that is refused is put back, and the next try succeeds.
+// The motion has made a given step too large: the slave asks to terminate, because every retry would be
+// discarded. A refused value is restored, and the next step succeeds.
 TEST(Step, AsksForTheEndOnlyWhereEveryRetryWouldBeDiscarded) {
   const Swatch fixed =
       swatch_with("damping = 0.5\nenergy = true", "damping = 0.5\nenergy = true\nstep = 2e-5");

@@ -1,4 +1,4 @@
-// Values by reference: what may be set when, and that a refused call changes nothing.
+// Values by reference: when each may be set, and that a refused call changes nothing.
 #include <cmath>
 #include <limits>
 
@@ -143,8 +143,8 @@ TEST(Values, FallingDiagramIsRefusedAtTheStep) {
   EXPECT_EQ(slave.outputs(), untouched.outputs());
 }
 
-// r = v_0 t + g t^2/2 at the free end, as long as the wave from the bar has not come: gravity acts from the
-// step it is set.
+// r = v_0 t + g t^2/2 at the free end, until the wave from the bar arrives: gravity acts from the step in
+// which it is set.
 TEST(Values, TunedGravityActs) {
   Slave slave, other;
   slave.initialize();

@@ -1,4 +1,4 @@
-// The packed FMU: what is in it, and that packing twice gives the same bytes.
+// The packed FMU: its contents, and that packing twice gives the same bytes.
 #include "package/package.h"
 
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ TEST(Package, HoldsDescriptionBinarySceneAndDocumentation) {
   EXPECT_NE(entries["documentation/index.html"].find("fabric.wool.areal_density"), std::string::npos);
 }
 
-// What is compiled into the binary asks for its notice to travel with it.
+// Code compiled into the binary requires that its licence travels with it.
 TEST(Package, CarriesTheLicencesOfWhatItHolds) {
   std::map<std::string, std::string> entries =
       entries_of(pack_swatch("drape_licences.fmu", description::Nodes::kNone));

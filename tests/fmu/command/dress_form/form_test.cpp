@@ -14,7 +14,7 @@ namespace {
 const Measures kBodies[] = {{0.88, 0.68, 0.94, 1.66}, {0.76, 0.56, 0.82, 1.55}, {1.22, 1.06, 1.32, 1.72},
                             {0.7, 0.5, 0.7, 1.4},     {1.5, 1.4, 1.6, 2.0},     {1.1, 0.6, 1.0, 1.8}};
 
-// Where the plane y = height cuts the mesh, (x, z).
+// The points (x, z) where the plane y = height cuts the mesh.
 std::vector<Vec2> slice(const Mesh& mesh, double height) {
   std::vector<Vec2> cut;
   for (const auto& t : mesh.triangles)
@@ -27,9 +27,9 @@ std::vector<Vec2> slice(const Mesh& mesh, double height) {
   return cut;
 }
 
-// A closed surface of one piece without handles, seen counter-clockwise from outside: every side of a
-// triangle is that of one other, the other way round; V - E + F = 2; the volume, sum a.(b x c)/6, is
-// positive.
+// A closed surface of one piece without handles, counter-clockwise seen from outside. Every side of a
+// triangle belongs to one other triangle, in the opposite direction; V - E + F = 2; the volume, sum a.(b x
+// c)/6, is positive.
 TEST(Form, IsClosed) {
   for (const Measures& measures : kBodies) {
     const Mesh mesh = form_make(measures);
@@ -52,7 +52,7 @@ TEST(Form, IsClosed) {
       ASSERT_EQ(sides.count({side.second, side.first}), 1u);
     }
     EXPECT_EQ(int(mesh.vertices.size()) - int(sides.size()) / 2 + int(mesh.triangles.size()), 2);
-    // about that of a cylinder of its height with a girth in the middle of the three
+    // About that of a cylinder of its height with the mean of the three girths.
     const double girth = (measures.bust + measures.waist + measures.hips) / 3, tall = 0.46 * measures.height;
     EXPECT_GT(volume, 0.5 * tall * girth * girth / (4 * std::numbers::pi));
     EXPECT_LT(volume, 1.2 * tall * girth * girth / (4 * std::numbers::pi));
@@ -77,7 +77,7 @@ TEST(Form, HasNoNeedles) {
   }
 }
 
-// A tape round the sections of the mesh measures what was asked for, to the digits of the file.
+// A tape round the sections of the mesh measures the requested girths, to the digits of the file.
 TEST(Form, HasTheGirths) {
   for (const Measures& m : kBodies) {
     const Mesh mesh = form_make(m);
@@ -87,7 +87,8 @@ TEST(Form, HasTheGirths) {
   }
 }
 
-// The default form: narrowest at the waist, from bust to hips; the bust no less than a centimetre off it.
+// The default form is narrowest at the waist, from hips to bust. Near the bust no girth exceeds the bust by
+// a centimetre.
 TEST(Form, IsNarrowestAtTheWaist) {
   const Measures m;
   const Mesh mesh = form_make(m);
@@ -100,7 +101,7 @@ TEST(Form, IsNarrowestAtTheWaist) {
     EXPECT_LT(tape_length(slice(mesh, y)), m.bust + 0.01);
 }
 
-// Two points on each side of the tape's corners; points within do not lengthen it.
+// Two points on each side of the tape's corners; points inside do not lengthen it.
 TEST(Form, TapeIsTheConvexHull) {
   EXPECT_NEAR(tape_length({{0, 0}, {1, 0}, {0.5, 0.2}, {1, 1}, {0, 1}, {0.5, 0}, {0, 0}}), 4, 1e-15);
   EXPECT_NEAR(tape_length({{0, 0}, {3, 4}, {1.5, 2}}), 10, 1e-15);
@@ -112,7 +113,7 @@ TEST(Form, SplineIsNatural) {
   EXPECT_EQ(second, (std::vector<double>{0, -3, 0}));
   EXPECT_EQ(spline_at(t, y, second, 0, 0.5), 11 / 16.0);
   EXPECT_EQ(spline_at(t, y, second, 1, 1.5), 11 / 16.0);
-  // a line stays one, whatever the spacing
+  // A line stays a line, whatever the spacing.
   const std::vector<double> s{0, 0.3, 1, 4, 4.5}, line{1, 1.6, 3, 9, 10}, none = spline_fit(s, line);
   for (double m : none) EXPECT_NEAR(m, 0, 1e-14);
 }

@@ -1,4 +1,4 @@
-// Frames as ParaView reads them: the polygons of the first one are the piece.
+// Frames as ParaView reads them: the polygons of the first frame are the piece.
 #include <cmath>
 #include <cstring>
 #include <numbers>
@@ -73,7 +73,8 @@ TEST_F(Command, FramesFollowTheOutline) {
   for (const double a : grid.area) particles += a > 0;
   EXPECT_GT(position.size() / 3, particles);
 
-  // Upright in the plane y = 0, its low corner at z = 1. Coordinates of 1 m carry 1e-16 m: 1e-14 of the area.
+  // Upright in the plane y = 0, with its low corner at z = 1. Coordinates of 1 m carry 1e-16 m: 1e-14 of the
+  // area.
   double area = 0;
   std::size_t begin = 0;
   for (const std::int32_t stop : end) {
@@ -88,7 +89,7 @@ TEST_F(Command, FramesFollowTheOutline) {
   }
   EXPECT_NEAR(area / piece::outline_area(piece::outline_flatten(scene.pieces[0])), 1, 1e-12);
 
-  // Every corner of the outline is a point; in free fall all points but those near the peg move alike.
+  // Every corner of the outline is a point. In free fall all points except those near the peg move alike.
   for (const Vec2& p : scene.pieces[0].outline) {
     double nearest = INFINITY;
     for (std::size_t k = 0; k < position.size(); k += 3)

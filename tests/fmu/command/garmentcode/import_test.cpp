@@ -84,7 +84,7 @@ class Import : public Command {
     for (const Problem& p : problems) ADD_FAILURE() << scene::problem_text(p);
     return scene;
   }
-  // Refused with these sentences, in this order.
+  // Expects a refusal with these sentences, in this order.
   void expect_faults(const std::string& json, const std::vector<std::string>& sentences) const {
     const Done done = import(json);
     std::string expected;
@@ -95,7 +95,7 @@ class Import : public Command {
   }
 };
 
-// Both starts and both ends of every seam lie opposite each other: 0.4 m apart, along z.
+// Expects that both starts and both ends of every seam lie opposite each other: 0.4 m apart, along z.
 void expect_ends_meet(const Scene& scene) {
   for (const scene::SeamSpec& seam : scene.seams) {
     const seam::SeamLayout layout = seam::seam_layout(scene, seam);
@@ -117,13 +117,13 @@ TEST_F(Import, SewsEndsThatMeet) {
   const Scene scene = scene_of();
   EXPECT_EQ(scene.mode, scene::Mode::kFit);
   ASSERT_EQ(scene.pieces.size(), 2u);
-  EXPECT_EQ(scene.pieces[0].name, "front");  // as panel_order has it
+  EXPECT_EQ(scene.pieces[0].name, "front");  // the order of panel_order
   EXPECT_EQ(scene.pieces[0].cell, 0.01);
   ASSERT_EQ(scene.seams.size(), 4u);
   expect_ends_meet(scene);
 }
 
-// A back that goes round like the front is sewn right to wrong: edges start where their seams start.
+// A back with the same direction as the front is sewn right to wrong: edges start where their seams start.
 TEST_F(Import, SewsRightToWrong) {
   std::string json = kTunic;
   const std::size_t from = json.find("\"vertices\""), to = json.find("\"front\": {");
@@ -185,7 +185,7 @@ TEST_F(Import, KeepsTheLengthsOfCurves) {
   }
   EXPECT_NEAR(length(0, 1), 0.55, 1e-9);
   EXPECT_NEAR(length(0, 3), std::hypot(0.12, 0.02), 1e-8);
-  // the hem hangs below the chord, the neck is cut into the cloth
+  // The hem hangs below the chord; the neck is cut into the cloth.
   EXPECT_LT(piece::outline_edge(scene.pieces[0], 0)[3][1], 0);
   EXPECT_LT(piece::outline_edge(scene.pieces[0], 4)[3][1], 0.8);
 }
@@ -248,7 +248,7 @@ TEST_F(Import, TakesAFabricFromElsewhere) {
   EXPECT_GT(scene.fabrics[0].areal_density, 0);
 }
 
-// Centimetres and metres, told by the height.
+// The height distinguishes centimetres and metres.
 TEST_F(Import, MeasuresTheBody) {
   write("cm.obj", "v 0 0 0\nv 10 170 0\nv 0 170 10\nf 1 2 3\n");
   Done done = import(kTunic, "--body cm.obj");
@@ -288,7 +288,7 @@ TEST_F(Import, RefusesBadFilesAndOptions) {
   expect_refused("import tunic.json", {"--output is required"});
   write("cut.json", "{\"pattern\": ");
   expect_refused("import cut.json -o a.toml", {"cut.json: is not valid JSON"});
-  // what only the outlines show, on both panels: cells wider than they
+  // Faults that only the outlines show, on both panels: cells wider than the panels.
   const Done done = drape("import tunic.json -o a.toml --cell 0.7");
   EXPECT_EQ(done.code, 1);
   for (const char* piece : {"front", "back"})
@@ -349,7 +349,7 @@ TEST_F(Import, ReportsWhatIsWrongWithAPanel) {
                        "pattern.stitches[2][0].edge = 2; allowed: 0 to 1"});
 }
 
-// Texts with bytes and words exchanged: each is a scene that passes its checks, or is told what is wrong.
+// Texts with random bytes and words: each gives a scene that passes its checks, or reports what is wrong.
 TEST_F(Import, SurvivesAnyText) {
   const std::vector<std::string> words = {"null", "[]",        "{}",   "-1",       "1e9",        "1e999",
                                           "0.5",  "\"\"",      "true", "[[0, 1]]", "\"circle\"", "\"cubic\"",

@@ -1,4 +1,4 @@
-// Where the rotation of a panel puts its axes.
+// The axes of a panel after its rotation.
 #include "command/garmentcode/panel.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace drape::command {
 namespace {
 
-// (x, y) of a panel is at Rz Ry Rx (x, y, 0): each turn as its own matrix.
+// (x, y) of a panel is at Rz Ry Rx (x, y, 0): each rotation as a matrix of its own.
 TEST(ImportPanel, TurnsAboutXThenYThenZ) {
   const std::vector<double> degrees{20, -35, 130};
   Vec3 made[2];

@@ -6,7 +6,7 @@
 namespace drape::command {
 namespace {
 
-// 12 mm off the body: from afar, and where the body comes a little through.
+// 12 mm off the body: from afar, and where the body comes through a little.
 TEST(ImportPlace, PutsPanelsNearTheBodyAndOutside) {
   for (const double belly : {0.1, 0.23}) {
     Scene scene;
@@ -60,8 +60,8 @@ TEST(ImportPlace, PutsAPanelOutsideWhereverItIs) {
   EXPECT_NEAR(placed(panel_at(0, 0), box_points(0.9, 1.6, 0.25)), 0, 1e-12);
 }
 
-// A pocket on a panel, and a flap on both, stay over it in their order, 12 mm from one to the next; panels
-// beside each other stay in one plane; front and back do not know of each other.
+// A pocket on a panel, and a flap on both, stay over it in their order, 12 mm from one to the next. Panels
+// beside each other stay in one plane. Front and back are independent.
 TEST(ImportPlace, KeepsLayersApart) {
   const std::vector<Vec3> body = box_points(0.9, 1.6, 0.1);
   Scene scene;
