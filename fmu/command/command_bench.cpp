@@ -20,7 +20,8 @@ int run_bench(std::vector<std::string> arguments) {
   const std::string program = here / "drape_bench";
   if (!std::filesystem::exists(program, error))
     return fail(kBadInput,
-                "this build has no benchmark; configure with -DDRAPE_REFERENCE=ON -DDRAPE_BENCH=ON");
+                "this build has no benchmark; it comes with `bash tests/run.sh`, or with "
+                "-DDRAPE_REFERENCE=ON -DDRAPE_BENCH=ON for CMake");
   arguments.insert(arguments.begin(), program);
   std::vector<char*> words;
   for (std::string& argument : arguments) words.push_back(argument.data());

@@ -12,7 +12,8 @@ TEST(CommandReferenceAbsent, SaysHowToGetIt) {
   testing::internal::CaptureStderr();
   EXPECT_EQ(line_run(6, arguments, {command_reference}), kBadInput);
   EXPECT_EQ(testing::internal::GetCapturedStderr(),
-            "error: this build has no reference; configure with -DDRAPE_REFERENCE=ON\n");
+            "error: this build has no reference; it comes with `bash tests/run.sh`, or with "
+            "-DDRAPE_REFERENCE=ON for CMake\n");
 }
 
 }  // namespace drape::command
