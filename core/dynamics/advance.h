@@ -96,6 +96,9 @@ model::Scheme scheme_of_last_kick(const System& system, const State& state);
 HalfKick leapfrog_synchronous(const System& system, Motion& motion, const State& state, model::Field f,
                               std::vector<math::Wrench>& load);
 
+// Accelerations F/m + g at t_n, before constraints and contact; in motion_field.
+void free_accelerations(const System& system, Motion& motion, const State& state);
+
 // The forces of the stops of bodies at t_n, whatever the velocity.
 contact::ContactStops leapfrog_stops(const System& system, Motion& motion, const State& state);
 

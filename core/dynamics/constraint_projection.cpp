@@ -248,10 +248,6 @@ void rigid_apply(const System& system, const constraint::Constraints& c, const S
   }
 }
 
-}  // namespace
-
-namespace {
-
 void step_project(const System& system, const constraint::Constraints& c, const StepProjection& step,
                   HeldMotion& held, State& s) {
   fixed_apply(system, c, step, held, s);

@@ -17,7 +17,6 @@ struct HeldMotion {
   Array taken;      // [held x 3] the sum of these since it was 0
   constraint::RigidNow rigid;  // links
   bool moves = false;          // a target moves
-  double work = 0;             // J, of the pins on the cloth in the half step that the sums of the state lack
 };
 HeldMotion held_make(const constraint::Constraints& constraints);
 

@@ -150,11 +150,7 @@ struct Left {
   double sum = 0, pins = 0;
 };
 Left forces_left(const System& system, Motion& motion, const State& s) {
-  kernel_forces(*motion.kernel, system, s, motion.workspace, motion_field(motion));
-  Array* a[] = {&motion.now_x, &motion.now_y, &motion.now_z};
-  const Vec3 g = gravity_of(system, s);
-  for (std::size_t n : system.particle)
-    for (std::size_t k = 0; k < 3; ++k) (*a[k])[n] = (*a[k])[n] * system.inverse_mass[n] + g[k];
+  free_accelerations(system, motion, s);
   std::vector<math::Wrench> load(s.pin_impulse.size());
   held_refresh(motion.constraints, s, motion.held);
   project_synchronous(system, motion, s, {.pass = model::Pass::kAcceleration}, motion_field(motion), &load);

@@ -74,7 +74,6 @@ void store_velocities(StepContext& c) {
 void report_clamp_torques(StepContext& c) {
   if (c.system.irregular.clamps.empty()) return;
   std::vector<Vec3>& torque = c.motion.torque;
-  torque.assign(torque.size(), Vec3{0, 0, 0});
   forces::clamp_torques(c.system, c.state, torque);
   const double time = c.scheme.begins_advance ? c.scheme.half_new : c.scheme.span;
   for (std::size_t p = 0; p < torque.size(); ++p) c.state.pin_impulse[p].torque += time * torque[p];

@@ -44,6 +44,14 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
   s.h_old = s.h_older = 0;
 }
 
+void free_accelerations(const System& system, Motion& motion, const State& s) {
+  kernel_forces(*motion.kernel, system, s, motion.workspace, motion_field(motion));
+  Array* a[] = {&motion.now_x, &motion.now_y, &motion.now_z};
+  const Vec3 g = gravity_of(system, s);
+  for (std::size_t n : system.particle)
+    for (std::size_t k = 0; k < 3; ++k) (*a[k])[n] = (*a[k])[n] * system.inverse_mass[n] + g[k];
+}
+
 void project_synchronous(const System& system, Motion& motion, const State& s, const model::Scheme& scheme,
                          model::Field f, std::vector<math::Wrench>* load) {
   const bool self_contact = contact::self_enabled(system);
@@ -97,7 +105,7 @@ HalfKick leapfrog_synchronous(const System& system, Motion& motion, const State&
   load.assign(s.pin_impulse.size(), math::Wrench{});
   held_refresh(motion.constraints, s, held);
   kernel_forces(*motion.kernel, system, s, motion.workspace, f);
-  held.work = 0;
+  double work_of_pins = 0;
   motion.self.dissipated = 0;
   std::fill(held.taken.begin(), held.taken.end(), 0.0);
   if (kicks) {
@@ -105,6 +113,8 @@ HalfKick leapfrog_synchronous(const System& system, Motion& motion, const State&
       return (decay * v + kick * (force * inverse_mass + g)) / centred;
     });
     project_synchronous(system, motion, s, scheme, f, &load);
+    if (system.energy) work_of_pins = held_work(motion.constraints, s, decay, centred, held);
+    for (math::Wrench& l : load) l = {(centred / half) * l.force, (centred / half) * l.torque};
   } else {
     each([&](double force, double v, double kick, double inverse_mass, double g) {
       const double free = force * inverse_mass + g;
@@ -117,14 +127,9 @@ HalfKick leapfrog_synchronous(const System& system, Motion& motion, const State&
     held_rates(motion.constraints, s, model::Pass::kSynchronous, held);
     constraints_project(system, motion.constraints, held, f, nullptr);
   }
-  if (kicks) {
-    if (system.energy) held.work = held_work(motion.constraints, s, decay, centred, held);
-    for (math::Wrench& l : load) l = {(centred / half) * l.force, (centred / half) * l.torque};
-  }
-  motion.torque.assign(load.size(), Vec3{0, 0, 0});
   forces::clamp_torques(system, s, motion.torque);
   for (std::size_t p = 0; p < load.size(); ++p) load[p].torque += motion.torque[p];
-  return {motion.contact.dissipated, motion.self.dissipated, held.work, motion.contact.input};
+  return {motion.contact.dissipated, motion.self.dissipated, work_of_pins, motion.contact.input};
 }
 
 }  // namespace drape::dynamics

@@ -96,6 +96,7 @@ void irregular_forces(const System& system, const State& s, bool rates, double e
 }
 
 void clamp_torques(const System& system, const State& s, std::vector<Vec3>& torque) {
+  torque.assign(s.pin_impulse.size(), Vec3{0, 0, 0});
   for (const model::ClampHinge& c : system.irregular.clamps) {
     const double rigidity = model::law_bending(system.lattices[std::size_t(c.lattice)].law, c.warp);
     const NodeVec held = clamp_turned(c, s), v = node_edge(s, c.node[0], c.node[1]).unit;

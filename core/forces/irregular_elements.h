@@ -10,7 +10,7 @@ namespace drape::forces {
 void irregular_forces(const System& system, const State& state, bool rates, double extrapolation,
                       HingeKernel hinges, model::SlotForces force);
 
-// Adds to torque [pins], N m, the torque of every clamp's hinges on the outside world: kappa_c psi (R D x v).
+// Sets torque [pins], N m: the torque of every clamp's hinges on the outside world: kappa_c psi (R D x v).
 // The torque of the forces on the clamp's points is not part of it.
 void clamp_torques(const System& system, const State& state, std::vector<Vec3>& torque);
 

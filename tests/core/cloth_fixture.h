@@ -98,4 +98,21 @@ inline Eigen::VectorXd forces_by(const dynamics::Kernel& kernel, Assembled& a) {
   return gathered(a.system, fx, fy, fz);
 }
 
+// F = -dE/dr for every particle, by central differences at `eps` (m).
+template <class Energy>
+void expect_minus_gradient(Assembled& a, const Eigen::VectorXd& force, const Energy& energy, double eps) {
+  const double scale = force.lpNorm<Eigen::Infinity>();
+  Eigen::Index k = 0;
+  for (std::size_t n : a.system.particle)
+    for (Array* r : {&a.state.x, &a.state.y, &a.state.z}) {
+      const double at = (*r)[n];
+      (*r)[n] = at + eps;
+      const double above = energy();
+      (*r)[n] = at - eps;
+      const double below = energy();
+      (*r)[n] = at;
+      EXPECT_NEAR(force[k++], -(above - below) / (2 * eps), 1e-6 * scale);
+    }
+}
+
 }  // namespace drape::tests

@@ -5,6 +5,7 @@
 
 #include "contact/edge/elements.h"
 #include "contact/edge/pairs.h"
+#include "contact/particle/contact.h"
 #include "math/closest_points.h"
 #include "math/vector3.h"
 #include "model/body_pose.h"
@@ -155,10 +156,8 @@ void list(const Listing& listing, EdgeScratch& scratch, bool all, model::EdgeCon
 bool travel_add(const System& system, State& s, std::size_t b, double ahead, double margin) {
   model::BodyContact& body = s.body[b];
   model::EdgeContact& c = body.edges;
-  double travel2 = 0, speed2 = 0, contact_distance = 0;
+  double travel2 = 0, speed2 = 0;
   bool stale = false;
-  for (const model::Lattice& l : system.lattices)
-    contact_distance = std::max(contact_distance, l.contact_law.distance);
   for (std::size_t k = 0; k < c.node.size(); ++k) {
     const std::size_t n = c.node[k];
     const Vec3 at = position(s, n), x = model::pose_inward(system.bodies[b], body, at), moved = x - c.last[k];
@@ -171,7 +170,7 @@ bool travel_add(const System& system, State& s, std::size_t b, double ahead, dou
     c.last[k] = x;
   }
   c.travel += std::sqrt(travel2);
-  c.reach = kReachSteps * std::sqrt(speed2) * ahead + kReachDistance * contact_distance;
+  c.reach = kReachSteps * std::sqrt(speed2) * ahead + kReachDistance * max_contact_distance(system);
   return stale;
 }
 

@@ -214,6 +214,7 @@ void warm_start_synchronous(const System& system, ContactWorkspace& workspace, c
 
 void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
            const model::Scheme& scheme, State& s) {
+  const ContactCoefficients c = coefficients_of(system, s, scheme);
   std::fill(workspace.touched.begin(), workspace.touched.end(), char(0));
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     model::BodyContact& body = s.body[b];
@@ -224,7 +225,7 @@ void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& 
     pass.moves = &moves;
     pass.v[0] = s.vx.data(), pass.v[1] = s.vy.data(), pass.v[2] = s.vz.data();
     if (!s.inverse_mass_scale.empty()) pass.inverse_mass_scale = s.inverse_mass_scale.data();
-    pass.c = coefficients_of(system, s, scheme);
+    pass.c = c;
     pass.reported = last_kick_coefficients(scheme);
     pass.begins = scheme.begins_advance && !workspace.half_kick_reported && scheme.half > 0;
     kernel.run[system.bodies[b].moves](pass);
@@ -237,8 +238,8 @@ void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& 
   for (const EdgeContactPair& t : workspace.edge_pairs)
     for (int k = 0; !workspace.touched.empty() && k < t.element->weights(); ++k)
       workspace.touched[t.element->node[k] / math::kRowUnit] = 1;
-  edge_respond(system, s, {workspace.edge_pairs, coefficients_of(system, s, scheme), field_of(s), &s},
-               workspace.edge_scratch, workspace.edge_sums);
+  edge_respond(system, s, {workspace.edge_pairs, c, field_of(s), &s}, workspace.edge_scratch,
+               workspace.edge_sums);
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     s.body[b].impulse.force += workspace.edge_sums.load[b].force;
     s.body[b].impulse.torque += workspace.edge_sums.load[b].torque;

@@ -105,10 +105,10 @@ struct ContactStops {
 };
 bool any_stopped(const System& system, const State& state);  // something is at its stop, or nearly
 
-// Stop forces at the accelerations a [3][nodes] (m/s^2) that all other forces leave, after the warm start;
-// adds contact to a.
+// Stop forces at the accelerations [nodes] (m/s^2) that all other forces leave, after the warm start;
+// adds contact to them.
 ContactStops stop_forces(const System& system, EdgeScratch& scratch, const State& state,
-                         const std::vector<EdgeContactPair>& pairs, double* const a[3]);
+                         const std::vector<EdgeContactPair>& pairs, model::Field acceleration);
 
 // Count, largest depth (m) and largest pressure (Pa) of the present contact; and the energy of the penalties,
 // J.

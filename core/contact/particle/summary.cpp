@@ -73,8 +73,9 @@ bool any_stopped(const System& system, const State& s) {
 }
 
 ContactStops stop_forces(const System& system, EdgeScratch& scratch, const State& s,
-                         const std::vector<EdgeContactPair>& pairs, double* const a[3]) {
+                         const std::vector<EdgeContactPair>& pairs, model::Field acceleration) {
   ContactStops stops;
+  double* const a[] = {acceleration.x, acceleration.y, acceleration.z};
   const ContactCoefficients c = coefficients_of(system, s, {.pass = model::Pass::kAcceleration});
   each_touching(system, s, [&](const Touching& t) {
     const model::Body& body = system.bodies[t.body];

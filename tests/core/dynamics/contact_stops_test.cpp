@@ -30,7 +30,7 @@ double held(const Assembled& of, double a) {
   std::vector<contact::EdgeContactPair> pairs;
   contact::edge_narrow_phase(of.system, of.state, pairs);
   Array x(of.system.nodes, 0.0), y = x, z(of.system.nodes, a);
-  double* const field[] = {x.data(), y.data(), z.data()};
+  const model::Field field{x.data(), y.data(), z.data()};
   contact::EdgeScratch scratch = contact::edge_scratch_make();
   const contact::ContactStops stops = contact::stop_forces(of.system, scratch, of.state, pairs, field);
   double sum = 0;
