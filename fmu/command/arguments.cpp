@@ -13,13 +13,6 @@
 namespace drape::command {
 namespace {
 
-template <class T>
-CLI::Option* add(CLI::App& command, const char* names, T& to, const char* text, const OptionSpec& spec) {
-  CLI::Option* option = command.add_option(names, to, text);
-  if (spec.default_shown) option->capture_default_str();
-  return option;
-}
-
 CLI::Option* specified(CLI::Option* option, const OptionSpec& spec) {
   option->required(spec.required);
   if (spec.one_each) option->allow_extra_args(false);
@@ -74,30 +67,22 @@ void command_accept_all(CLI::App& command) {
 }
 std::vector<std::string> command_words(const CLI::App& command) { return command.remaining(); }
 
-CLI::Option* option_add(CLI::App& command, const char* names, std::string& to, const char* text,
+template <class T>
+CLI::Option* option_add(CLI::App& command, const char* names, T& to, const char* text,
                         const OptionSpec& spec) {
-  return specified(add(command, names, to, text, spec), spec);
+  CLI::Option* option = command.add_option(names, to, text);
+  if (spec.default_shown) option->capture_default_str();
+  return specified(option, spec);
 }
-CLI::Option* option_add(CLI::App& command, const char* names, std::optional<std::string>& to,
-                        const char* text, const OptionSpec& spec) {
-  return specified(add(command, names, to, text, spec), spec);
-}
-CLI::Option* option_add(CLI::App& command, const char* names, std::vector<std::string>& to, const char* text,
-                        const OptionSpec& spec) {
-  return specified(add(command, names, to, text, spec), spec);
-}
-CLI::Option* option_add(CLI::App& command, const char* names, double& to, const char* text,
-                        const OptionSpec& spec) {
-  return specified(add(command, names, to, text, spec), spec);
-}
-CLI::Option* option_add(CLI::App& command, const char* names, std::optional<double>& to, const char* text,
-                        const OptionSpec& spec) {
-  return specified(add(command, names, to, text, spec), spec);
-}
-CLI::Option* option_add(CLI::App& command, const char* names, int& to, const char* text,
-                        const OptionSpec& spec) {
-  return specified(add(command, names, to, text, spec), spec);
-}
+template CLI::Option* option_add(CLI::App&, const char*, std::string&, const char*, const OptionSpec&);
+template CLI::Option* option_add(CLI::App&, const char*, std::optional<std::string>&, const char*,
+                                 const OptionSpec&);
+template CLI::Option* option_add(CLI::App&, const char*, std::vector<std::string>&, const char*,
+                                 const OptionSpec&);
+template CLI::Option* option_add(CLI::App&, const char*, double&, const char*, const OptionSpec&);
+template CLI::Option* option_add(CLI::App&, const char*, std::optional<double>&, const char*,
+                                 const OptionSpec&);
+template CLI::Option* option_add(CLI::App&, const char*, int&, const char*, const OptionSpec&);
 CLI::Option* option_add(CLI::App& command, const char* names, std::function<void(const std::string&)> take,
                         const char* text, const OptionSpec& spec) {
   return specified(command.add_option_function<std::string>(names, take, text), spec);

@@ -32,19 +32,12 @@ struct OptionSpec {
   std::function<std::string(const std::string&)> problem = {};  // what is wrong with a word; empty if nothing
 };
 
-// Adds an option, or with a name such as "SCENE" an argument. If it is not given, `to` keeps its value.
-CLI::Option* option_add(CLI::App& command, const char* names, std::string& to, const char* text,
+// Adds an option, or with a name such as "SCENE" an argument. If it is not given, `to` keeps its value. T: a
+// number or text, one that may be absent, or a list of texts; arguments.cpp names them.
+template <class T>
+CLI::Option* option_add(CLI::App& command, const char* names, T& to, const char* text,
                         const OptionSpec& spec);
-CLI::Option* option_add(CLI::App& command, const char* names, std::optional<std::string>& to,
-                        const char* text, const OptionSpec& spec);
-CLI::Option* option_add(CLI::App& command, const char* names, std::vector<std::string>& to, const char* text,
-                        const OptionSpec& spec);
-CLI::Option* option_add(CLI::App& command, const char* names, double& to, const char* text,
-                        const OptionSpec& spec);
-CLI::Option* option_add(CLI::App& command, const char* names, std::optional<double>& to, const char* text,
-                        const OptionSpec& spec);
-CLI::Option* option_add(CLI::App& command, const char* names, int& to, const char* text,
-                        const OptionSpec& spec);
+// The same, with a function that takes the value.
 CLI::Option* option_add(CLI::App& command, const char* names, std::function<void(const std::string&)> take,
                         const char* text, const OptionSpec& spec);
 void flag_add(CLI::App& command, const char* names, bool& to, const char* text);
