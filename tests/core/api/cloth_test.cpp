@@ -5,13 +5,14 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <memory>
 
-#include "drape/drape.h"
+#include "api/heard_cloth.h"
 
 extern "C" int header_is_c(void);
 
 namespace {
+
+using namespace drape::tests;
 
 const char* kScene = R"(
 [scene]
@@ -39,18 +40,6 @@ name = "far"
 piece = "sheet"
 at = [%side, %side]
 )";
-
-struct Heard {
-  std::vector<std::string> errors;
-};
-void hear(void* user, drape_log_kind kind, const char* message) {
-  if (kind == DRAPE_LOG_ERROR) static_cast<Heard*>(user)->errors.push_back(message);
-}
-
-struct Close {
-  void operator()(drape_cloth* c) const { drape_close(c); }
-};
-using Cloth = std::unique_ptr<drape_cloth, Close>;
 
 class ClothTest : public testing::Test {
  protected:

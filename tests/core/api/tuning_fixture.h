@@ -3,29 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
 
-#include "drape/drape.h"
+#include "api/heard_cloth.h"
 #include "scene_file.h"
 
 namespace drape::tests {
 
 constexpr double kG = 9.81, kQ = 1.0 / 1024;
 constexpr int kSteps = 32;  // in an interval
-
-struct Close {
-  void operator()(drape_cloth* c) const { drape_close(c); }
-};
-using Cloth = std::unique_ptr<drape_cloth, Close>;
-
-struct Heard {
-  std::vector<std::string> errors, events;
-};
-inline void hear(void* user, drape_log_kind kind, const char* message) {
-  Heard& heard = *static_cast<Heard*>(user);
-  if (kind == DRAPE_LOG_ERROR) heard.errors.push_back(message);
-  if (kind == DRAPE_LOG_EVENT) heard.events.push_back(message);
-}
 
 // A sheet of 0.05 m x 0.05 m with its lowest point 1 m above the origin. It is free, or held at a corner.
 inline Cloth open_sheet(Heard& heard, bool held, const std::string& step = "0.000030517578125",
