@@ -15,7 +15,7 @@ stage "C++ tests" run_ctest
 stage "FMU tests" run_pytest
 
 say "Summary"
-stages_print
+printf '%s\n' "${stages[@]}"
 grep -E 'tests passed' "$build/ctest.log" || echo "ctest did not finish"
 tail -n 1 "$build/pytest.log"
 exit $failed

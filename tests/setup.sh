@@ -60,16 +60,18 @@ install_python_packages() {
   cp "$wanted" "$installed"
 }
 
-# stage NAME command ...: runs it and prints how long it took; stages_print repeats all, those of scripts it ran too.
-export DRAPE_STAGES=${DRAPE_STAGES:-$(mktemp)}
+# stage NAME command ...: runs it and prints how long it took. The lines are kept in `stages`, and in the file
+# $DRAPE_STAGES if a script above this one has named it.
+stages=()
 stage() {
   local name=$1 start=$SECONDS
   shift
   say "$name"
   "$@"
-  printf '%6d s  %s\n' $((SECONDS - start)) "$name" | tee -a "$DRAPE_STAGES"
+  stages+=("$(printf '%6d s  %s' $((SECONDS - start)) "$name")")
+  echo "${stages[-1]}"
+  [[ -z ${DRAPE_STAGES:-} ]] || echo "${stages[-1]}" >>"$DRAPE_STAGES"
 }
-stages_print() { cat "$DRAPE_STAGES"; }
 
 # build_drape [cmake options]: options given once stay in build/, so the two scripts can share the folder.
 build_drape() {

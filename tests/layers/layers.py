@@ -3,6 +3,7 @@
     python3 tests/layers/layers.py                what is wrong, a line each; exit code 1 if anything is
     python3 tests/layers/layers.py --self-test    plants faults in memory and checks that each is found
 """
+import posixpath
 import re
 import sys
 import tomllib
@@ -35,14 +36,9 @@ def resolve(name, quoted, file, files, roots):
     if file.startswith("tests/"):  # tests see their own rooms first
         folders = sorted(folders, key=lambda folder: folder in roots and not folder.startswith("tests"))
     for folder in folders:
-        parts = []
-        for part in f"{folder}/{name}".split("/"):
-            if part == ".." and parts:
-                parts.pop()
-            elif part != ".":
-                parts.append(part)
-        if "/".join(parts) in files:
-            return "/".join(parts)
+        path = posixpath.normpath(f"{folder}/{name}")
+        if path in files:
+            return path
     return None
 
 
