@@ -1,5 +1,8 @@
 // The contact library: FCL behind a C interface. The only file that includes FCL.
-#include <fcl/fcl.h>
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/geometry/shape/sphere.h>
+#include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
 
 #include <algorithm>
 #include <memory>
