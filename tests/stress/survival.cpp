@@ -77,7 +77,7 @@ constexpr Cloth kCloths[] = {
 };
 
 Scene scene_of(const Cloth& cloth, double damping, int order) {
-  const SceneFolder folder;
+  const tests::SceneFolder folder;
   const std::string text =
       "[scene]\nname = \"survival\"\ndamping = " + std::to_string(damping) +
       "\norder = " + std::to_string(order) + "\n[options]\nclamp_correction = false\n[fabric.cloth]\n" +
@@ -86,8 +86,8 @@ Scene scene_of(const Cloth& cloth, double damping, int order) {
       "place = { origin = [0, 0, 0], axis_x = [1, 0, 0], axis_y = [0, 1, 0] }\n" +
       "[[pin]]\nname = \"peg\"\npiece = \"square\"\n" + cloth.pins;
   std::vector<Problem> problems;
-  const Scene scene = scene_load(folder.write("scene.toml", text), problems);
-  for (const Problem& p : problems) std::fprintf(stderr, "%s\n", problem_text(p).c_str());
+  const Scene scene = validation::scene_load(folder.write("scene.toml", text), problems);
+  for (const Problem& p : problems) std::fprintf(stderr, "%s\n", scene::problem_text(p).c_str());
   if (!problems.empty()) std::exit(1);
   return scene;
 }
@@ -97,13 +97,13 @@ struct Run {
   State state;
   dynamics::Motion motion;
   Array vx, vy, vz;
-  std::vector<PinLoad> load;
+  std::vector<math::Wrench> load;
 };
 
 // Level cloth with every free particle off by up to kCrumple of a cell and moving at up to kThrow.
 void run_begin(Run& r, const Scene& scene, unsigned seed) {
   std::vector<Problem> problems;
-  r.system = system_assemble(scene, r.state, problems);
+  r.system = assembly::system_assemble(scene, r.state, problems);
   r.motion = dynamics::motion_make(r.system);
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -113,7 +113,7 @@ void run_begin(Run& r, const Scene& scene, unsigned seed) {
       (*a)[n] += held ? 0 : kCrumple * kCell * unit(random);
     for (Array* a : {&r.state.vx, &r.state.vy, &r.state.vz}) (*a)[n] = held ? 0 : kThrow * unit(random);
   }
-  for (const FixedNode& f : r.system.constraints.fixed) {
+  for (const constraint::FixedNode& f : r.system.constraints.fixed) {
     r.state.x[f.node] = f.target.start[0], r.state.y[f.node] = f.target.start[1],
     r.state.z[f.node] = f.target.start[2];
     r.state.vx[f.node] = r.state.vy[f.node] = r.state.vz[f.node] = 0;
@@ -209,7 +209,7 @@ int run(long steps, unsigned seeds, const char* only, double smallest, double la
   // The guarantee of a linear system: bounded at the default factor.
   int broken = 0;
   for (const Job& j : jobs)
-    broken += j.ratio <= (j.damping > 0 ? kSafetyDamped : kSafetyUndamped) && !j.survived;
+    broken += j.ratio <= (j.damping > 0 ? dynamics::kSafetyDamped : dynamics::kSafetyUndamped) && !j.survived;
   if (broken)
     std::printf("%d runs at or below the default factors %g, undamped, and %g grew\n", broken,
                 dynamics::kSafetyUndamped, dynamics::kSafetyDamped);
@@ -223,15 +223,15 @@ int main(int argc, char** argv) {
   long steps = 100000;
   unsigned seeds = 4;
   const char* only = "";
-  double least = 0, most = INFINITY;
+  double min_ratio = 0, max_ratio = INFINITY;
   long order = 2;
   for (int k = 1; k < argc; ++k) {
     if (std::strcmp(argv[k], "--steps") == 0 && k + 1 < argc) steps = std::strtol(argv[++k], nullptr, 10);
     else if (std::strcmp(argv[k], "--seeds") == 0 && k + 1 < argc)
       seeds = unsigned(std::strtoul(argv[++k], nullptr, 10));
     else if (std::strcmp(argv[k], "--only") == 0 && k + 1 < argc) only = argv[++k];
-    else if (std::strcmp(argv[k], "--from") == 0 && k + 1 < argc) least = std::strtod(argv[++k], nullptr);
-    else if (std::strcmp(argv[k], "--to") == 0 && k + 1 < argc) most = std::strtod(argv[++k], nullptr);
+    else if (std::strcmp(argv[k], "--from") == 0 && k + 1 < argc) min_ratio = std::strtod(argv[++k], nullptr);
+    else if (std::strcmp(argv[k], "--to") == 0 && k + 1 < argc) max_ratio = std::strtod(argv[++k], nullptr);
     else if (std::strcmp(argv[k], "--order") == 0 && k + 1 < argc)
       order = std::strtol(argv[++k], nullptr, 10);
     else {
@@ -243,5 +243,5 @@ int main(int argc, char** argv) {
   }
   if (steps < 1 || seeds < 1) return std::fprintf(stderr, "--steps and --seeds: allowed: 1 or more\n"), 1;
   if (order != 2 && order != 4 && order != 6) return std::fprintf(stderr, "--order: allowed: 2, 4, 6\n"), 1;
-  return drape::stress::run(steps, seeds, only, least, most, int(order));
+  return drape::stress::run(steps, seeds, only, min_ratio, max_ratio, int(order));
 }
