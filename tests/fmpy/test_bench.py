@@ -1,4 +1,4 @@
-"""The benchmark's scripts run; their figures are not judged here."""
+"""The benchmark's scripts run; their figures are not checked here."""
 import csv
 import shutil
 import subprocess
@@ -32,7 +32,7 @@ def test_scenes(drape, tmp_path):
 
 
 def test_absent(tmp_path):
-    """A command without the benchmark beside it says how to get it."""
+    """A command without the benchmark beside it reports how to get it."""
     shutil.copy(ROOT / "build" / "drape", tmp_path)
     done = subprocess.run([tmp_path / "drape", "bench", "--quick", "kernel"], capture_output=True, text=True)
     assert done.returncode == 1 and done.stderr.count("\n") == 1 and "-DDRAPE_BENCH=ON" in done.stderr

@@ -1,4 +1,4 @@
-"""Bodies through the packed FMU: what it carries, what it is told, what it tells."""
+"""Bodies through the packed FMU: its contents, its inputs, its outputs."""
 import re
 import subprocess
 import zipfile
@@ -40,7 +40,7 @@ def test_is_the_run_of_the_command(pack, drape, write, tmp_path):
     columns, rows = read_csv(tmp_path / "out" / "outputs.csv")
     there = dict(zip(columns, rows[-1]))
     fmu = pack(scene)
-    (tmp_path / "ball.obj").unlink()  # the FMU carries it
+    (tmp_path / "ball.obj").unlink()  # the FMU contains it
     with Instance(fmu) as cloth:
         cloth.initialize().run(0.05, 0.005)
         names = ["strain.warp.max", "contact.count", "contact.penetration.max", "contact.pressure.max", "step.count"]

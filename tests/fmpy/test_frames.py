@@ -84,7 +84,7 @@ def test_report_of_a_pulled_cloth(pulled, tmp_path, limit, beyond):
 
 
 def test_share_beyond_the_limit(drape, write, tmp_path):
-    """Hanging cloth: the warp at the height y carries the weight below it, strain rho g y / k; the share with more than half of the
+    """Hanging cloth: the warp at the height y bears the weight below it, strain rho g y / k; the share with more than half of the
     largest is the upper half, as far as rows of cells go."""
     scene = cloth(pin=[{"name": "bar", "piece": "sheet", "edges": [2]}])
     scene["scene"]["gravity"] = [0, -9.81, 0]
@@ -92,7 +92,7 @@ def test_share_beyond_the_limit(drape, write, tmp_path):
     drape("run", write(scene), "-o", tmp_path / "run", "--report", tmp_path / "report.csv", "--limit", 100 * top / k / 2)
     rows = report_rows(tmp_path / "report.csv")
     assert rows["elongation", "sheet warp", "beyond the limit"][0] == pytest.approx(50)
-    cells = [(i + 0.5) * 0.01 for i in range(6)]  # link i carries what lies below its middle
+    cells = [(i + 0.5) * 0.01 for i in range(6)]  # link i bears what lies below its middle
     assert rows["elongation", "sheet warp", "max"][0] == pytest.approx(100 * 0.2 * 9.81 * cells[-1] / k, rel=1e-4)
     assert rows["elongation", "sheet warp", "mean"][0] == pytest.approx(100 * top / k / 2, rel=1e-4)
 

@@ -88,7 +88,7 @@ TUNED = {
 
 @pytest.mark.parametrize("tuned", TUNED.values(), ids=TUNED)
 def test_hanging_strip_finds_its_new_length(pack, tuned):
-    """At rest link i from the hem carries rho g w (L - (n - 1/2 - i) b) with n links of length b: the weight below its
+    """At rest link i from the hem bears rho g w (L - (n - 1/2 - i) b) with n links of length b: the weight below its
     middle. Link by link T = k w e. Motion at c = 800/s and omega_1 = (pi/2L) sqrt(k/rho) = 287/s dies out within 0.4 s:
     exp(-0.4 (400 - sqrt(400^2 - 287^2))) = 7e-20."""
     rho, k, g = 0.15, 100.0, G

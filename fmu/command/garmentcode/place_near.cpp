@@ -12,13 +12,13 @@ namespace {
 using namespace math::vector3;
 
 constexpr double kNear = 0.012;    // m, between a panel and the body
-constexpr double kAround = 0.03;  // m, beyond a panel, because the body is known at its vertices only
-constexpr double kThrough = 0.2;  // m, the largest part of the body that may be on the wrong side of a panel
+constexpr double kAround = 0.03;   // m, beyond a panel, because the body is known at its vertices only
+constexpr double kThrough = 0.2;   // m, the largest part of the body that may be on the wrong side of a panel
 constexpr double kOver = 0.05;     // m, above a shoulder: a strap bends as it is drawn over it
 constexpr double kShoulder = 0.2;  // m, the largest height of a top above a seam that it obstructs
 constexpr double kBeside = 0.01;   // m, on either side of a seam
-constexpr double kGap = 0.02;  // m: edges nearer than this are sewn at once
-constexpr double kCovers = 0.5;  // of the smaller panel: a larger overlap makes a second layer
+constexpr double kGap = 0.02;      // m: edges nearer than this are sewn at once
+constexpr double kCovers = 0.5;    // of the smaller panel: a larger overlap makes a second layer
 constexpr double kParallel = 0.9;  // cosine between the normals of two layers
 
 // The ends of the first edge of a side, in space (m).
@@ -94,7 +94,7 @@ bool covers(const scene::PieceSpec& a, const Stand& as, const scene::PieceSpec& 
 
 // Separates layers. Panels that lay over another panel still do: from the body outwards, each moves out
 // until it covers none below.
-void layers_part(Scene& scene, const std::vector<Stand>& stands) {
+void layers_separate(Scene& scene, const std::vector<Stand>& stands) {
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < stands.size(); ++k)
     if (norm(stands[k].out) > 0) order.push_back(k);
@@ -139,7 +139,7 @@ void garment_place_near(Scene& scene, const std::vector<Vec3>& body) {
     piece.place.origin[1] += lift;
     stands.push_back(panel_approach(piece, body));
   }
-  layers_part(scene, stands);
+  layers_separate(scene, stands);
   std::vector<scene::SeamSpec*> later;
   for (scene::SeamSpec& seam : scene.seams) {
     const Vec3 gap = edge_of(scene, seam.side[1]).middle() - edge_of(scene, seam.side[0]).middle();

@@ -18,17 +18,17 @@ struct Close {
 };
 using Cloth = std::unique_ptr<drape_cloth, Close>;
 
-struct Heard {
+struct Logged {
   std::vector<std::string> errors, events;
 };
-inline void hear(void* user, drape_log_kind kind, const char* message) {
-  Heard& heard = *static_cast<Heard*>(user);
-  if (kind == DRAPE_LOG_ERROR) heard.errors.push_back(message);
-  if (kind == DRAPE_LOG_EVENT) heard.events.push_back(message);
+inline void on_message(void* user, drape_log_kind kind, const char* message) {
+  Logged& logged = *static_cast<Logged*>(user);
+  if (kind == DRAPE_LOG_ERROR) logged.errors.push_back(message);
+  if (kind == DRAPE_LOG_EVENT) logged.events.push_back(message);
 }
 
 // A sheet of 0.05 m x 0.05 m with its lowest point 1 m above the origin. It is free, or held at a corner.
-inline Cloth open_sheet(Heard& heard, bool held, const std::string& step = "0.000030517578125",
+inline Cloth open_sheet(Logged& logged, bool held, const std::string& step = "0.000030517578125",
                         const std::string& pin_keys = "", int order = 2) {
   const SceneFolder folder;
   const std::string scene = R"(
@@ -56,7 +56,7 @@ name = "low"
 piece = "sheet"
 at = [0.03, 0]
 )" + std::string(held ? "[[pin]]\nname = \"corner\"\npiece = \"sheet\"\nat = [[0, 0.05]]\n" + pin_keys : "");
-  return Cloth(drape_open(folder.write("scene.toml", scene).c_str(), hear, &heard));
+  return Cloth(drape_open(folder.write("scene.toml", scene).c_str(), on_message, &logged));
 }
 
 inline void run(const Cloth& c, int intervals, int calls = 1) {

@@ -18,8 +18,8 @@ using namespace math::vector3;
 
 BodySurface surface_of(const Mesh& mesh) {
   SurfaceFindings findings;
-  std::string trouble;
-  return surface_make(mesh.point, mesh.corner, findings, trouble);
+  std::string problem;
+  return surface_make(mesh.point, mesh.corner, findings, problem);
 }
 
 std::array<int, 2> edges_and_tips(const Mesh& mesh) {
@@ -36,7 +36,7 @@ TEST(SharpEdges, AreTheSharpEdgesAndTipsOfABody) {
   const Mesh sheet{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   EXPECT_EQ(edges_and_tips(sheet), (std::array<int, 2>{4, 4}));
   const Mesh groove{{{-1, 0, 1}, {0, 0, 0}, {1, 0, 1}, {-1, 1, 1}, {0, 1, 0}, {1, 1, 1}},
-                             {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};  // from below it is a convex edge
+                    {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};  // from below it is a convex edge
   EXPECT_EQ(edges_and_tips(groove)[0], 7);
   Mesh dented = box(1, 1, 1);  // a pit in the top is no tip
   dented.point.push_back({0, 0, 0});
