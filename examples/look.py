@@ -1,4 +1,4 @@
-"""Pictures of a run: the cloth coloured by what it feels, seams drawn, bodies shown.
+"""Pictures of a run: the cloth coloured by a field, with its seams and bodies.
 
     .venv/bin/python examples/look.py OUTDIR --field tension_warp -o picture.png
 
@@ -30,7 +30,7 @@ FIELDS = {  # of the frames: what it is called, unit, factor to this unit
     "pressure": ("contact pressure", "Pa", 1),
     "speed": ("speed", "m/s", 1),
 }
-VIEWS = {  # where one looks from, with y up
+VIEWS = {  # directions of view, with y up
     "front": (0, 0, 1), "back": (0, 0, -1), "left": (1, 0, 0), "right": (-1, 0, 0), "top": (0, 1, 1e-3),
     "oblique": (0.6, 0.25, 1),
 }
@@ -76,7 +76,7 @@ def values_of(cloth, field):
 
 
 def scale_of(field, values, limits):
-    """Colours. Tension and pressure by their square root, so that what is small is seen beside the peaks; slack and pushed
+    """Colours. Tension and pressure by their square root, so that small values stay visible next to the peaks; slack and pushed
     threads have the colour of 0. Elongation either way where there is both. The largest half of a percent share one colour."""
     low, high = limits or np.quantile(values, [0.005, 0.995])
     if field.startswith("strain") and low < -0.05 * high:

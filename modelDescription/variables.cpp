@@ -103,11 +103,11 @@ void add_diagram(Table& table, const std::string& name, const drape_diagram& dia
 
 void add_strain(Table& table, const std::string& name, const drape_strain& strain,
                 const std::string& direction) {
-  add(table, name + ".min", &strain.min, output(DRAPE_STRAIN, "1"),
+  add(table, name + ".min", &strain.min, output(DRAPE_OUT_STRAIN, "1"),
       "smallest strain of the cloth " + direction);
-  add(table, name + ".max", &strain.max, output(DRAPE_STRAIN, "1"),
+  add(table, name + ".max", &strain.max, output(DRAPE_OUT_STRAIN, "1"),
       "largest strain of the cloth " + direction);
-  add(table, name + ".mean", &strain.mean, output(DRAPE_STRAIN, "1"),
+  add(table, name + ".mean", &strain.mean, output(DRAPE_OUT_STRAIN, "1"),
       "mean strain of the cloth " + direction + ", weighted by area");
 }
 
@@ -214,19 +214,19 @@ void add_bodies(Table& table, drape_inputs& u, drape_inputs& rates) {
 void add_contact(Table& table, const drape_outputs& o) {
   for (int i = 0; i < o.body_count; ++i) {
     const std::string name = "body." + name_part(o.body[i].name);
-    add_vector(table, name + ".force", o.body[i].force, output(DRAPE_MOTION, "N"),
+    add_vector(table, name + ".force", o.body[i].force, output(DRAPE_OUT_VELOCITY, "N"),
                "mean force of the cloth on the body over the last communication step");
-    add_vector(table, name + ".torque", o.body[i].torque, output(DRAPE_MOTION, "N.m"),
+    add_vector(table, name + ".torque", o.body[i].torque, output(DRAPE_OUT_VELOCITY, "N.m"),
                "mean torque of the cloth on the body likewise, about the body's origin");
   }
   if (o.body_count == 0 && !o.has_self_contact) return;
-  add(table, "contact.count", &o.contact_count, output_discrete(DRAPE_STRAIN, "1"),
+  add(table, "contact.count", &o.contact_count, output_discrete(DRAPE_OUT_STRAIN, "1"),
       o.has_self_contact
           ? "particles that touch a body, links and cells on its sharp edges, and pairs of cloth that touch"
           : "particles that touch a body, and links and cells on its sharp edges");
-  add(table, "contact.penetration.max", &o.contact_penetration, output(DRAPE_STRAIN, "m"),
+  add(table, "contact.penetration.max", &o.contact_penetration, output(DRAPE_OUT_STRAIN, "m"),
       "the most that a particle is pressed into the thickness of its cloth");
-  add(table, "contact.pressure.max", &o.contact_pressure, output(DRAPE_STRAIN, "Pa"),
+  add(table, "contact.pressure.max", &o.contact_pressure, output(DRAPE_OUT_STRAIN, "Pa"),
       o.has_self_contact ? "largest pressure of a body or of cloth on the cloth"
                          : "largest pressure of a body on the cloth");
 }
@@ -234,58 +234,60 @@ void add_contact(Table& table, const drape_outputs& o) {
 void add_outputs(Table& table, const drape_outputs& o) {
   for (int i = 0; i < o.probe_count; ++i) {
     const std::string name = "probe." + name_part(o.probe[i].name);
-    add_vector(table, name + ".position", o.probe[i].position, output(DRAPE_PLACES, "m"),
+    add_vector(table, name + ".position", o.probe[i].position, output(DRAPE_OUT_POSITION, "m"),
                "where the probe is");
-    add_vector(table, name + ".velocity", o.probe[i].velocity, output(DRAPE_MOTION, "m/s"),
+    add_vector(table, name + ".velocity", o.probe[i].velocity, output(DRAPE_OUT_VELOCITY, "m/s"),
                "how fast the probe moves");
   }
   for (int i = 0; i < o.pin_count; ++i) {
     const std::string name = "pin." + name_part(o.pin[i].name);
-    add_vector(table, name + ".force", o.pin[i].force, output(DRAPE_MOTION, "N"),
+    add_vector(table, name + ".force", o.pin[i].force, output(DRAPE_OUT_VELOCITY, "N"),
                "mean force of the cloth on the pin over the last communication step");
-    add_vector(table, name + ".torque", o.pin[i].torque, output(DRAPE_MOTION, "N.m"),
+    add_vector(table, name + ".torque", o.pin[i].torque, output(DRAPE_OUT_VELOCITY, "N.m"),
                "mean torque of the cloth on the pin likewise, about the pin's position");
   }
   for (int i = 0; i < o.seam_count; ++i) {
     const std::string name = "seam." + name_part(o.seam[i].name);
-    add(table, name + ".gap.max", &o.seam[i].gap_max, output(DRAPE_PLACES, "m"), "largest gap of the seam");
-    add(table, name + ".closed", &o.seam[i].closed, output_discrete(DRAPE_PLACES, "1"),
+    add(table, name + ".gap.max", &o.seam[i].gap_max, output(DRAPE_OUT_POSITION, "m"),
+        "largest gap of the seam");
+    add(table, name + ".closed", &o.seam[i].closed, output_discrete(DRAPE_OUT_POSITION, "1"),
         "1 where all of the seam is sewn, else 0");
-    add(table, name + ".length", &o.seam[i].length, output(DRAPE_PLACES, "m"),
+    add(table, name + ".length", &o.seam[i].length, output(DRAPE_OUT_POSITION, "m"),
         "length of the seam, along the middle of its sides");
   }
   add_contact(table, o);
   add_strain(table, "strain.warp", o.strain_warp, "along the warp");
   add_strain(table, "strain.weft", o.strain_weft, "along the weft");
   add_strain(table, "strain.bias", o.strain_bias, "along the diagonals");
-  add(table, "tension.max", &o.tension_max, output(DRAPE_STRAIN, "N/m"), "largest tension per width");
-  add(table, "strain.beyond_test.count", &o.strain_beyond_test_count, output_discrete(DRAPE_STRAIN, "1"),
+  add(table, "tension.max", &o.tension_max, output(DRAPE_OUT_STRAIN, "N/m"), "largest tension per width");
+  add(table, "strain.beyond_test.count", &o.strain_beyond_test_count, output_discrete(DRAPE_OUT_STRAIN, "1"),
       "links strained beyond the last point of their diagram");
-  add(table, "step.size", &o.step_size, output_discrete(DRAPE_STRAIN, "s"), "present time step");
-  add(table, "step.count", &o.step_count, output_discrete(DRAPE_STRAIN, "1"), "time steps since the start");
-  add(table, "step.stability", &o.step_stability, output(DRAPE_STRAIN, "1"),
+  add(table, "step.size", &o.step_size, output_discrete(DRAPE_OUT_STRAIN, "s"), "present time step");
+  add(table, "step.count", &o.step_count, output_discrete(DRAPE_OUT_STRAIN, "1"),
+      "time steps since the start");
+  add(table, "step.stability", &o.step_stability, output(DRAPE_OUT_STRAIN, "1"),
       "h omega_max over its limit, 2 for order 2: the motion is stable below 1");
   if (o.has_fit)
-    add(table, "fit.residual", &o.fit_residual, output(DRAPE_STRAIN, "1"),
+    add(table, "fit.residual", &o.fit_residual, output(DRAPE_OUT_STRAIN, "1"),
         "largest force left on a particle over the larger of total weight and total pin force");
   if (!o.has_energy) return;
-  add(table, "energy.kinetic", &o.energy.kinetic, output(DRAPE_ENERGY, "J"), "energy of motion");
-  add(table, "energy.stretch", &o.energy.stretch, output(DRAPE_ENERGY, "J"),
+  add(table, "energy.kinetic", &o.energy.kinetic, output(DRAPE_OUT_ENERGY, "J"), "energy of motion");
+  add(table, "energy.stretch", &o.energy.stretch, output(DRAPE_OUT_ENERGY, "J"),
       "energy of the threads in tension and compression");
-  add(table, "energy.shear", &o.energy.shear, output(DRAPE_ENERGY, "J"), "energy of the diagonals");
-  add(table, "energy.bending", &o.energy.bending, output(DRAPE_ENERGY, "J"), "energy of the hinges");
-  add(table, "energy.gravity", &o.energy.gravity, output(DRAPE_ENERGY, "J"),
+  add(table, "energy.shear", &o.energy.shear, output(DRAPE_OUT_ENERGY, "J"), "energy of the diagonals");
+  add(table, "energy.bending", &o.energy.bending, output(DRAPE_OUT_ENERGY, "J"), "energy of the hinges");
+  add(table, "energy.gravity", &o.energy.gravity, output(DRAPE_OUT_ENERGY, "J"),
       "potential energy of the weight");
   if (o.body_count > 0 || o.has_self_contact)
-    add(table, "energy.contact", &o.energy.contact, output(DRAPE_ENERGY, "J"),
+    add(table, "energy.contact", &o.energy.contact, output(DRAPE_OUT_ENERGY, "J"),
         o.has_self_contact ? "energy of what is pressed on bodies and on cloth"
                            : "energy of what is pressed on bodies");
   if (!o.has_balance) return;
-  add(table, "energy.dissipated", &o.energy.dissipated, output(DRAPE_ENERGY, "J"),
+  add(table, "energy.dissipated", &o.energy.dissipated, output(DRAPE_OUT_ENERGY, "J"),
       "energy that damping, air and friction have taken");
-  add(table, "energy.input", &o.energy.input, output(DRAPE_ENERGY, "J"),
+  add(table, "energy.input", &o.energy.input, output(DRAPE_OUT_ENERGY, "J"),
       "work of pins, bodies, wind, seams and tuning on the cloth");
-  add(table, "energy.balance_error", &o.energy.balance_error, output(DRAPE_ENERGY, "J"),
+  add(table, "energy.balance_error", &o.energy.balance_error, output(DRAPE_OUT_ENERGY, "J"),
       "growth of all energies since the start, minus input, plus dissipated");
 }
 
@@ -322,16 +324,17 @@ void add_nodes(Table& table, const std::vector<int>& selected, const char* name,
 
 std::vector<Variable> variables_of(drape_cloth* cloth, Nodes nodes) {
   // The outputs belong to the cloth, which keeps them in one place: the table may point into them.
-  const drape_outputs& outputs = *drape_outputs_at(cloth, nodes != Nodes::kNone);
+  const drape_outputs& outputs =
+      *drape_get_outputs(cloth, nodes != Nodes::kNone ? DRAPE_OUT_ALL : DRAPE_OUT_SCALARS);
   Table table;
   add_parameters(table, *drape_parameters_of(cloth));
   add_inputs(table, *drape_inputs_of(cloth), *drape_input_rates_of(cloth));
   add_bodies(table, *drape_inputs_of(cloth), *drape_input_rates_of(cloth));
   add_outputs(table, outputs);
   const std::vector<int> selected = nodes_selected(cloth, nodes, outputs.node_count);
-  add_nodes(table, selected, "node.position", outputs.node_position, output(DRAPE_NODE_PLACES, "m"),
+  add_nodes(table, selected, "node.position", outputs.node_position, output(DRAPE_OUT_NODE_POSITION, "m"),
             "where a particle is");
-  add_nodes(table, selected, "node.velocity", outputs.node_velocity, output(DRAPE_NODE_MOTION, "m/s"),
+  add_nodes(table, selected, "node.velocity", outputs.node_velocity, output(DRAPE_OUT_NODE_VELOCITY, "m/s"),
             "how fast a particle moves");
   return table;
 }

@@ -8,7 +8,7 @@ Builds both commits and compares:
   golden     the hashes that the golden test expects
   benchmark  of the kernels: runs of both commits by turns on one core; medians; no row slower by more than 5 %
 
---quick: scenes alone, for a moment each, and one short benchmark that is told but not judged. --keep DIR: the folder of both
+--quick: scenes alone, for a moment each, and one short benchmark that is printed but not checked. --keep DIR: the folder of both
 builds and of the results; a commit that was built there before is not built again. Exit code 1 if anything differs.
 """
 import argparse

@@ -1,28 +1,33 @@
-# Sourced by examples/quickstart.sh and tests/run.sh. Installs what is missing, configures and builds into build/.
+# Sourced by examples/quickstart.sh, tests/run.sh and .ci/run. Installs what is missing, configures and builds into build/.
 # Everything that is already there is left alone, so a second run needs no network and takes seconds.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
 build="$root/build"
 python="$root/.venv/bin/python"
 
-# The one list of Debian packages. The last line is what VTK loads to draw without a screen.
+# The Debian packages of the quickstart. The last line is what VTK loads to draw without a screen.
 debian_packages=(
   g++ cmake ninja-build pkg-config python3 python3-venv
-  libeigen3-dev libsundials-dev libtomlplusplus-dev libzip-dev libfcl-dev libtinyobjloader-dev nlohmann-json3-dev
-  libcli11-dev libpugixml-dev libgtest-dev
+  libeigen3-dev libtomlplusplus-dev libzip-dev libfcl-dev libtinyobjloader-dev nlohmann-json3-dev
+  libcli11-dev libpugixml-dev
   libegl1 libgl1-mesa-dri
 )
+
+# What the reference, the benchmark and the tests add. libsundials-dev alone brings MPI, PETSc
+# and some 170 packages more, so the quickstart does without it.
+test_packages=(libsundials-dev libgtest-dev)
 
 say() { printf '\n== %s\n' "$*"; }
 die() { printf 'drape: %s\n' "$*" >&2; exit 1; }
 
+# install_debian_packages [package ...]: those of the quickstart, and these.
 install_debian_packages() {
   if ! command -v dpkg-query >/dev/null; then
     say "Not a Debian system: going on with the compiler and libraries that are installed"
     return
   fi
   local missing=() package
-  for package in "${debian_packages[@]}"; do
+  for package in "${debian_packages[@]}" "$@"; do
     dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
   done
   [[ ${#missing[@]} -eq 0 ]] && return
@@ -53,6 +58,19 @@ install_python_packages() {
   say "Installing Python packages into .venv"
   "$python" -m pip install --quiet --disable-pip-version-check -r "$wanted" </dev/null
   cp "$wanted" "$installed"
+}
+
+# stage NAME command ...: runs it and prints how long it took. The lines are kept in `stages`, and in the file
+# $DRAPE_STAGES if a script above this one has named it.
+stages=()
+stage() {
+  local name=$1 start=$SECONDS
+  shift
+  say "$name"
+  "$@"
+  stages+=("$(printf '%6d s  %s' $((SECONDS - start)) "$name")")
+  echo "${stages[-1]}"
+  [[ -z ${DRAPE_STAGES:-} ]] || echo "${stages[-1]}" >>"$DRAPE_STAGES"
 }
 
 # build_drape [cmake options]: options given once stay in build/, so the two scripts can share the folder.

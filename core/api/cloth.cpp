@@ -1,4 +1,4 @@
-// The C interface: a cloth is a scene, the system made from it, its state, and the structs it shows.
+// The C interface: opening, advancing, outputs and copies of a cloth.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -14,7 +14,7 @@
 struct drape_snapshot {
   drape::State state;
   drape::api::Tuning tuning;
-  drape::api::ParameterValues parameters;  // also what is set but not committed yet
+  drape::api::ParameterValues parameters;  // values written, including those not yet committed
   struct Inputs {
     double wind[3];
     std::vector<drape_pin_input> pin, body;
@@ -38,7 +38,7 @@ void inputs_restore(const drape_snapshot::Inputs& from, drape_inputs& to) {
   std::copy(from.body.begin(), from.body.end(), to.body);
 }
 
-// Sides of very different length are likely to be a mistake.
+// Warns of sides of very different length, which are probably a mistake.
 void seams_warn(const drape_cloth& c) {
   constexpr double kUsual = 1.5;
   for (std::size_t k = 0; k < c.scene.seams.size(); ++k) {
@@ -72,7 +72,7 @@ void cloth_assemble(drape_cloth& c, std::vector<Problem>& problems) {
     for (const std::string& remark : body.remarks) log_message(c, DRAPE_LOG_WARNING, remark);
 }
 
-// Where a run left the finite numbers, and the likely reason.
+// The first particle whose values are not finite.
 std::string failure_place(const drape_cloth& c) {
   const State& s = c.state;
   for (const model::Lattice& l : c.system.lattices)
@@ -225,13 +225,8 @@ drape_status drape_advance(drape_cloth* c, double length) {
 
 int drape_step_above_limit(const drape_cloth* c) { return c->step_above_limit; }
 
-const drape_outputs* drape_outputs_at(drape_cloth* c, int want_nodes) {
-  const int nodes = want_nodes ? DRAPE_NODE_PLACES | DRAPE_NODE_MOTION : 0;
-  return drape_get_outputs(c, DRAPE_PLACES | DRAPE_MOTION | DRAPE_STRAIN | DRAPE_ENERGY | nodes);
-}
-
-const drape_outputs* drape_get_outputs(drape_cloth* c, int what) {
-  outputs::outputs_fill(c->outputs, c->system, c->motion, c->state, what);
+const drape_outputs* drape_get_outputs(drape_cloth* c, int mask) {
+  outputs::outputs_fill(c->outputs, c->system, c->motion, c->state, mask);
   return &c->outputs.c_view;
 }
 
@@ -257,7 +252,7 @@ drape_snapshot* drape_save(drape_cloth* c, drape_snapshot* into) {
 void drape_restore(drape_cloth* c, const drape_snapshot* from) {
   c->step_above_limit = false;
   c->state = from->state;
-  dynamics::workspace_clear(c->motion.workspace);  // what the state before may have left there
+  dynamics::workspace_clear(c->motion.workspace);  // of values from the state before
   tuning_restore(*c, from->tuning);
   dynamics::seams_restore(c->system, c->motion, c->state);
   parameters_write(c->parameters, from->parameters);

@@ -1,5 +1,5 @@
-// What stands behind the C interface: a cloth is a scene, the system made from it, its state, and the structs
-// it shows.
+// The object behind the C interface: a scene, the system made from it, its state, and the structs that users
+// see.
 #pragma once
 #include "api/ramp.h"
 #include "drape/drape.h"
@@ -9,7 +9,7 @@
 
 namespace drape::api {
 
-// The tuned values: those in the system, and where they go.
+// The tuned values: those in force in the system, and the ramp to their targets.
 struct Tuning {
   ParameterValues in_force;
   Ramp ramp;
@@ -22,19 +22,19 @@ struct drape_cloth {
   void* log_user = nullptr;
   drape::Scene scene;
   std::string text;
-  std::vector<std::string> files;  // [bodies] their names beside the text
+  std::vector<std::string> files;  // [bodies] names of the mesh files next to the text
   drape::System system;
   drape::dynamics::Motion motion;
-  drape::State state, good;  // now, and when the running advance began
+  drape::State state, good;  // at present, and when the present advance began
   drape::api::Parameters parameters;
   drape_inputs inputs{}, input_rates{};
   std::vector<drape_pin_input> pin_inputs, pin_rates;    // [driven pins]
-  std::vector<std::size_t> driven;                       // theirs among Scene::pins
+  std::vector<std::size_t> driven;                       // [driven pins] their indices in Scene::pins
   std::vector<drape_pin_input> body_inputs, body_rates;  // [moving bodies]
-  std::vector<std::size_t> moving;                       // theirs among Scene::bodies
-  drape::api::Tuning tuning, tuning_good;                // as state, good
+  std::vector<std::size_t> moving;                       // [moving bodies] their indices in Scene::bodies
+  drape::api::Tuning tuning, tuning_good;                // as for state, good
   drape::outputs::Outputs outputs;
-  struct Piece {
+  struct Piece {  // the arrays of drape_piece
     int first = 0;
     std::vector<double> rest;  // [particles x 2]
     std::vector<int> corner;   // [cells x 4]
@@ -45,12 +45,13 @@ struct drape_cloth {
     int cut = 0, merged = 0, twins = 0;
     double area = 0;
   };
-  std::vector<Piece> pieces;      // empty until one is asked for
-  drape::outputs::Fields fields;  // of the last time they were asked for, as are these
+  std::vector<Piece> pieces;  // empty until the first drape_piece_at
+  // Results of the last call of the functions that return them.
+  drape::outputs::Fields fields;
   drape_fields fields_view{};
   std::vector<double> seam_line[2], surface_point;
   std::string limit_link;
-  bool step_above_limit = false;  // the last advance met a step limit below the given step
+  bool step_above_limit = false;  // the step limit fell below the scene's step in the last advance
 };
 
 namespace drape::api {
@@ -59,40 +60,41 @@ void log_message(const drape_cloth& cloth, drape_log_kind kind, const std::strin
 void log_problems(const drape_cloth& cloth, const std::vector<Problem>& problems);
 std::string number(double value, int digits = 6);
 
-// What keeps the cloth from stepping on from its present state: no step limit, a given step above it, or more
-// than kSubsMost steps in an interval.
+// Checks that the cloth can step on from its present state. Problems: there is no step limit, the scene's
+// step is above it, or an interval takes more than kMaxStepsPerInterval steps.
 void step_check(const drape_cloth& cloth, std::vector<Problem>& problems);
 
-// What drape_piece_at shows.
+// Fills the pieces for drape_piece_at.
 void pieces_describe(drape_cloth& cloth);
 
-// Room for inputs, with what they are at the start.
+// Allocates the inputs and sets them to their values at the start.
 void inputs_make(drape_cloth& cloth);
 
-// An orientation of length 0 goes back to what it is now, with a problem.
+// An orientation of length 0 is a problem, and is reset to the present one.
 void inputs_validate(drape_cloth& cloth, std::vector<Problem>& problems);
 
-// Checks the inputs and makes them the end of the next advance, of `length`. On a problem (true without) the
-// values at fault are again what they are now.
+// Checks the inputs and makes them the end of the next advance, whose length is `length`, s. False on a
+// problem: invalid values are reset to the present ones.
 bool inputs_apply(drape_cloth& cloth, double length, std::vector<Problem>& problems);
 
-// After an advance the rates are 0 again.
+// Sets all rates to 0, after an advance.
 void inputs_clear_rates(drape_cloth& cloth);
 
-// The values of the parameters are those of the system.
+// Starts the tuning: the values in force are those of the parameters, and all targets are reached.
 void tuning_begin(drape_cloth& cloth);
 
-// Moves ramps on by a number of communication intervals; true where that moves the cloth otherwise.
+// Advances the ramps by a number of communication intervals. True where that changes the motion.
 bool tuning_advance(drape_cloth& cloth, double intervals);
 
-// The error of the energy balance; 0 where none is kept. What a change of the system adds to it is the work
-// of the change.
+// The error of the energy balance, J; 0 where the balance is not computed. What a change of the system adds
+// to it is the work of the change.
 double balance_error(drape_cloth& cloth);
 
-// What seams do at the beginning of an interval; true where that moves the cloth otherwise.
+// Starts the closing of seams and welds pairs, at the beginning of an interval. True where that changes the
+// motion.
 bool seam_events_advance(drape_cloth& cloth);
 
-// Takes up an earlier state of the tuning.
+// Restores an earlier state of the tuning.
 void tuning_restore(drape_cloth& cloth, const Tuning& tuning);
 
 }  // namespace drape::api

@@ -1,4 +1,4 @@
-// Fields, seams and bodies of a cloth as the C interface shows them.
+// Fields, seams and bodies of a cloth for the C interface.
 #include <limits>
 
 #include "api/cloth.h"
@@ -11,8 +11,9 @@ namespace {
 
 using namespace math::vector3;
 
-Vec3 outward(const model::Mat3& turn, const Vec3& x) {
-  return {dot(turn[0], x), dot(turn[1], x), dot(turn[2], x)};
+// R x
+Vec3 outward(const model::Mat3& rotation, const Vec3& x) {
+  return {dot(rotation[0], x), dot(rotation[1], x), dot(rotation[2], x)};
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The inputs of the C interface: what may be written, and how it becomes the end of the next advance's paths.
+// The inputs of the C interface: their checks, and how they become the end of the paths of the next advance.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,7 @@ namespace {
 
 bool all_zero(const double* q) { return q[0] == 0 && q[1] == 0 && q[2] == 0 && q[3] == 0; }
 
-// One vector input, its rate, and where it is now.
+// One vector input: its value and rate as written, and the present value.
 struct VectorInput {
   std::string name;
   const scene::Quantity* limits;
@@ -19,7 +19,8 @@ struct VectorInput {
   const double* now;
 };
 
-// Where the vector is to be after `length`. A number at fault is told, and again what it is now.
+// Sets `reached` [size], the value after `length`, s. An invalid number is a problem, and is reset to the
+// present value.
 void vector_apply(const VectorInput& v, double length, double* reached, std::vector<Problem>& problems) {
   for (int k = 0; k < v.size; ++k) {
     const std::string name = v.name + "[" + std::to_string(k + 1) + "]";
@@ -39,29 +40,38 @@ void orientation_validate(const VectorInput& v, double* reached, std::vector<Pro
   for (int k = 0; k < 4; ++k) v.value[k] = v.now[k], v.rate[k] = 0;
 }
 
-// Of a pin or a body: `name`.
-void pin_apply(const std::string& name, const math::RigidMotion& now, drape_pin_input& in,
-               drape_pin_input& rate, double length, math::RigidMotion& to, std::vector<Problem>& problems) {
-  const auto take = [&](const char* what, const scene::Quantity& limits, int size, double* value, double* by,
-                        const double* present, double* reached) {
-    const VectorInput v{name + "." + what, &limits, size, value, by, present};
+// The inputs of a driven pin or a moving body, `name`, and its present motion.
+struct MotionInput {
+  std::string name;
+  drape_pin_input *value, *rate;
+  const math::RigidMotion* now;
+};
+
+void motion_apply(const MotionInput& input, double length, math::RigidMotion& to,
+                  std::vector<Problem>& problems) {
+  drape_pin_input &in = *input.value, &rate = *input.rate;
+  const math::RigidMotion& now = *input.now;
+  const auto apply = [&](VectorInput v, double* reached) {
+    v.name = input.name + "." + v.name;
     const std::size_t before = problems.size();
     vector_apply(v, length, reached, problems);
-    if (size == 4 && problems.size() == before) orientation_validate(v, reached, problems);
+    if (v.size == 4 && problems.size() == before) orientation_validate(v, reached, problems);
   };
   if (in.drive & DRAPE_DRIVE_POSITION) {
-    take("position", scene::kPinPosition, 3, in.position, rate.position, now.position.data(),
-         to.position.data());
+    apply({"position", &scene::kPinPosition, 3, in.position, rate.position, now.position.data()},
+          to.position.data());
     if (in.clamp)
-      take("orientation", scene::kPinOrientation, 4, in.orientation, rate.orientation, now.orientation.data(),
-           to.orientation.data());
+      apply({"orientation", &scene::kPinOrientation, 4, in.orientation, rate.orientation,
+             now.orientation.data()},
+            to.orientation.data());
   }
   if (in.drive & DRAPE_DRIVE_VELOCITY) {
-    take("velocity", scene::kPinVelocity, 3, in.velocity, rate.velocity, now.velocity.data(),
-         to.velocity.data());
+    apply({"velocity", &scene::kPinVelocity, 3, in.velocity, rate.velocity, now.velocity.data()},
+          to.velocity.data());
     if (in.clamp)
-      take("angular_velocity", scene::kPinAngularVelocity, 3, in.angular_velocity, rate.angular_velocity,
-           now.angular_velocity.data(), to.angular_velocity.data());
+      apply({"angular_velocity", &scene::kPinAngularVelocity, 3, in.angular_velocity, rate.angular_velocity,
+             now.angular_velocity.data()},
+            to.angular_velocity.data());
   }
 }
 
@@ -109,8 +119,8 @@ void inputs_make(drape_cloth& c) {
 }
 
 void inputs_validate(drape_cloth& c, std::vector<Problem>& problems) {
-  const auto mend = [&](const char* kind, drape_pin_input& in, drape_pin_input& rate,
-                        const math::RigidMotion& now) {
+  const auto validate = [&](const char* kind, drape_pin_input& in, drape_pin_input& rate,
+                            const math::RigidMotion& now) {
     if (!in.clamp || !(in.drive & DRAPE_DRIVE_POSITION) || !all_zero(rate.orientation)) return;
     double reached[4] = {in.orientation[0], in.orientation[1], in.orientation[2], in.orientation[3]};
     orientation_validate({std::string(kind) + in.name + ".orientation", &scene::kPinOrientation, 4,
@@ -118,9 +128,9 @@ void inputs_validate(drape_cloth& c, std::vector<Problem>& problems) {
                          reached, problems);
   };
   for (std::size_t k = 0; k < c.driven.size(); ++k)
-    mend("pin.", c.pin_inputs[k], c.pin_rates[k], c.state.pin_motion[c.driven[k]]);
+    validate("pin.", c.pin_inputs[k], c.pin_rates[k], c.state.pin_motion[c.driven[k]]);
   for (std::size_t k = 0; k < c.moving.size(); ++k)
-    mend("body.", c.body_inputs[k], c.body_rates[k], c.state.body[c.moving[k]].motion);
+    validate("body.", c.body_inputs[k], c.body_rates[k], c.state.body[c.moving[k]].motion);
 }
 
 bool inputs_apply(drape_cloth& c, double length, std::vector<Problem>& problems) {
@@ -130,11 +140,13 @@ bool inputs_apply(drape_cloth& c, double length, std::vector<Problem>& problems)
     vector_apply({"wind", &scene::kWind, 3, c.inputs.wind, c.input_rates.wind, c.state.wind.data()}, length,
                  to.wind.data(), problems);
   for (std::size_t k = 0; k < c.driven.size(); ++k)
-    pin_apply(std::string("pin.") + c.pin_inputs[k].name, c.state.pin_motion[c.driven[k]], c.pin_inputs[k],
-              c.pin_rates[k], length, to.pin[c.driven[k]], problems);
+    motion_apply({std::string("pin.") + c.pin_inputs[k].name, &c.pin_inputs[k], &c.pin_rates[k],
+                  &c.state.pin_motion[c.driven[k]]},
+                 length, to.pin[c.driven[k]], problems);
   for (std::size_t k = 0; k < c.moving.size(); ++k)
-    pin_apply(std::string("body.") + c.body_inputs[k].name, c.state.body[c.moving[k]].motion,
-              c.body_inputs[k], c.body_rates[k], length, to.body[c.moving[k]], problems);
+    motion_apply({std::string("body.") + c.body_inputs[k].name, &c.body_inputs[k], &c.body_rates[k],
+                  &c.state.body[c.moving[k]].motion},
+                 length, to.body[c.moving[k]], problems);
   if (problems.size() > before) return false;
   c.motion.inputs = to;
   return true;

@@ -15,12 +15,12 @@ const scene::DiagramSpec* diagrams_of(const scene::FabricSpec& f, int k) {
 scene::DiagramSpec* diagrams_of(scene::FabricSpec& f, int k) {
   return k == 0 ? &f.warp : k == 1 ? &f.weft : &f.bias;
 }
-drape_diagram* shown_of(drape_fabric& f, int k) { return k == 0 ? &f.warp : k == 1 ? &f.weft : &f.bias; }
+drape_diagram* diagram_view(drape_fabric& f, int k) { return k == 0 ? &f.warp : k == 1 ? &f.weft : &f.bias; }
 constexpr const char* kDiagram[] = {"warp", "weft", "bias"};
 
-// Visits every number in a fixed order.
+// Visits every number, in a fixed order.
 template <class P, class Visit>
-void each_value(P& p, Visit visit) {
+void values_visit(P& p, Visit visit) {
   visit(p.c_view.damping);
   for (auto& g : p.c_view.gravity) visit(g);
   visit(p.c_view.air_normal);
@@ -37,7 +37,7 @@ void each_value(P& p, Visit visit) {
     for (auto& v : list) visit(v);
 }
 
-// Name and range of every number, in the order of each_value.
+// Name and range of every number, in the order of values_visit.
 struct ValueRow {
   std::string place;
   const scene::Quantity* limits;
@@ -69,20 +69,20 @@ std::vector<ValueRow> value_rows(const Parameters& p, const Scene& scene) {
   return rows;
 }
 
-// Of the forces that depend on velocity.
-bool is_rated(const ValueRow& row) {
+// True for parameters of forces that depend on velocity.
+bool depends_on_rate(const ValueRow& row) {
   return row.limits == &scene::kAirCoefficient || row.limits == &scene::kSpringDamping;
 }
 
-std::string rated_text(const scene::Quantity& q, double value, int order) {
+std::string rate_text(const scene::Quantity& q, double value, int order) {
   char text[80];
   std::snprintf(text, sizeof text, "= %.9g%s; allowed: ", value, std::string(q.unit) == "1" ? "" : " s");
   return text + validation::order_allows(order);
 }
 
-// The first point of a diagram whose law, force x correction, lies below that of the one before it; its size
-// where none does.
-std::size_t fall_of(const std::vector<double>& force, const scene::DiagramSpec& diagram) {
+// The first point of a diagram at which the law, force x correction, or the force itself is less than at the
+// point before it; the number of points where there is none.
+std::size_t fall_find(const std::vector<double>& force, const scene::DiagramSpec& diagram) {
   const std::vector<double>& correction = diagram.correction;
   double before = 0;
   for (std::size_t i = 0; i < force.size(); ++i) {
@@ -117,7 +117,7 @@ std::string limits_text(const scene::Quantity& q, double value) {
 
 void parameters_make(Parameters& p, const Scene& scene, double step_max) {
   const std::size_t n = scene.fabrics.size();
-  p.touches = !scene.bodies.empty();
+  p.has_bodies = !scene.bodies.empty();
   p.fabrics.resize(n);
   p.elongation.resize(3 * n);
   p.force.resize(3 * n);
@@ -132,7 +132,7 @@ void parameters_make(Parameters& p, const Scene& scene, double step_max) {
       std::vector<double>&e = p.elongation[3 * k + std::size_t(d)], &force = p.force[3 * k + std::size_t(d)];
       e.assign(from.elongation.begin() + 1, from.elongation.end());
       force.assign(from.force.begin() + 1, from.force.end());
-      *shown_of(p.fabrics[k], d) = {int(force.size()), e.data(), force.data()};
+      *diagram_view(p.fabrics[k], d) = {int(force.size()), e.data(), force.data()};
     }
   }
   for (const scene::SeamSpec& s : scene.seams) p.seams.push_back({s.name.c_str(), 0});
@@ -159,34 +159,34 @@ bool is_closing(const Parameters& p, const double* value) {
 
 ParameterValues parameters_read(const Parameters& p) {
   ParameterValues v;
-  each_value(p, [&](double x) { v.value.push_back(x); });
+  values_visit(p, [&](double x) { v.value.push_back(x); });
   return v;
 }
 
 void parameters_write(Parameters& p, const ParameterValues& v) {
   std::size_t k = 0;
-  each_value(p, [&](double& x) { x = v.value[k++]; });
+  values_visit(p, [&](double& x) { x = v.value[k++]; });
 }
 
-bool parameters_move_otherwise(const Parameters& p, const ParameterValues& a, const ParameterValues& b) {
+bool parameters_change_motion(const Parameters& p, const ParameterValues& a, const ParameterValues& b) {
   const auto idle = [&](const double* value) {
     return value == &p.c_view.ramp || value == &p.c_view.threads || is_closing(p, value) ||
-           (!p.touches && std::any_of(p.fabrics.begin(), p.fabrics.end(),
-                                      [&](const drape_fabric& f) { return value == &f.friction; }));
+           (!p.has_bodies && std::any_of(p.fabrics.begin(), p.fabrics.end(),
+                                         [&](const drape_fabric& f) { return value == &f.friction; }));
   };
-  bool otherwise = false;
+  bool changes = false;
   std::size_t k = 0;
-  each_value(p, [&](const double& value) {
-    otherwise = otherwise || (a.value[k] != b.value[k] && !idle(&value));
+  values_visit(p, [&](const double& value) {
+    changes = changes || (a.value[k] != b.value[k] && !idle(&value));
     ++k;
   });
-  return otherwise;
+  return changes;
 }
 
 std::vector<int> parameters_groups(const Parameters& p) {
   std::vector<int> group;
   int next = 0;
-  each_value(p, [&](const double& value) {
+  values_visit(p, [&](const double& value) {
     const bool at_once = &value == &p.c_view.ramp || &value == &p.c_view.step_max ||
                          &value == &p.c_view.threads || is_closing(p, &value);
     group.push_back(at_once ? -1 : next++);
@@ -203,16 +203,16 @@ std::vector<scene::FabricSpec> parameters_fabrics(const Parameters& p, const Sce
   std::vector<scene::FabricSpec> fabrics = scene.fabrics;
   for (std::size_t k = 0; k < fabrics.size(); ++k) {
     scene::FabricSpec& f = fabrics[k];
-    const drape_fabric& shown = p.fabrics[k];
-    f.areal_density = shown.areal_density;
-    f.bending_warp = shown.bending_warp;
-    f.bending_weft = shown.bending_weft;
-    f.poisson = shown.poisson;
-    f.compression = shown.compression;
-    f.damping = shown.damping;
-    // The kinetic coefficient keeps its ratio to the static one, which is what is tuned.
-    f.friction = {shown.friction,
-                  f.friction[0] > 0 ? shown.friction * (f.friction[1] / f.friction[0]) : shown.friction};
+    const drape_fabric& view = p.fabrics[k];
+    f.areal_density = view.areal_density;
+    f.bending_warp = view.bending_warp;
+    f.bending_weft = view.bending_weft;
+    f.poisson = view.poisson;
+    f.compression = view.compression;
+    f.damping = view.damping;
+    // The static coefficient is tuned; the kinetic one keeps its ratio to it.
+    f.friction = {view.friction,
+                  f.friction[0] > 0 ? view.friction * (f.friction[1] / f.friction[0]) : view.friction};
     for (int d = 0; d < 3; ++d)
       for (std::size_t i = 1; i < diagrams_of(f, d)->force.size(); ++i)
         diagrams_of(f, d)->force[i] = p.force[3 * k + std::size_t(d)][i - 1];
@@ -225,10 +225,10 @@ void parameters_validate(Parameters& p, const Scene& scene, const ParameterValue
   const std::vector<ValueRow> rows = value_rows(p, scene);
   ParameterValues now = parameters_read(p);
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const bool brakes = scene.order > 2 && is_rated(rows[k]) && now.value[k] > 0;
-    if (scene::quantity_fits(*rows[k].limits, now.value[k]) && !brakes) continue;
-    problems.push_back({rows[k].place, brakes ? rated_text(*rows[k].limits, now.value[k], scene.order)
-                                              : limits_text(*rows[k].limits, now.value[k])});
+    const bool excluded = scene.order > 2 && depends_on_rate(rows[k]) && now.value[k] > 0;
+    if (scene::quantity_fits(*rows[k].limits, now.value[k]) && !excluded) continue;
+    problems.push_back({rows[k].place, excluded ? rate_text(*rows[k].limits, now.value[k], scene.order)
+                                                : limits_text(*rows[k].limits, now.value[k])});
     now.value[k] = in_force.value[k];
   }
   parameters_write(p, now);
@@ -236,7 +236,7 @@ void parameters_validate(Parameters& p, const Scene& scene, const ParameterValue
   for (std::size_t list = p.force.size(); list-- > 0;) {
     std::vector<double>& force = p.force[list];
     first -= force.size();
-    const std::size_t fall = fall_of(force, *diagrams_of(scene.fabrics[list / 3], int(list % 3)));
+    const std::size_t fall = fall_find(force, *diagrams_of(scene.fabrics[list / 3], int(list % 3)));
     if (fall == force.size()) continue;
     problems.push_back({rows[first + fall].place, fall_text(force, fall)});
     for (std::size_t i = 0; i < force.size(); ++i) force[i] = in_force.value[first + i];
@@ -247,11 +247,11 @@ bool parameters_restore(Parameters& p, const Scene& scene, const ParameterValues
                         const std::string& stem) {
   const std::vector<ValueRow> rows = value_rows(p, scene);
   const ParameterValues now = parameters_read(p);
-  ParameterValues mended = now;
+  ParameterValues restored = now;
   for (std::size_t k = 0; k < rows.size(); ++k)
-    if (rows[k].place.compare(0, stem.size(), stem) == 0) mended.value[k] = in_force.value[k];
-  parameters_write(p, mended);
-  return !(mended == now);
+    if (rows[k].place.compare(0, stem.size(), stem) == 0) restored.value[k] = in_force.value[k];
+  parameters_write(p, restored);
+  return !(restored == now);
 }
 
 }  // namespace drape::api

@@ -1,4 +1,4 @@
-// The pieces of a cloth as the C interface shows them.
+// The pieces of a cloth for the C interface.
 #include "api/cloth.h"
 #include "piece/grid/surface.h"
 #include "seam/particles.h"
@@ -6,7 +6,7 @@
 namespace drape::api {
 namespace {
 
-// How often the outline cuts, and what became of it.
+// The area, and the numbers of twins, of cut cells and of merged parts.
 void counts_fill(const piece::Grid& grid, drape_cloth::Piece& piece) {
   for (const double a : grid.area) piece.area += a;
   piece.twins = int(grid.twin.size() - grid.on_outline.size());
@@ -15,7 +15,7 @@ void counts_fill(const piece::Grid& grid, drape_cloth::Piece& piece) {
   for (const piece::GridPart& part : grid.parts) piece.merged += piece::grid_is_merged(grid, part);
 }
 
-// `number`: the particles of the grid's nodes.
+// The polygons along the outline. number [nodes of the grid]: the particle of each node.
 void polygons_fill(const piece::Grid& grid, const std::vector<int>& number, drape_cloth::Piece& piece) {
   piece::Surface surface = piece::surface_make(grid);
   for (const piece::GridPoint& point : surface.points) {

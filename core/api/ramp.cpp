@@ -31,7 +31,7 @@ void ramp_advance(Ramp& ramp, double intervals) {
   for (std::size_t k = 0; k < ramp.span.size(); ++k) {
     if (ramp.span[k] == 0) continue;
     ramp.elapsed[k] += intervals;
-    if (ramp.elapsed[k] >= ramp.span[k] * (1 - 1e-12)) ramp.span[k] = 0;  // the quotient T/q is rounded
+    if (ramp.elapsed[k] >= ramp.span[k] * (1 - 1e-12)) ramp.span[k] = 0;  // T/q is a rounded quotient
   }
 }
 

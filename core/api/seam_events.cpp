@@ -1,5 +1,5 @@
-// Seams at the beginning of a communication interval: pulling begins, and what has come together is welded.
-// Either changes the system in an instant; what that adds to the energies is work of the seams.
+// Events of seams at the beginning of a communication interval: closing starts, and pairs that have met are
+// welded. Either event changes the system instantly. What it adds to the energies is work of the seams.
 #include <algorithm>
 
 #include "api/cloth.h"
@@ -11,15 +11,15 @@
 namespace drape::api {
 namespace {
 
-// Tells of seams that pairs of `due` have closed.
-void log_closed(const drape_cloth& c, const std::vector<std::size_t>& due) {
+// Logs the seams whose last open pairs are among `welded`.
+void log_closed(const drape_cloth& c, const std::vector<std::size_t>& welded) {
   const std::vector<model::Seam>& seams = c.system.seams.seam;
   for (std::size_t k = 0; k < seams.size(); ++k) {
     const std::size_t first = seams[k].first, end = first + seams[k].count;
-    bool closed = true, now = false;
+    bool closed = true, just_now = false;
     for (std::size_t p = first; p < end; ++p) closed = closed && c.state.sewn[p] == model::Sewn::kWelded;
-    for (std::size_t p : due) now = now || (p >= first && p < end);
-    if (!closed || !now) continue;
+    for (std::size_t p : welded) just_now = just_now || (p >= first && p < end);
+    if (!closed || !just_now) continue;
     const std::string place = "at " + number(model::state_time(c.state, c.system.communication), 9) +
                               " s the seam '" + c.scene.seams[k].name + "' is ";
     double gap = 0;  // m
@@ -38,14 +38,14 @@ void log_closed(const drape_cloth& c, const std::vector<std::size_t>& due) {
 bool seam_events_advance(drape_cloth& c) {
   if (c.system.seams.seam.empty()) return false;
   bool changed = dynamics::seams_pull_begin(c.system, c.state);
-  const std::vector<std::size_t> due = dynamics::seams_within_tolerance(c.system, c.state);
-  if (!due.empty()) {
+  const std::vector<std::size_t> pairs = dynamics::seams_within_tolerance(c.system, c.state);
+  if (!pairs.empty()) {
     dynamics::leapfrog_complete(c.system, c.motion, c.state);
     const double before = balance_error(c);
-    dynamics::seams_weld(c.system, c.motion, c.state, due);
+    dynamics::seams_weld(c.system, c.motion, c.state, pairs);
     if (c.state.steps == 0) outputs::energy_begin(c.system, c.state);
     c.state.input += balance_error(c) - before;
-    log_closed(c, due);
+    log_closed(c, pairs);
     changed = true;
   }
   if (changed) dynamics::leapfrog_retuned(c.system, c.motion, c.state);

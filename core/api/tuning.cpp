@@ -1,5 +1,5 @@
-// What may change while the cloth moves: checks of tuned values, and their way into the system.
-// core/README.md, section 4, "Tuning".
+// Tuning while the cloth moves: checks of tuned values, and how they reach the system. core/README.md,
+// section 4, "Tuning".
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -27,19 +27,20 @@ std::string number(double value, int digits) {
 
 namespace {
 
-// omega^2 now; where the scene gives the step, with the pull of the seams that are still open.
-double omega2_to_come(const drape_cloth& c) {
+// omega^2 at present, 1/s^2. Where the scene gives a fixed step, with the closing forces of all seams that
+// are still open.
+double omega2_expected(const drape_cloth& c) {
   if (!(c.system.step_given > 0) || c.state.sewn.empty())
     return dynamics::step_limit_omega2(c.system, *c.motion.kernel, c.state);
-  State pulled = c.state;
-  std::replace(pulled.sewn.begin(), pulled.sewn.end(), model::Sewn::kOpen, model::Sewn::kPulled);
-  return dynamics::step_limit_omega2(c.system, *c.motion.kernel, pulled);
+  State closing = c.state;
+  std::replace(closing.sewn.begin(), closing.sewn.end(), model::Sewn::kOpen, model::Sewn::kPulled);
+  return dynamics::step_limit_omega2(c.system, *c.motion.kernel, closing);
 }
 
 }  // namespace
 
 void step_check(const drape_cloth& c, std::vector<Problem>& problems) {
-  const double omega2 = omega2_to_come(c), q = c.system.communication,
+  const double omega2 = omega2_expected(c), q = c.system.communication,
                limit = dynamics::step_limit_of(c.system, omega2),
                steps = dynamics::leapfrog_steps(c.system, omega2), largest = dynamics::kMaxStepsPerInterval,
                given = c.system.step_given, longest = given > 0 ? given : c.system.step_max;
@@ -86,8 +87,8 @@ void threads_apply(drape_cloth& c, int threads) {
                     ": the system starts no more threads; the cloth moves on one");
 }
 
-// Takes the numbers of c.parameters into the system. The masses and the limit may have changed: look again at
-// once.
+// Applies the numbers of c.parameters to the system. The masses and the step limit may change: the caller
+// must check them again.
 void parameters_apply(drape_cloth& c, std::vector<Problem>& problems) {
   assembly::system_retune(c.system, parameters_fabrics(c.parameters, c.scene), problems);
   if (!problems.empty()) return;
@@ -103,44 +104,43 @@ void parameters_apply(drape_cloth& c, std::vector<Problem>& problems) {
   c.tuning.in_force = parameters_read(c.parameters);
 }
 
-// The same of other values; what is shown stays.
+// Applies other values; c.parameters keeps its own.
 void values_apply(drape_cloth& c, const ParameterValues& values, std::vector<Problem>& problems) {
   if (values == c.tuning.in_force) return;
-  const ParameterValues shown = parameters_read(c.parameters);
+  const ParameterValues written = parameters_read(c.parameters);
   parameters_write(c.parameters, values);
   parameters_apply(c, problems);
-  parameters_write(c.parameters, shown);
+  parameters_write(c.parameters, written);
 }
 
-// Takes the parameters if the cloth can step on with them. Otherwise puts back what stands in the way, a
-// diagram or all of a fabric, tells of it, and is true: to be tried again.
+// Applies the parameters, and returns false if the cloth can step on with them. Otherwise resets what
+// prevents it, a diagram or all of a fabric, adds a problem, and returns true: try again.
 bool parameters_try(drape_cloth& c, const ParameterValues& before, std::vector<Problem>& problems) {
-  const auto put_back = [&](const std::string& stem, const std::string& name, const std::string& why) {
+  const auto reset = [&](const std::string& stem, const std::string& name, const std::string& why) {
     if (!parameters_restore(c.parameters, c.scene, before, stem)) return false;
     problems.push_back({name, why});
     return true;
   };
   std::vector<Problem> found;
   parameters_apply(c, found);
-  if (!found.empty()) return put_back(found[0].place, found[0].place, found[0].message);
+  if (!found.empty()) return reset(found[0].place, found[0].place, found[0].message);
   step_check(c, found);
   if (found.empty()) return false;
-  if (found[0].place == "step.max") return put_back("step.max", "step.max", found[0].message);
+  if (found[0].place == "step.max") return reset("step.max", "step.max", found[0].message);
   const std::string fabric = "fabric." + c.scene.fabrics[std::size_t(step_fabric(c))].name;
   const std::string why = "keeps its values: with those set, " + scene::problem_text(found[0]);
-  // Where neither has been set, the motion itself has come to this: a matter of the next advance.
-  return put_back(fabric + ".", fabric, why) || put_back("damping", "damping", why) ||
-         put_back("air.", "air", why);
+  // Where none of these was set, the motion itself is the cause: the next advance reports it.
+  return reset(fabric + ".", fabric, why) || reset("damping", "damping", why) || reset("air.", "air", why);
 }
 
-// The system has been changed at the present state.
+// Restarts the step and books the work after a change of the system at the present state.
 void tuning_changed(drape_cloth& c, double error_before) {
   if (c.state.steps == 0) outputs::energy_begin(c.system, c.state);
   dynamics::leapfrog_retuned(c.system, c.motion, c.state);
   c.state.input += balance_error(c) - error_before;
 }
 
-// What is fixed once the cloth has moved.
+// Resets a value that is fixed once the cloth has moved, with a problem.
 void fixed_validate(const drape_cloth& c, const char* name, const char* unit, double& value, double fixed,
                     std::vector<Problem>& problems) {
   if (c.state.steps == 0 || value == fixed) return;
@@ -149,7 +149,7 @@ void fixed_validate(const drape_cloth& c, const char* name, const char* unit, do
   value = fixed;
 }
 
-// Takes what has been written; `before` are the values that were aimed at.
+// Applies the written values. `before`: the targets so far.
 void parameters_commit(drape_cloth& c, const ParameterValues& before, std::vector<Problem>& problems) {
   parameters_validate(c.parameters, c.scene, before, problems);
   drape_parameters& p = c.parameters.c_view;
@@ -161,13 +161,13 @@ void parameters_commit(drape_cloth& c, const ParameterValues& before, std::vecto
   dynamics::leapfrog_complete(c.system, c.motion, c.state);
   const double error_before = balance_error(c);
   while (parameters_try(c, before, problems)) continue;
-  // Before the first step there is nothing to spare: the values are there at once.
+  // Before the first step there is no motion to disturb: the values apply at once.
   const double ramp = c.state.steps > 0 ? c.parameters.c_view.ramp : 0;
   ramp_set_target(c.tuning.ramp, in_force, parameters_read(c.parameters), ramp / c.system.communication,
                   parameters_groups(c.parameters));
   std::vector<Problem> none;
   values_apply(c, ramp_values(c.tuning.ramp), none);
-  if (parameters_move_otherwise(c.parameters, in_force, c.tuning.in_force)) tuning_changed(c, error_before);
+  if (parameters_change_motion(c.parameters, in_force, c.tuning.in_force)) tuning_changed(c, error_before);
   else c.state = untouched;
 }
 
@@ -175,7 +175,7 @@ void parameters_commit(drape_cloth& c, const ParameterValues& before, std::vecto
 
 double balance_error(drape_cloth& c) {
   if (!c.system.energy || c.state.steps == 0) return 0;
-  outputs::outputs_fill(c.outputs, c.system, c.motion, c.state, DRAPE_ENERGY);
+  outputs::outputs_fill(c.outputs, c.system, c.motion, c.state, DRAPE_OUT_ENERGY);
   return c.outputs.c_view.energy.balance_error;
 }
 
@@ -189,12 +189,12 @@ bool tuning_advance(drape_cloth& c, double intervals) {
   if (!ramp_under_way(ramp)) return false;
   ramp_advance(ramp, intervals);
   const ParameterValues values = ramp_values(ramp);
-  const bool moves = parameters_move_otherwise(c.parameters, c.tuning.in_force, values);
+  const bool moves = parameters_change_motion(c.parameters, c.tuning.in_force, values);
   if (moves) dynamics::leapfrog_complete(c.system, c.motion, c.state);
   const double error_before = moves ? balance_error(c) : 0;
   std::vector<Problem> problems;
   values_apply(c, values, problems);
-  // Both ends of the way make laws, but a law in between may not: the values wait for the next interval.
+  // Both ends of the ramp have valid laws, but values in between may not: they wait for the next interval.
   for (const Problem& p : problems)
     log_message(c, DRAPE_LOG_WARNING, "on its way, " + scene::problem_text(p));
   if (moves && problems.empty()) tuning_changed(c, error_before);
@@ -206,7 +206,7 @@ bool tuning_advance(drape_cloth& c, double intervals) {
 }
 
 void tuning_restore(drape_cloth& c, const Tuning& tuning) {
-  std::vector<Problem> problems;  // none: these values were in force once
+  std::vector<Problem> problems;  // stays empty: these values were in force before
   values_apply(c, tuning.in_force, problems);
   c.tuning = tuning;
 }

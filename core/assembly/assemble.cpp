@@ -16,8 +16,8 @@
 namespace drape::assembly {
 namespace {
 
-// Reserves a lattice's rows: a guard row below and above, and at least one unused node at the end of each
-// row. Its twins follow.
+// Reserves the rows of a lattice: a guard row below and above, and at least one unused node at the end of
+// each row. The twins follow.
 model::Lattice lattice_reserve(const piece::Grid& grid, const scene::PieceSpec& spec, int piece,
                                std::size_t& nodes) {
   const auto padded = [](int n) { return (n + math::kRowUnit - 1) / math::kRowUnit * math::kRowUnit; };
@@ -44,7 +44,7 @@ void node_place(State& state, std::size_t n, const Vec3& r) {
   state.z[n] = r[2];
 }
 
-// Unused nodes get the place the flat grid would give them, so that no edge is of length 0.
+// Gives unused nodes the positions of the flat grid, so that no link has length 0.
 void lattice_flatten(const model::Lattice& l, const piece::Grid& grid, const scene::PlaceSpec& place,
                      State& state) {
   const auto at = [&](int i, int j) {
@@ -57,7 +57,7 @@ void lattice_flatten(const model::Lattice& l, const piece::Grid& grid, const sce
   for (int k = 0; k < l.twin_stride; ++k) node_place(state, l.twin_first + std::size_t(k), at(k, 0));
 }
 
-// Shares, areas and places of all particles.
+// Shares of cells; areas, positions and velocities of all particles.
 void lattice_fill(const model::Lattice& l, const piece::Grid& grid, const Scene& scene, System& system,
                   State& state) {
   const scene::PieceSpec& spec = scene.pieces[std::size_t(l.piece)];
@@ -78,10 +78,10 @@ void lattice_fill(const model::Lattice& l, const piece::Grid& grid, const Scene&
   }
 }
 
-// Where the rows around each have particles.
+// For each row, the columns where it or a neighbouring row has particles.
 std::vector<model::Columns> lattice_reach(const model::Lattice& l, const Array& area) {
   const auto used = [&](int i, int j) { return area[l.node(i, j)] > 0; };
-  std::vector<model::Columns> row, reach;  // of the particles of each row; of each and its neighbours
+  std::vector<model::Columns> row, reach;  // columns of each row; of each row with its neighbours
   for (int j = 0; j < l.rows; ++j) {
     model::Columns c{l.columns, 0};
     for (int i = 0; i < l.columns; ++i)
@@ -109,7 +109,7 @@ void masses_set(System& system) {
   }
 }
 
-// The slopes that clamps hold on a piece.
+// The slopes that clamps prescribe on a piece.
 std::vector<ClampSlopes> clamp_slopes(const Scene& scene, int piece, const piece::Grid& grid) {
   std::vector<ClampSlopes> clamps;
   for (std::size_t p = 0; p < scene.pins.size(); ++p)
@@ -127,8 +127,8 @@ model::Probe probe_make(const model::Lattice& l, const piece::GridPoint& at) {
   return probe;
 }
 
-// The penalty's stiffness over mass is a small share of omega^2 of the flat lattice at rest; a larger one in
-// a fit, whose inertia pays for it.
+// The penalty stiffness over mass is a small share of omega^2 of the flat lattice at rest. Fit mode uses a
+// larger share, as its increased inertia permits.
 model::ContactLaw contact_law_of(const model::Lattice& l, const scene::FabricSpec& fabric,
                                  double communication, bool fit) {
   constexpr double kShare = 0.05, kShareFit = 0.25;
@@ -137,8 +137,9 @@ model::ContactLaw contact_law_of(const model::Lattice& l, const scene::FabricSpe
                slope = std::max(math::curve_slope(law.warp, 0), math::curve_slope(law.weft, 0));
   const double rest = 4 * (slope + math::curve_slope(law.bias, 0)) / (law.areal_density * b2) +
                       32 * std::max(law.bending_warp, law.bending_weft) / (law.areal_density * b2 * b2);
-  const double nothing = 1 / (communication * communication);  // no law acts
-  return {fabric.thickness / 2, (fit ? kShareFit : kShare) * (rest > 0 ? rest : nothing), fabric.friction};
+  const double without_law = 1 / (communication * communication);
+  return {fabric.thickness / 2, (fit ? kShareFit : kShare) * (rest > 0 ? rest : without_law),
+          fabric.friction};
 }
 
 std::vector<fabric::Law> laws_make(const System& system, const std::vector<scene::FabricSpec>& fabrics,
@@ -151,10 +152,8 @@ std::vector<fabric::Law> laws_make(const System& system, const std::vector<scene
   return laws;
 }
 
-}  // namespace
-
-System system_assemble(const Scene& scene, State& start, std::vector<Problem>& problems) {
-  System system;
+// The options of the scene that need no geometry.
+void options_copy(const Scene& scene, System& system) {
   system.integrator = scene.integrator;
   system.composition = model::composition_of(scene.order);
   system.communication = scene.communication;
@@ -166,10 +165,13 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
   system.energy = scene.energy && scene.mode == scene::Mode::kDynamic;
   system.fit = scene.mode == scene::Mode::kFit;
   system.options = {scene.scaling, scene.bias_model, scene.clamp_correction};
+}
 
+// Reserves the nodes of all lattices, and the rigid links of the particles of seams. Returns the grids.
+std::vector<piece::Grid> lattices_reserve(const Scene& scene, System& system) {
   std::vector<std::vector<seam::GridTie>> ties;
-  const std::vector<piece::Grid> grids = seam::grids_make(scene, &ties);
-  system.nodes = math::kRowUnit;  // rows are read from one node before to one after them
+  std::vector<piece::Grid> grids = seam::grids_make(scene, &ties);
+  system.nodes = math::kRowUnit;  // kernels read each row from one node before it to one node after it
   for (std::size_t p = 0; p < scene.pieces.size(); ++p) {
     system.lattices.push_back(lattice_reserve(grids[p], scene.pieces[p], int(p), system.nodes));
     model::Lattice& l = system.lattices.back();
@@ -178,46 +180,85 @@ System system_assemble(const Scene& scene, State& start, std::vector<Problem>& p
       system.links.push_back({{l.node_of(t.node[0]), l.node_of(t.node[1])}, t.pair, t.length});
   }
   system.nodes += math::kRowUnit;
+  return grids;
+}
+
+void arrays_resize(const Scene& scene, System& system, State& start) {
   for (Array* a : {&system.share, &system.hinge_warp, &system.hinge_weft, &system.area, &system.mass,
                    &system.inverse_mass})
     a->assign(system.nodes, 0.0);
   model::state_resize(start, system.nodes, scene.pins.size());
   start.wind = scene.wind;
+}
+
+void lattices_fill(const Scene& scene, const std::vector<piece::Grid>& grids, System& system, State& start) {
   for (std::size_t p = 0; p < scene.pieces.size(); ++p) {
     lattice_fill(system.lattices[p], grids[p], scene, system, start);
     system.lattices[p].reach = lattice_reach(system.lattices[p], system.area);
     weave_lay(system, int(p), grids[p], clamp_slopes(scene, int(p), grids[p]), start);
   }
+}
+
+void bodies_add(const Scene& scene, System& system, State& start, std::vector<Problem>& problems) {
   system.bodies = bodies_make(scene, problems);
   for (const model::Body& body : system.bodies) {
     model::BodyContact& contact = start.body.emplace_back();
     contact.motion = body.start;
     contact.rotation = math::rotation_matrix(body.start.orientation);
   }
-  if (!problems.empty()) return system;
+}
+
+// The pairs of all seams, and with them the slots of irregular elements and seams.
+void seams_add(const Scene& scene, const std::vector<piece::Grid>& grids, System& system, State& start) {
   seams_lay(scene, grids, system);
   slots_number(system);
   start.sewn.assign(system.seams.pair.size(), model::Sewn::kOpen);
   start.gap_rate.assign(3 * system.seams.pair.size(), 0.0);
   start.closing_integral.assign(system.seams.pair.size(), 0.0);
   start.closing_time.assign(system.seams.pair.size(), 0.0);
+}
 
-  system_retune(system, scene.fabrics, problems);
-  if (!problems.empty()) return system;
+// An automatic pull needs a stiffness in some piece.
+void seams_check(const Scene& scene, const System& system, std::vector<Problem>& problems) {
   for (std::size_t k = 0; k < scene.seams.size(); ++k)
     if (system.seams.seam[k].pull == 0)
       problems.push_back({"seam." + scene.seams[k].name + ".pull",
                           "= \"auto\" finds no stiffness in any piece; wanted: a number, 1/s"});
-  if (!problems.empty()) return system;
+}
+
+void pins_add(const Scene& scene, const std::vector<piece::Grid>& grids, System& system, State& start,
+              std::vector<Problem>& problems) {
   system.pin_rows = pin_rows(scene, grids, system, start);
   system.constraints = constraint::constraints_make(system.pin_rows, system.inverse_mass,
                                                     pins_make(scene, grids), problems, system.links);
   for (std::size_t p = 0; p < scene.pins.size(); ++p)
     start.pin_motion[p].position = system.constraints.pins[p].centre;
+}
+
+void probes_add(const Scene& scene, const std::vector<piece::Grid>& grids, System& system) {
   for (const scene::ProbeSpec& probe : scene.probes) {
     const auto p = std::size_t(probe.piece);
     system.probes.push_back(probe_make(system.lattices[p], piece::grid_locate(grids[p], probe.at)));
   }
+}
+
+}  // namespace
+
+System system_assemble(const Scene& scene, State& start, std::vector<Problem>& problems) {
+  System system;
+  options_copy(scene, system);
+  const std::vector<piece::Grid> grids = lattices_reserve(scene, system);
+  arrays_resize(scene, system, start);
+  lattices_fill(scene, grids, system, start);
+  bodies_add(scene, system, start, problems);
+  if (!problems.empty()) return system;
+  seams_add(scene, grids, system, start);
+  system_retune(system, scene.fabrics, problems);
+  if (!problems.empty()) return system;
+  seams_check(scene, system, problems);
+  if (!problems.empty()) return system;
+  pins_add(scene, grids, system, start, problems);
+  probes_add(scene, grids, system);
   if (scene.self_contact) system.self = contact::self_mesh_make(system, start);
   contact::edge_elements_make(system);
   return system;

@@ -11,13 +11,13 @@ namespace {
 
 using namespace math::vector3;
 
-constexpr double kSmallest = 0.005, kLargest = 20;  // m: bodies of other sizes are likely in another unit
+constexpr double kSmallest = 0.005, kLargest = 20;  // m; a body of another size is probably in another unit
 
 Vec3 posed(const math::RigidMotion& frame, const Vec3& x) {
   return frame.position + x + math::rotation_displacement(frame.orientation, x);
 }
 
-// The triangles of a file, scaled; a body that stays is put in its place.
+// Reads the triangles of a file and scales them. A fixed body is put at its pose, in space.
 bool mesh_load(const scene::BodySpec& spec, const math::RigidMotion& frame,
                const drape_contact_library& library, std::vector<Vec3>& point,
                std::vector<std::array<int, 3>>& corner, std::string& trouble) {
@@ -37,16 +37,16 @@ bool mesh_load(const scene::BodySpec& spec, const math::RigidMotion& frame,
 
 void findings_report(const std::string& path, const body::BodySurface& surface,
                      const body::SurfaceFindings& found, std::vector<std::string>& remarks) {
-  const auto tell = [&](std::size_t count, const char* what) {
+  const auto report = [&](std::size_t count, const char* what) {
     if (count > 0) remarks.push_back(path + ".mesh has " + std::to_string(count) + what);
   };
   const std::size_t bad = found.open + found.crowded + found.turned;
-  tell(found.degenerate, " triangles without area, which are left out");
+  report(found.degenerate, " triangles without area, which are left out");
   if (bad > 0)
-    tell(bad, surface.solid
-                  ? " edges that do not join two triangles that face alike; it is taken as closed"
-                  : " edges that do not join two triangles that face alike; it is taken as a sheet with "
-                    "two sides, which has no inside");
+    report(bad, surface.solid
+                    ? " edges that do not join two triangles that face alike; it is taken as closed"
+                    : " edges that do not join two triangles that face alike; it is taken as a sheet with "
+                      "two sides, which has no inside");
   if (surface.size < kSmallest || surface.size > kLargest)
     remarks.push_back(path + ".scale makes the body " + scene::number_text(surface.size) +
                       " m across; usual: " + scene::number_text(kSmallest) + " to " +

@@ -1,12 +1,12 @@
-// The pull on a pair is a spring mu w^2 and a damper 2 mu w (forces/pull.h). On its own it adds w^2 to
-// omega^2 and 2 w to d of the step limit; pairs that share nodes add more, at most (Gershgorin, on the Gram
-// matrix of the gaps)
+// The closing force of a pair is a spring mu w^2 and a damper 2 mu w (forces/seam_closing.h). Alone it adds
+// w^2 to omega^2 and 2 w to d of the step limit. Pairs that share nodes add more, but at most (Gershgorin's
+// theorem on the Gram matrix of the gaps)
 //
 //     max_i sum_j sqrt(k_i k_j) |A_i M^-1 A_j^T|,      k = mu w^2, for d 2 mu w,   1/mu_i = A_i M^-1 A_i^T
 //
-// and so do the hinges and links of what is sewn: k = kappa with A = a/|a| - c/|c| across flat cloth, k =
-// T'/R with A the link. w is automatically a tenth of the omega of the stiffest piece at rest, so that
-// pulling hardly shortens the step.
+// The same bound holds for the hinges and links of sewn pairs: k = kappa with A = a/|a| - c/|c| across flat
+// cloth, k = T'/R with A the link. By default w is a tenth of the omega of the stiffest piece at rest, so
+// that closing hardly shortens the step.
 #include "assembly/seam_rows.h"
 
 #include <algorithm>
@@ -23,16 +23,17 @@
 namespace drape::assembly {
 namespace {
 
-constexpr double kPullShare = 0.1;  // of omega at rest
-constexpr double kInside = 1e-6;    // cells: how far off the outline the cell of a point is looked up
-constexpr double kEase = 1e-6;      // of R: sides that differ by more are gathered
+constexpr double kPullShare = 0.1;  // 1, default w over omega at rest
+constexpr double kInside = 1e-6;    // cell sizes from the outline to where the cell of a point is searched
+constexpr double kEase = 1e-6;      // relative difference of the spacings above which a seam is gathered
 
-// A particle of its own, on the outline.
+// A point that is a particle on the outline.
 model::SeamPoint particle_lay(const piece::Grid& grid, const model::Lattice& l, Vec2 p) {
   const std::size_t n = l.node_of(seam::seam_particle(grid, p));
   return {{n, n, n, n}, {1, 0, 0, 0}};
 }
 
+// The point p as a weighted sum over the corners of the cell that contains `looked_up`.
 model::SeamPoint point_lay(const piece::Grid& grid, const model::Lattice& l, Vec2 p, Vec2 looked_up) {
   const piece::GridPoint at =
       piece::grid_point(grid, piece::grid_cell_of(grid, looked_up), piece::grid_coordinates(grid, p));
@@ -76,7 +77,7 @@ void pairs_lay(const std::vector<piece::Grid>& grids, const seam::SeamLayout& la
       model::sum_add(hinge.arm[k], inner[k], -sign);
     }
     if (std::all_of(pair.gap.begin(), pair.gap.end(), [](const model::NodeTerm& t) { return t.weight == 0; }))
-      hinge.width = 0;  // a corner sewn to itself
+      hinge.width = 0;  // a corner that is sewn to itself
     system.seams.pair.push_back(pair);
     system.seams.hinge.push_back(hinge);
   }
@@ -98,7 +99,7 @@ void links_lay(bool paper, model::Seam& seam, System& system) {
   seam.link_count = steps;
 }
 
-// omega^2 of a piece at rest: core/README.md, section 4.
+// omega^2 of a piece at rest, 1/s^2: core/README.md, section 4.
 double omega2_at_rest(const model::Lattice& l) {
   const fabric::Law& law = l.law;
   const double b = l.cell, k = std::max(math::curve_slope(law.warp, 0), math::curve_slope(law.weft, 0));
@@ -108,10 +109,10 @@ double omega2_at_rest(const model::Lattice& l) {
 
 struct Bond {
   const model::NodeSum* row;
-  double strength;  // k, N/m for rows of lengths
+  double strength;  // k; N/m where the row is a length
 };
 
-// What springs or dampers along rows add, at most.
+// Upper bound of what springs or dampers along rows add to omega^2 or d.
 double gram_bound(const System& system, const std::vector<Bond>& bonds) {
   std::unordered_map<std::size_t, std::vector<std::pair<std::size_t, double>>> by_node;
   for (std::size_t p = 0; p < bonds.size(); ++p)
@@ -132,7 +133,7 @@ double gram_bound(const System& system, const std::vector<Bond>& bonds) {
   return largest;
 }
 
-// c/|c| - a/|a| of a hinge, in flat cloth the rate of its angle.
+// c/|c| - a/|a| of a hinge as a row: in flat cloth, the change of its angle.
 model::NodeSum angle_row(const model::SeamHinge& hinge) {
   model::NodeSum row;
   for (std::size_t k = 0; k < 2; ++k)

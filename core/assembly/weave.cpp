@@ -1,12 +1,12 @@
-// A hinge at a node n1 between a link of width w_0 that ends there and one of width w_1 that begins there,
-// half a link each in series; W_0, W_1 the widths of all links of the thread that end and begin there, q of
-// the links that leave a clamp:
+// A hinge at node n1 joins a link of width w_0 that ends there and a link of width w_1 that begins there:
+// half of either link in series. W_0 and W_1 are the total widths of all links of the yarn direction that end
+// and begin at n1. q is the series factor of a link that leaves a clamp, else 1:
 //
 //   n0 ---w_0--- n1 ---w_1--- n2        kappa/B = 2 w_0 w_1/[b (q_0 W_1 + q_1 W_0)]
 //
-// Rows of nodes hold the hinges whose two links come from regular cells; all others go to the side. Most
-// nodes have regular cells and no clamp about them, and their hinges follow from the shares of these cells;
-// only the others, *odd* ones, are looked at link by link.
+// The rows of nodes hold the hinges whose two links come from regular cells. All other hinges are irregular
+// elements. Most nodes have regular cells and no clamp around them; their hinges follow from the shares of
+// these cells. Only the others, *irregular nodes*, are treated link by link.
 #include "assembly/weave.h"
 
 #include <algorithm>
@@ -15,29 +15,29 @@
 namespace drape::assembly {
 namespace {
 
-// A link of a thread by its lower and upper node in Grid's numbering, [0] and [1] below.
+// A link along a yarn, by its lower node [0] and upper node [1] in the numbering of piece::Grid.
 struct Span {
   int node[2];
-  double width, dense;             // m; of all cells, of the regular ones
-  double q[2] = {1, 1};            // in the hinges at its ends
-  bool pivot[2] = {false, false};  // no hinge there: a clamp takes its place
-  double clamps = 0;               // sum of y
+  double width, dense;             // m, from all cells, from the regular ones
+  double q[2] = {1, 1};            // 1, series factors in the hinges at its ends
+  bool pivot[2] = {false, false};  // no hinge at this end: a clamp replaces it
+  double clamps = 0;               // 1, sum of the weights of its clamp hinges
 };
 
-using Irregular = std::vector<char>;  // [nodes of Grid]
+using Irregular = std::vector<char>;  // [nodes of Grid] 1 for irregular nodes
 
 Irregular irregular_nodes(const piece::Grid& grid, const std::vector<ClampSlopes>& clamps) {
-  Irregular odd(std::size_t(grid.nodes()), false);
+  Irregular irregular(std::size_t(grid.nodes()), false);
   for (std::size_t c = std::size_t(grid.regular); c < grid.cells.size(); ++c)
-    for (int n : grid.cells[c].node) odd[std::size_t(n)] = true;
+    for (int n : grid.cells[c].node) irregular[std::size_t(n)] = true;
   for (const ClampSlopes& clamp : clamps)
     for (const piece::HeldSlope& slope : clamp.slopes)
-      odd[std::size_t(slope.from)] = odd[std::size_t(slope.to)] = true;
-  return odd;
+      irregular[std::size_t(slope.from)] = irregular[std::size_t(slope.to)] = true;
+  return irregular;
 }
 
-// Of the links with an odd end.
-std::vector<Span> spans_of(const piece::Grid& grid, const Irregular& odd, bool warp) {
+// The links with an irregular end, sorted by their nodes.
+std::vector<Span> spans_of(const piece::Grid& grid, const Irregular& irregular, bool warp) {
   std::vector<Span> all;
   for (int c = 0; c < int(grid.cells.size()); ++c) {
     const piece::GridCell& cell = grid.cells[std::size_t(c)];
@@ -45,7 +45,7 @@ std::vector<Span> spans_of(const piece::Grid& grid, const Irregular& odd, bool w
     const auto [a, b, up, opposite] = cell.node;
     const int low[2] = {a, warp ? b : up}, high[2] = {warp ? up : b, opposite};
     for (int k = 0; k < 2; ++k)
-      if (odd[std::size_t(low[k])] || odd[std::size_t(high[k])])
+      if (irregular[std::size_t(low[k])] || irregular[std::size_t(high[k])])
         all.push_back({{low[k], high[k]}, half, c < grid.regular ? half : 0});
   }
   std::stable_sort(all.begin(), all.end(), [](const Span& p, const Span& q) {
@@ -64,7 +64,7 @@ std::vector<Span> spans_of(const piece::Grid& grid, const Irregular& odd, bool w
   return all;
 }
 
-// The link between two nodes in either order; null where there is none.
+// The link between two nodes given in either order; null where there is none.
 Span* span_between(std::vector<Span>& spans, int p, int q) {
   for (const auto& [low, high] : {std::pair{p, q}, std::pair{q, p}}) {
     const auto s =
@@ -81,8 +81,8 @@ Vec3 direction(const State& s, std::size_t from, std::size_t to) {
   return {d[0] / length, d[1] / length, d[2] / length};
 }
 
-// Clamps on the links of one direction. Their excess over the hinges of a link in the cloth, two of weight 1,
-// is known when all are there.
+// Adds the clamp hinges on the links of one direction. Their excess over the hinges of a regular link, two of
+// weight 1, is computed once all are there.
 void clamps_lay(System& system, int lattice, std::vector<Span>& spans, bool warp,
                 const std::vector<ClampSlopes>& clamps, const State& start) {
   const model::Lattice& l = system.lattices[std::size_t(lattice)];
@@ -115,14 +115,14 @@ void clamps_lay(System& system, int lattice, std::vector<Span>& spans, bool warp
   }
 }
 
-// Of all nodes that are not odd.
-void hinges_fill(System& system, int lattice, const Irregular& odd, bool warp) {
+// Sets the hinges of all regular nodes.
+void hinges_fill(System& system, int lattice, const Irregular& irregular, bool warp) {
   const model::Lattice& l = system.lattices[std::size_t(lattice)];
   const std::ptrdiff_t along = warp ? l.stride : 1, across = warp ? 1 : l.stride;
   Array& rows = warp ? system.hinge_warp : system.hinge_weft;
   for (int j = 0; j < l.rows; ++j)
     for (int i = 0; i < l.columns; ++i) {
-      if (odd[std::size_t(j * l.columns + i)]) continue;
+      if (irregular[std::size_t(j * l.columns + i)]) continue;
       const std::size_t n = l.node(i, j);
       const auto width = [&](std::ptrdiff_t cell) {
         return l.cell * system.share[std::size_t(std::ptrdiff_t(n) + cell)] / 2;
@@ -132,13 +132,13 @@ void hinges_fill(System& system, int lattice, const Irregular& odd, bool warp) {
     }
 }
 
-// Of the odd nodes.
-void hinges_lay(System& system, int lattice, const std::vector<Span>& spans, const Irregular& odd,
+// Sets or adds the hinges of the irregular nodes.
+void hinges_lay(System& system, int lattice, const std::vector<Span>& spans, const Irregular& irregular,
                 bool warp) {
   const model::Lattice& l = system.lattices[std::size_t(lattice)];
   std::vector<const Span*> ending;  // by their upper node
   for (const Span& s : spans)
-    if (odd[std::size_t(s.node[1])]) ending.push_back(&s);
+    if (irregular[std::size_t(s.node[1])]) ending.push_back(&s);
   std::stable_sort(ending.begin(), ending.end(),
                    [](const Span* p, const Span* q) { return p->node[1] < q->node[1]; });
   Array& rows = warp ? system.hinge_warp : system.hinge_weft;
@@ -165,7 +165,7 @@ void hinges_lay(System& system, int lattice, const std::vector<Span>& spans, con
   }
 }
 
-// Links and diagonals of cells with a twin: widths from those cells alone.
+// Adds links and diagonals of irregular cells. Their widths come from those cells alone.
 void links_lay(System& system, int lattice, const std::vector<Span>& spans, model::YarnDirection along) {
   const model::Lattice& l = system.lattices[std::size_t(lattice)];
   for (const Span& s : spans)
@@ -183,15 +183,15 @@ void cells_lay(System& system, int lattice, const piece::Grid& grid) {
   const double diagonal = std::sqrt(2.0) * l.cell;
   for (std::size_t c = std::size_t(grid.regular); c < grid.cells.size(); ++c) {
     const piece::GridCell& cell = grid.cells[c];
-    model::IrregularCell side{{}, {}, lattice, cell.share};
-    for (int k = 0; k < 4; ++k) side.node[k] = l.node_of(cell.node[k]);
+    model::IrregularCell laid{{}, {}, lattice, cell.share};
+    for (int k = 0; k < 4; ++k) laid.node[k] = l.node_of(cell.node[k]);
     const double width = l.cell * l.cell / diagonal * cell.share;
-    const auto [a, b, up, opposite] = side.node;
+    const auto [a, b, up, opposite] = laid.node;
     system.irregular.links.push_back(
         {{a, opposite}, {}, lattice, model::YarnDirection::kBias, width, diagonal, false});
     system.irregular.links.push_back(
         {{b, up}, {}, lattice, model::YarnDirection::kBias, width, diagonal, false});
-    system.irregular.cells.push_back(side);
+    system.irregular.cells.push_back(laid);
   }
 }
 
@@ -199,28 +199,28 @@ void cells_lay(System& system, int lattice, const piece::Grid& grid) {
 
 void weave_lay(System& system, int lattice, const piece::Grid& grid, const std::vector<ClampSlopes>& clamps,
                const State& start) {
-  const Irregular odd = irregular_nodes(grid, clamps);
+  const Irregular irregular = irregular_nodes(grid, clamps);
   for (bool warp : {true, false}) {
-    hinges_fill(system, lattice, odd, warp);
-    std::vector<Span> spans = spans_of(grid, odd, warp);
+    hinges_fill(system, lattice, irregular, warp);
+    std::vector<Span> spans = spans_of(grid, irregular, warp);
     clamps_lay(system, lattice, spans, warp, clamps, start);
-    hinges_lay(system, lattice, spans, odd, warp);
+    hinges_lay(system, lattice, spans, irregular, warp);
     links_lay(system, lattice, spans, warp ? model::YarnDirection::kWarp : model::YarnDirection::kWeft);
   }
   cells_lay(system, lattice, grid);
 }
 
 void slots_number(System& system) {
-  model::IrregularElements& side = system.irregular;
+  model::IrregularElements& elements = system.irregular;
   std::vector<std::size_t> touched;
   const auto each_node = [&](auto visit) {
-    for (model::IrregularLink& s : side.links)
+    for (model::IrregularLink& s : elements.links)
       for (int k = 0; k < 2; ++k) visit(s.node[k], s.slot[k]);
-    for (model::IrregularHinge& s : side.hinges)
+    for (model::IrregularHinge& s : elements.hinges)
       for (int k = 0; k < 3; ++k) visit(s.node[k], s.slot[k]);
-    for (model::IrregularCell& s : side.cells)
+    for (model::IrregularCell& s : elements.cells)
       for (int k = 0; k < 4; ++k) visit(s.node[k], s.slot[k]);
-    for (model::ClampHinge& s : side.clamps)
+    for (model::ClampHinge& s : elements.clamps)
       for (int k = 0; k < 2; ++k) visit(s.node[k], s.slot[k]);
     const auto row = [&](model::NodeSum& r) {
       for (model::NodeTerm& t : r) visit(t.node, t.slot);
@@ -237,21 +237,21 @@ void slots_number(System& system) {
   auto next = touched.begin();
   std::vector<std::size_t> slot_of(touched.size());
   for (model::Lattice& l : system.lattices) {
-    l.twin_slot = int(side.node.size());
-    for (int k = 0; k < l.twin_stride; ++k) side.node.push_back(l.twin_first + std::size_t(k));
+    l.twin_slot = int(elements.node.size());
+    for (int k = 0; k < l.twin_stride; ++k) elements.node.push_back(l.twin_first + std::size_t(k));
     const std::size_t rows_end = l.node(0, l.rows);
     if (next != touched.end() && *next < rows_end) l.row_slot.assign(std::size_t(l.rows) + 1, 0);
     for (int j = 0; j < int(l.row_slot.size()); ++j) {
-      l.row_slot[std::size_t(j)] = int(side.node.size());
+      l.row_slot[std::size_t(j)] = int(elements.node.size());
       if (j == l.rows) break;
       for (; next != touched.end() && *next < l.node(0, j + 1); ++next) {
-        slot_of[std::size_t(next - touched.begin())] = side.node.size();
-        side.node.push_back(*next);
+        slot_of[std::size_t(next - touched.begin())] = elements.node.size();
+        elements.node.push_back(*next);
       }
     }
     for (; next != touched.end() && *next < l.end(); ++next)
       slot_of[std::size_t(next - touched.begin())] = std::size_t(l.twin_slot) + (*next - l.twin_first);
-    while (side.node.size() % math::kRowUnit != 0) side.node.push_back(l.first);
+    while (elements.node.size() % math::kRowUnit != 0) elements.node.push_back(l.first);
   }
   each_node([&](std::size_t node, int& slot) {
     slot =

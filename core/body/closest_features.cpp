@@ -11,94 +11,90 @@ namespace {
 
 using namespace math::vector3;
 
-enum class On { kFace, kEdge, kVertex };
-
-struct Foot {
-  On on;
-  int which;  // edge or vertex of the surface
-  Vec3 point;
-};
-
-// The nearest point of a triangle, by the regions of its corners and edges (Ericson 2005, 5.1.5).
-Foot foot_of(const BodySurface& s, int t, const Vec3& x) {
+// The closest point of a triangle, by the Voronoi regions of its corners and edges (Ericson 2005, 5.1.5).
+TrianglePoint closest_of(const BodySurface& s, int t, const Vec3& x) {
   const std::array<int, 3>& c = s.corner[std::size_t(t)];
   const std::array<int, 3>& e = s.edge[std::size_t(t)];
   const Vec3 &p = s.point[std::size_t(c[0])], &q = s.point[std::size_t(c[1])],
              &r = s.point[std::size_t(c[2])];
   const Vec3 pq = q - p, pr = r - p, px = x - p;
   const double d1 = dot(pq, px), d2 = dot(pr, px);
-  if (d1 <= 0 && d2 <= 0) return {On::kVertex, c[0], p};
+  if (d1 <= 0 && d2 <= 0) return {FeatureKind::kVertex, c[0], p};
   const Vec3 qx = x - q;
   const double d3 = dot(pq, qx), d4 = dot(pr, qx);
-  if (d3 >= 0 && d4 <= d3) return {On::kVertex, c[1], q};
+  if (d3 >= 0 && d4 <= d3) return {FeatureKind::kVertex, c[1], q};
   const double area_r = d1 * d4 - d3 * d2;
-  if (area_r <= 0 && d1 >= 0 && d3 <= 0) return {On::kEdge, e[0], p + (d1 / (d1 - d3)) * pq};
+  if (area_r <= 0 && d1 >= 0 && d3 <= 0) return {FeatureKind::kEdge, e[0], p + (d1 / (d1 - d3)) * pq};
   const Vec3 rx = x - r;
   const double d5 = dot(pq, rx), d6 = dot(pr, rx);
-  if (d6 >= 0 && d5 <= d6) return {On::kVertex, c[2], r};
+  if (d6 >= 0 && d5 <= d6) return {FeatureKind::kVertex, c[2], r};
   const double area_q = d5 * d2 - d1 * d6;
-  if (area_q <= 0 && d2 >= 0 && d6 <= 0) return {On::kEdge, e[2], p + (d2 / (d2 - d6)) * pr};
+  if (area_q <= 0 && d2 >= 0 && d6 <= 0) return {FeatureKind::kEdge, e[2], p + (d2 / (d2 - d6)) * pr};
   const double area_p = d3 * d6 - d5 * d4;
   if (area_p <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
-    return {On::kEdge, e[1], q + ((d4 - d3) / ((d4 - d3) + (d5 - d6))) * (r - q)};
-  return {On::kFace, t, x - dot(s.facet[std::size_t(t)].normal, px) * s.facet[std::size_t(t)].normal};
+    return {FeatureKind::kEdge, e[1], q + ((d4 - d3) / ((d4 - d3) + (d5 - d6))) * (r - q)};
+  return {FeatureKind::kFace, t,
+          x - dot(s.facet[std::size_t(t)].normal, px) * s.facet[std::size_t(t)].normal};
 }
 
-constexpr double kSlack = 0.02;   // of the layer
-constexpr double kBeyond = 1e-9;  // rounding in "stands beyond"
+constexpr double kSlack = 0.02;   // of the contact distance
+constexpr double kBeyond = 1e-9;  // relative rounding error of the tests for a minimum
 
-// True where no neighbour is nearer than a foot on an edge or vertex.
-bool is_minimum(const BodySurface& s, const Foot& foot, const Vec3& x) {
-  const Vec3 away = x - foot.point;
+// True where a closest point on an edge or vertex is a local minimum: none of its neighbours is closer to x.
+bool is_minimum(const BodySurface& s, const TrianglePoint& closest, const Vec3& x) {
+  const Vec3 away = x - closest.point;
   const double rounding = kBeyond * norm(away);
-  if (foot.on == On::kEdge) {
-    for (const Vec3& into : s.edges[std::size_t(foot.which)].into)
+  if (closest.kind == FeatureKind::kEdge) {
+    for (const Vec3& into : s.edges[std::size_t(closest.index)].into)
       if (dot(away, into) > rounding) return false;
     return true;
   }
-  for (int k : s.edges_at[std::size_t(foot.which)]) {
+  for (int k : s.edges_at[std::size_t(closest.index)]) {
     const SurfaceEdge& e = s.edges[std::size_t(k)];
-    const int other = e.corner[0] == foot.which ? e.corner[1] : e.corner[0];
-    const Vec3 along = s.point[std::size_t(other)] - foot.point;
+    const int other = e.corner[0] == closest.index ? e.corner[1] : e.corner[0];
+    const Vec3 along = s.point[std::size_t(other)] - closest.point;
     if (dot(away, along) > rounding * norm(along)) return false;
   }
   return true;
 }
 
-// Feet on the rim of a triangle that x stands over are no minima: the triangle is nearer.
-bool on_rim(const BodySurface& s, const Foot& foot, int triangle) {
-  const auto& rim = foot.on == On::kEdge ? s.edge[std::size_t(triangle)] : s.corner[std::size_t(triangle)];
-  return rim[0] == foot.which || rim[1] == foot.which || rim[2] == foot.which;
+// True where a closest point is on the boundary of a triangle. If x projects into that triangle, the point is
+// no minimum: the face is closer.
+bool on_boundary(const BodySurface& s, const TrianglePoint& closest, int triangle) {
+  const auto& boundary =
+      closest.kind == FeatureKind::kEdge ? s.edge[std::size_t(triangle)] : s.corner[std::size_t(triangle)];
+  return boundary[0] == closest.index || boundary[1] == closest.index || boundary[2] == closest.index;
 }
 
-Vec3 normal_of(const BodySurface& s, const Foot& foot) {
-  if (foot.on == On::kFace) return s.facet[std::size_t(foot.which)].normal;
-  if (foot.on == On::kEdge) return s.edges[std::size_t(foot.which)].normal;
-  return s.normal_at[std::size_t(foot.which)];
+Vec3 normal_of(const BodySurface& s, const TrianglePoint& closest) {
+  if (closest.kind == FeatureKind::kFace) return s.facet[std::size_t(closest.index)].normal;
+  if (closest.kind == FeatureKind::kEdge) return s.edges[std::size_t(closest.index)].normal;
+  return s.normal_at[std::size_t(closest.index)];
 }
 
-std::array<double, 6> shape_of(const BodySurface& s, const Foot& foot) {
-  if (foot.on == On::kVertex) return {1, 0, 0, 1, 0, 1};
-  if (foot.on == On::kFace) {
-    const Vec3& n = s.facet[std::size_t(foot.which)].normal;
+std::array<double, 6> shape_of(const BodySurface& s, const TrianglePoint& closest) {
+  if (closest.kind == FeatureKind::kVertex) return {1, 0, 0, 1, 0, 1};
+  if (closest.kind == FeatureKind::kFace) {
+    const Vec3& n = s.facet[std::size_t(closest.index)].normal;
     return {n[0] * n[0], n[0] * n[1], n[0] * n[2], n[1] * n[1], n[1] * n[2], n[2] * n[2]};
   }
-  const SurfaceEdge& edge = s.edges[std::size_t(foot.which)];
+  const SurfaceEdge& edge = s.edges[std::size_t(closest.index)];
   const Vec3 along = s.point[std::size_t(edge.corner[1])] - s.point[std::size_t(edge.corner[0])];
   const Vec3 e = (1 / norm(along)) * along;
   return {1 - e[0] * e[0], -e[0] * e[1], -e[0] * e[2], 1 - e[1] * e[1], -e[1] * e[2], 1 - e[2] * e[2]};
 }
 
-// Which side the particle is on, and how far.
-ClosestFeature feature_of(const BodySurface& s, const Foot& foot, const Vec3& x, double contact_distance,
-                        const Vec3* side) {
-  const Vec3 away = x - foot.point, normal = normal_of(s, foot);
+// The feature with the side of the surface that the particle belongs to, and the signed distance.
+ClosestFeature feature_of(const BodySurface& s, const TrianglePoint& closest, const Vec3& x,
+                          double contact_distance, const Vec3* side) {
+  const Vec3 away = x - closest.point, normal = normal_of(s, closest);
   const double distance = norm(away), out = dot(away, normal);
-  ClosestFeature feature{foot.point, shape_of(s, foot), normal, distance};
-  double sign = out < 0 ? -1 : 1;  // a sheet: the side that the particle is on
+  ClosestFeature feature{closest.point, shape_of(s, closest), normal, distance};
+  double sign = out < 0 ? -1 : 1;  // open surface: the side that the particle is on
   if (s.solid) {
     if (out < 0) feature.distance = -distance;
-  } else if (side && distance < contact_distance && dot(*side, away) < 0) {  // it has gone through: it belongs back
+  } else if (side && distance < contact_distance &&
+             dot(*side, away) < 0) {  // the particle has passed through
     feature.distance = -distance;
     sign = -sign;
   }
@@ -107,8 +103,8 @@ ClosestFeature feature_of(const BodySurface& s, const Foot& foot, const Vec3& x,
   return feature;
 }
 
-// How far x may go along the triangle until a neighbour is nearer by more than `slack`.
-double inside_by(const BodySurface& s, int t, const Vec3& x, double slack) {
+// How far (m) x may move along the triangle until a neighbour is closer by more than `slack`.
+double distance_to_boundary(const BodySurface& s, int t, const Vec3& x, double slack) {
   double smallest = INFINITY;
   const std::array<int, 3>& c = s.corner[std::size_t(t)];
   for (std::size_t k = 0; k < 3; ++k) {
@@ -124,9 +120,9 @@ double inside_by(const BodySurface& s, int t, const Vec3& x, double slack) {
   return smallest;
 }
 
-// Of two triangles that share an edge, true where the other one does not rise over the face of the first on
-// the side of the particle: it cannot touch before the particle leaves the first.
-// At a vertex without grooves all of its triangles fall away.
+// True where triangle `other` is a neighbour of triangle `first` and does not rise above its plane on the
+// side of the particle. Then the particle cannot touch `other` before it leaves `first`. At a vertex where
+// all edges are convex, none of the triangles rises above another.
 bool falls_away(const BodySurface& s, int first, int other, const Vec3& side) {
   for (int c : s.corner[std::size_t(first)])
     if (s.convex_at[std::size_t(c)])
@@ -140,8 +136,9 @@ bool falls_away(const BodySurface& s, int first, int other, const Vec3& side) {
   return false;
 }
 
-// How often the surface goes round x: 1 inside, 0 outside, between them near its holes. Sum of solid angles
-// over 4 pi; of a triangle with corners a, b, c from x (Van Oosterom, Strackee 1983):
+// The winding number of the surface around x: 1 inside, 0 outside, in between near holes. It is the sum of
+// the triangles' solid angles over 4 pi. A triangle with corners a, b, c relative to x has the solid angle A
+// (Van Oosterom, Strackee 1983):
 //
 //   tan(A/2) = a.(b x c)/(|a||b||c| + a.b |c| + b.c |a| + c.a |b|)
 double winding_number(const BodySurface& s, const Vec3& x) {
@@ -160,79 +157,98 @@ double winding_number(const BodySurface& s, const Vec3& x) {
 
 }  // namespace
 
-void closest_features_find(const BodySurface& s, const std::vector<int>& triangle, const Vec3& x,
-                           double contact_distance, double within, double reach, double listed, const Vec3* side,
-                           ClosestFeatures& found) {
-  found.feature.clear();
-  double clear = listed;  // of all triangles that are not near
-  struct Candidate {
-    int triangle;
-    double distance;
-    Foot foot;
-  };
-  static thread_local std::vector<Candidate> near, kept;
+namespace {
+
+using Candidate = ClosestFeaturesScratch::Candidate;
+
+// Collects the triangles within `reach` of x. Returns a lower bound (m) of the distance to all others.
+double candidates_collect(const BodySurface& s, const std::vector<int>& triangle,
+                          const ClosestFeaturesQuery& q, std::vector<Candidate>& near) {
   near.clear();
-  kept.clear();
+  double clear = q.listed;
   for (int t : triangle) {
     const Facet& f = s.facet[std::size_t(t)];
-    const Vec3 d = x - f.middle;
-    const double square = dot(d, d), ball = f.reach;
-    if (square >= (ball + clear) * (ball + clear)) continue;
+    const Vec3 d = q.x - f.middle;
+    const double square = dot(d, d), radius = f.radius;
+    if (square >= (radius + clear) * (radius + clear)) continue;
     const double over = std::abs(dot(d, f.normal));
-    if (over >= reach || square >= (ball + reach) * (ball + reach)) {
-      clear = std::min(clear, std::max(over, std::sqrt(square) - ball));
+    if (over >= q.reach || square >= (radius + q.reach) * (radius + q.reach)) {
+      clear = std::min(clear, std::max(over, std::sqrt(square) - radius));
       continue;
     }
-    const Foot foot = foot_of(s, t, x);
-    const double distance = norm(x - foot.point);
-    if (distance >= reach) {
+    const TrianglePoint closest = closest_of(s, t, q.x);
+    const double distance = norm(q.x - closest.point);
+    if (distance >= q.reach) {
       clear = std::min(clear, distance);
       continue;
     }
-    near.push_back({t, distance, foot});
+    near.push_back({t, distance, closest});
   }
+  return clear;
+}
+
+// Keeps the candidates that are local minima within `within`, sorted by distance.
+void minima_keep(const BodySurface& s, const ClosestFeaturesQuery& q, const std::vector<Candidate>& near,
+                 std::vector<Candidate>& minima) {
+  minima.clear();
   for (const Candidate& c : near)
-    if (c.distance <= within && c.foot.on == On::kFace) kept.push_back(c);
-  const std::size_t faces = kept.size();
+    if (c.distance <= q.within && c.closest.kind == FeatureKind::kFace) minima.push_back(c);
+  const std::size_t faces = minima.size();
   for (const Candidate& c : near) {
-    if (c.distance > within || c.foot.on == On::kFace) continue;
-    const bool beside = std::any_of(kept.begin(), kept.begin() + std::ptrdiff_t(faces),
-                                    [&](const Candidate& f) { return on_rim(s, c.foot, f.triangle); });
-    if (!beside && is_minimum(s, c.foot, x)) kept.push_back(c);
+    if (c.distance > q.within || c.closest.kind == FeatureKind::kFace) continue;
+    const bool beside =
+        std::any_of(minima.begin(), minima.begin() + std::ptrdiff_t(faces),
+                    [&](const Candidate& f) { return on_boundary(s, c.closest, f.triangle); });
+    if (!beside && is_minimum(s, c.closest, q.x)) minima.push_back(c);
   }
-  std::sort(kept.begin(), kept.end(), [](const Candidate& a, const Candidate& b) {
+  std::sort(minima.begin(), minima.end(), [](const Candidate& a, const Candidate& b) {
     return a.distance != b.distance ? a.distance < b.distance : a.triangle < b.triangle;
   });
-  static thread_local std::vector<std::array<int, 2>> seen;  // kind and number
+}
+
+}  // namespace
+
+void closest_features_find(const BodySurface& s, const std::vector<int>& triangle,
+                           const ClosestFeaturesQuery& q, ClosestFeaturesScratch& scratch,
+                           ClosestFeatures& found) {
+  found.feature.clear();
+  const double clear = candidates_collect(s, triangle, q, scratch.near);
+  minima_keep(s, q, scratch.near, scratch.minima);
+  auto& seen = scratch.seen;
   seen.clear();
-  for (const Candidate& c : kept) {
-    const std::array<int, 2> name{int(c.foot.on), c.foot.which};
+  for (const Candidate& c : scratch.minima) {
+    const std::array<int, 2> name{int(c.closest.kind), c.closest.index};
     if (std::find(seen.begin(), seen.end(), name) != seen.end()) continue;
     seen.push_back(name);
-    const ClosestFeature feature = feature_of(s, c.foot, x, contact_distance, found.feature.empty() ? side : nullptr);
+    const ClosestFeature feature =
+        feature_of(s, c.closest, q.x, q.contact_distance, found.feature.empty() ? q.side : nullptr);
     if (!found.feature.empty() && (feature.distance < 0 || found.feature[0].distance < 0)) continue;
     found.feature.push_back(feature);
   }
-  found.free_distance = clear - contact_distance;
-  const bool one_face = found.feature.size() == 1 && seen.size() == 1 && seen[0][0] == int(On::kFace);
+  found.free_distance = clear - q.contact_distance;
+  const bool one_face =
+      found.feature.size() == 1 && seen.size() == 1 && seen[0][0] == int(FeatureKind::kFace);
   const int face = one_face ? seen[0][1] : -1;
-  if (one_face) found.free_distance = std::min(found.free_distance, inside_by(s, face, x, kSlack * contact_distance));
+  if (one_face)
+    found.free_distance =
+        std::min(found.free_distance, distance_to_boundary(s, face, q.x, kSlack * q.contact_distance));
   else if (!found.feature.empty()) found.free_distance = 0;
-  for (const Candidate& c : near) {
-    if (c.distance - contact_distance >= found.free_distance || c.triangle == face) continue;
+  for (const Candidate& c : scratch.near) {
+    if (c.distance - q.contact_distance >= found.free_distance || c.triangle == face) continue;
     if (one_face && falls_away(s, face, c.triangle, found.feature[0].side)) continue;
-    found.free_distance = c.distance - contact_distance;
+    found.free_distance = c.distance - q.contact_distance;
   }
 }
 
 double closest_features_distance(const BodySurface& s, int triangle, const Vec3& x) {
-  return norm(x - foot_of(s, triangle, x).point);
+  return norm(x - closest_of(s, triangle, x).point);
 }
 
 double closest_features_signed(const BodySurface& s, int triangle, const Vec3& x) {
-  const Foot foot = foot_of(s, triangle, x);
-  const double distance = norm(x - foot.point);
-  const bool inside = s.solid && dot(x - foot.point, normal_of(s, foot)) < 0 && winding_number(s, x) > 0.5;
+  const TrianglePoint closest = closest_of(s, triangle, x);
+  const double distance = norm(x - closest.point);
+  const bool inside =
+      s.solid && dot(x - closest.point, normal_of(s, closest)) < 0 && winding_number(s, x) > 0.5;
   return inside ? -distance : distance;
 }
 

@@ -12,37 +12,37 @@ namespace {
 
 using namespace math::vector3;
 
-constexpr double kFiner = 4;                           // a voxel's size over that of the next level
-constexpr double kEdges = 2;                           // a smallest voxel over the mean edge
-constexpr double kRounding = 1e-12;                    // of the distance
-constexpr std::uint64_t kSpread = 0x9E3779B97F4A7C15;  // 2^64 over the golden ratio: spreads names
+constexpr double kFiner = 4;         // size of a voxel over that of the next level
+constexpr double kEdges = 2;         // size of the smallest voxels over the mean edge length
+constexpr double kRounding = 1e-12;  // relative, of the distance
+constexpr std::uint64_t kSpread = 0x9E3779B97F4A7C15;  // hash multiplier: 2^64 over the golden ratio
 constexpr int kSpreadShift = 64 - std::countr_zero(kVoxelsRecent);
 const double kHalfDiagonal = std::sqrt(3.0) / 2;
 
-// Voxels from -2^20 to 2^20 along each axis, which at 1 mm is a kilometre; beyond, places share voxels' names
-// with others and are asked about without being remembered.
-constexpr double kMost = 1 << 20;
+// Voxel indices run from -2^20 to 2^20 along each axis; at 1 mm that is a kilometre. Points beyond have no
+// unique voxel name and are queried without a cache.
+constexpr double kMaxIndex = 1 << 20;
 
 bool voxel_name(const Vec3& x, double size, std::uint64_t& name, Vec3& centre) {
   name = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const double cell = std::floor(x[k] / size);
-    if (!(std::abs(cell) < kMost)) return false;
-    name = name << 21 | std::uint64_t(std::int64_t(cell) + std::int64_t(kMost));
+    if (!(std::abs(cell) < kMaxIndex)) return false;
+    name = name << 21 | std::uint64_t(std::int64_t(cell) + std::int64_t(kMaxIndex));
     centre[k] = (cell + 0.5) * size;
   }
   return true;
 }
 
-double half_of(const DistanceGrid& v, int level) { return kHalfDiagonal * v.size[level]; }
+double half_diagonal(const DistanceGrid& v, int level) { return kHalfDiagonal * v.size[level]; }
 
-// A largest voxel.
-Voxel voxel_ask(const DistanceGrid& v, const Vec3& centre) {
+// Makes a voxel of the largest size.
+Voxel voxel_query(const DistanceGrid& v, const Vec3& centre) {
   Voxel voxel;
   voxel.distance = v.library->distance(v.query, centre.data(), nullptr) * (1 - kRounding);
-  voxel.far = voxel.distance > half_of(v, 0) + v.size[0] / kFiner;
+  voxel.far = voxel.distance > half_diagonal(v, 0) + v.size[0] / kFiner;
   if (voxel.far) return voxel;
-  voxel.distance = half_of(v, 0) + v.reach;
+  voxel.distance = half_diagonal(v, 0) + v.reach;
   voxel.triangle.resize(v.surface->corner.size());
   voxel.triangle.resize(v.library->within(v.query, centre.data(), voxel.distance, voxel.triangle.data(),
                                           voxel.triangle.size()));
@@ -50,23 +50,23 @@ Voxel voxel_ask(const DistanceGrid& v, const Vec3& centre) {
   return voxel;
 }
 
-// A voxel at `centre`: of the triangles of the one that it is in, at `middle`.
-Voxel voxel_part(const DistanceGrid& v, int level, const Voxel& whole, const Vec3& middle,
-                 const Vec3& centre) {
+// Makes a voxel at `centre` from the triangles of the larger voxel that contains it, at `middle`.
+Voxel voxel_subdivide(const DistanceGrid& v, int level, const Voxel& whole, const Vec3& middle,
+                      const Vec3& centre) {
   Voxel voxel;
-  const double listed = half_of(v, level) + v.reach;
+  const double listed = half_diagonal(v, level) + v.reach;
   double clear = whole.distance * (1 - kRounding) - norm(centre - middle);
   for (int t : whole.triangle) {
     const Facet& f = v.surface->facet[std::size_t(t)];
     const Vec3 d = centre - f.middle;
-    const double far = f.reach + std::max(listed, clear);
+    const double far = f.radius + std::max(listed, clear);
     if (dot(d, d) > far * far) continue;
     const double distance = closest_features_distance(*v.surface, t, centre);
     clear = std::min(clear, distance);
     if (distance <= listed) voxel.triangle.push_back(t);
   }
-  voxel.far =
-      level + 1 < kVoxelLevels ? clear > half_of(v, level) + v.size[level] / kFiner : voxel.triangle.empty();
+  voxel.far = level + 1 < kVoxelLevels ? clear > half_diagonal(v, level) + v.size[level] / kFiner
+                                       : voxel.triangle.empty();
   voxel.distance = voxel.far ? clear * (1 - kRounding) : listed;
   return voxel;
 }
@@ -88,7 +88,7 @@ DistanceGrid distance_grid_make(const drape_contact_library& library, const drap
 
 namespace {
 
-// The voxel that decides about x; null where none is kept.
+// The voxel that contains x: the first far one, or that of the smallest size. Null beyond the largest index.
 struct Found {
   Voxel* voxel;
   Vec3 centre;
@@ -105,7 +105,8 @@ Found voxel_at(DistanceGrid& v, const Vec3& x) {
     std::uint64_t name = 0;
     voxel_name(x, v.size[level], name, centre);
     const auto [at, fresh] = v.known[level].try_emplace(name);
-    if (fresh) at->second = level == 0 ? voxel_ask(v, centre) : voxel_part(v, level, *whole, above, centre);
+    if (fresh)
+      at->second = level == 0 ? voxel_query(v, centre) : voxel_subdivide(v, level, *whole, above, centre);
     whole = &at->second;
     above = centre;
     if (whole->far) break;

@@ -1,4 +1,4 @@
-// Opens the contact library, which lies beside the file that this code is in.
+// Opens the contact library, which is in the same folder as the file that contains this code.
 #pragma once
 #include <string>
 
@@ -6,7 +6,8 @@
 
 namespace drape::body {
 
-// Null: `hindrance` says why. Opened once in a process, and kept.
+// Returns null on failure, with the reason in `hindrance`. Opens the library once per process and keeps it
+// open.
 const drape_contact_library* contact_library(std::string& hindrance);
 
 }  // namespace drape::body

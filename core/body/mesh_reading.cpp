@@ -1,5 +1,5 @@
-// OBJ is read by tinyobjloader. STL has no reader under a free-and-easy licence in Debian but Assimp, which
-// would add 12 MB to every FMU with a body; its two forms are read here:
+// tinyobjloader reads OBJ. The only permissively licensed STL reader in Debian is Assimp, which would add 12
+// MB to every FMU with a body. So the two forms of STL are read here:
 //
 //   text    solid ... facet normal n  outer loop  vertex x y z (three times)  endloop  endfacet ... endsolid
 //   binary  80 bytes, uint32 count, count x { float normal[3], float vertex[3][3], uint16 }, little-endian
@@ -32,7 +32,7 @@ struct Triangles {
   std::vector<int> corner;
 };
 
-// tinyobjloader reads what is no number as 0.
+// Checks that vertices are finite numbers, because tinyobjloader reads anything else as 0.
 std::string vertices_trouble(std::istream& stream) {
   std::size_t vertex = 0;
   for (std::string line; std::getline(stream, line);) {
@@ -59,7 +59,7 @@ std::string obj_read(const char* file, Triangles& to) {
   if (std::string trouble = vertices_trouble(stream); !trouble.empty()) return trouble;
   stream.clear();
   stream.seekg(0);
-  struct NoMaterials : tinyobj::MaterialReader {  // a body has no colours
+  struct NoMaterials : tinyobj::MaterialReader {  // materials are ignored
     bool operator()(const std::string&, std::vector<tinyobj::material_t>*, std::map<std::string, int>*,
                     std::string*, std::string*) override {
       return true;
@@ -73,7 +73,7 @@ std::string obj_read(const char* file, Triangles& to) {
   return "";
 }
 
-// Corners at the same place become one point.
+// Corners with equal coordinates become one point.
 struct Merged {
   Triangles& to;
   std::map<std::array<double, 3>, int> known;
@@ -115,7 +115,7 @@ std::string stl_read(const char* file, Triangles& to) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return "cannot be opened";
   const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  // Binary files may begin with "solid" too: their size tells.
+  // Binary files may begin with "solid" too. The file size distinguishes the two forms.
   const bool binary =
       bytes.size() >= kHead && bytes.size() == kHead + kFacet * std::size_t(binary_count(bytes));
   if (!binary) {

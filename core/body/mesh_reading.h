@@ -1,4 +1,4 @@
-// OBJ and STL files as triangles.
+// Reads OBJ and STL files as triangles; the functions behind `mesh_read` and `mesh_free` of query.h.
 #pragma once
 #include "body/query.h"
 

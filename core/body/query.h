@@ -1,5 +1,5 @@
-/* What the core asks of the contact library, a shared object of its own that is opened in scenes with a body:
- * it reads meshes and knows which triangles are near a place. Everything else about contact is the core's.
+/* The interface of the contact library: a separate shared object that the core opens for scenes with a body.
+ * The library reads meshes and finds the triangles near a point. The core does everything else about contact.
  */
 #ifndef DRAPE_CONTACT_QUERY_H
 #define DRAPE_CONTACT_QUERY_H
@@ -10,30 +10,31 @@
 extern "C" {
 #endif
 
-/* Triangles as they stand in a file; polygons are cut into triangles. */
+/* The triangles of a mesh file; polygons are divided into triangles. */
 typedef struct drape_mesh_file {
   size_t points;
-  double* point; /* [points x 3] */
+  double* point; /* [points x 3], in the unit of the file */
   size_t triangles;
-  int* corner; /* [triangles x 3] counted from 0 */
+  int* corner; /* [triangles x 3] point numbers, from 0 */
 } drape_mesh_file;
 
 typedef struct drape_query drape_query;
 
 typedef struct drape_contact_library {
-  /* Reads an OBJ or STL file. NULL: `problem` [room] says why. */
-  drape_mesh_file* (*mesh_read)(const char* file, char* problem, size_t room);
+  /* Reads an OBJ or STL file. Returns NULL on failure and writes the reason to `problem` [capacity]. */
+  drape_mesh_file* (*mesh_read)(const char* file, char* problem, size_t capacity);
   void (*mesh_free)(drape_mesh_file*);
-  /* The triangles are copied. */
+  /* Copies the triangles. */
   drape_query* (*query_make)(const double* point, size_t points, const int* corner, size_t triangles);
   void (*query_free)(drape_query*);
-  /* The distance from a place to the nearest triangle. */
+  /* The distance from a point to the closest triangle. `triangle` gets its number, unless it is NULL. */
   double (*distance)(const drape_query*, const double at[3], int* triangle);
-  /* All triangles that a ball meets: their number; the first `room` of them in `triangle`. */
-  size_t (*within)(const drape_query*, const double at[3], double radius, int* triangle, size_t room);
+  /* Finds the triangles that intersect a ball. Returns their number; writes the first `capacity` of them to
+   * `triangle`, sorted. */
+  size_t (*within)(const drape_query*, const double at[3], double radius, int* triangle, size_t capacity);
 } drape_contact_library;
 
-/* The one symbol of the library. */
+/* The only exported symbol of the library. */
 __attribute__((visibility("default"))) const drape_contact_library* drape_contact_library_1(void);
 
 #ifdef __cplusplus

@@ -11,10 +11,11 @@ namespace {
 
 using namespace math::vector3;
 
-constexpr double kMaxBuckets = 2e5;     // along all ridges
-constexpr double kBucketFar = 1 << 20;  // buckets from the origin, beyond which places share names
+constexpr double kMaxBuckets = 2e5;     // along all sharp edges
+constexpr double kBucketFar = 1 << 20;  // buckets from the origin; points farther away share keys
 
-// Sets `out` and `sharp`; where a solid's `normal` points the other way, the ridge is a groove.
+// Sets `out` and `sharp`. Where the `normal` of a solid points the other way, the edge or vertex is a
+// groove, which is not sharp.
 bool is_sharp(SharpFeature& r, double sine, const Vec3* normal) {
   if (r.fall.empty()) return false;
   r.out = {0, 0, 0};
@@ -25,7 +26,7 @@ bool is_sharp(SharpFeature& r, double sine, const Vec3* normal) {
   return r.sharp > sine && !(normal && dot(r.out, *normal) <= 0);
 }
 
-// How far a triangle reaches along `into` from an edge through `from`.
+// The extent (m) of a triangle along `into` from an edge through `from`.
 double height_over(const BodySurface& s, const Vec3& from, int triangle, const Vec3& into) {
   double largest = 0;
   for (int c : s.corner[std::size_t(triangle)])
@@ -71,41 +72,41 @@ Bucket bucket_of(const Vec3& x, double size) {
     at[k] = std::int64_t(std::clamp(std::floor(x[k] / size), -kBucketFar, kBucketFar - 1));
   return at;
 }
-std::uint64_t bucket_name(std::int64_t i, std::int64_t j, std::int64_t k) {
+std::uint64_t bucket_key(std::int64_t i, std::int64_t j, std::int64_t k) {
   const auto part = [](std::int64_t v) { return std::uint64_t(v + std::int64_t(kBucketFar)); };
   return (part(i) << 21 | part(j)) << 21 | part(k);
 }
 
 template <class Visit>
-void each_bucket(const Vec3& low, const Vec3& high, double size, Visit visit) {
+void buckets_visit(const Vec3& low, const Vec3& high, double size, Visit visit) {
   const Bucket a = bucket_of(low, size), b = bucket_of(high, size);
   for (std::int64_t i = a[0]; i <= b[0]; ++i)
     for (std::int64_t j = a[1]; j <= b[1]; ++j)
-      for (std::int64_t k = a[2]; k <= b[2]; ++k) visit(bucket_name(i, j, k));
+      for (std::int64_t k = a[2]; k <= b[2]; ++k) visit(bucket_key(i, j, k));
 }
 
 constexpr std::uint64_t kNoBucket = ~std::uint64_t(0);
 
-// Where a bucket is in the table, or would be.
-std::size_t table_place(const SharpFeatures& features, std::uint64_t name) {
+// The index of a bucket in the hash table, or of the free slot where it would be inserted.
+std::size_t table_index(const SharpFeatures& features, std::uint64_t key) {
   const std::size_t mask = features.table.size() - 1;
-  std::size_t at = std::size_t((name * 0x9e3779b97f4a7c15u) >> 32) & mask;
-  while (features.table[at].first != name && features.table[at].first != kNoBucket) at = (at + 1) & mask;
+  std::size_t at = std::size_t((key * 0x9e3779b97f4a7c15u) >> 32) & mask;
+  while (features.table[at].first != key && features.table[at].first != kNoBucket) at = (at + 1) & mask;
   return at;
 }
 
-// A ridge piece by piece, none longer than a bucket.
+// Enters each feature into its buckets. An edge is entered piece by piece, none of them longer than a bucket.
 void buckets_fill(SharpFeatures& to) {
   for (std::size_t r = 0; r < to.feature.size(); ++r) {
-    const Vec3 &a = to.feature[r].from, way = to.feature[r].to - a;
-    const int pieces = std::max(1, int(std::ceil(norm(way) / to.bucket)));
+    const Vec3 &a = to.feature[r].from, span = to.feature[r].to - a;
+    const int pieces = std::max(1, int(std::ceil(norm(span) / to.bucket)));
     for (int p = 0; p < pieces; ++p) {
-      const Vec3 from = a + (double(p) / pieces) * way, on = a + (double(p + 1) / pieces) * way;
+      const Vec3 from = a + (double(p) / pieces) * span, on = a + (double(p + 1) / pieces) * span;
       Vec3 low = from, high = from;
       for (std::size_t k = 0; k < 3; ++k)
         low[k] = std::min(from[k], on[k]), high[k] = std::max(from[k], on[k]);
-      each_bucket(low, high, to.bucket,
-                  [&](std::uint64_t name) { to.entry.push_back({name, std::uint32_t(r)}); });
+      buckets_visit(low, high, to.bucket,
+                    [&](std::uint64_t key) { to.entry.push_back({key, std::uint32_t(r)}); });
     }
   }
   std::sort(to.entry.begin(), to.entry.end());
@@ -114,9 +115,9 @@ void buckets_fill(SharpFeatures& to) {
   while (size < 2 * to.entry.size()) size *= 2;
   to.table.assign(size, {kNoBucket, 0});
   for (std::size_t k = 0; k < to.entry.size(); ++k) {
-    const std::uint64_t name = to.entry[k].first;
-    if (k > 0 && to.entry[k - 1].first == name) continue;
-    to.table[table_place(to, name)] = {name, std::uint32_t(k)};
+    const std::uint64_t key = to.entry[k].first;
+    if (k > 0 && to.entry[k - 1].first == key) continue;
+    to.table[table_index(to, key)] = {key, std::uint32_t(k)};
   }
 }
 
@@ -141,26 +142,27 @@ SharpFeatures sharp_features_make(const BodySurface& surface, double sine, doubl
 void sharp_features_in(const SharpFeatures& features, const Vec3& low, const Vec3& high,
                        std::vector<std::uint32_t>& found) {
   found.clear();
-  each_bucket(low, high, features.bucket, [&](std::uint64_t name) {
-    const auto [known, first] = features.table[table_place(features, name)];
-    if (known != name) return;
-    for (std::size_t k = first; k < features.entry.size() && features.entry[k].first == name; ++k)
+  buckets_visit(low, high, features.bucket, [&](std::uint64_t key) {
+    const auto [known, first] = features.table[table_index(features, key)];
+    if (known != key) return;
+    for (std::size_t k = first; k < features.entry.size() && features.entry[k].first == key; ++k)
       found.push_back(features.entry[k].second);
   });
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
-double sharp_features_distance(const SharpFeatures& features, const Vec3& x, double largest) {
-  static thread_local std::vector<std::uint32_t> found;
-  const Vec3 way{largest, largest, largest};
+double sharp_features_distance(const SharpFeatures& features, const Vec3& x, double largest,
+                               std::vector<std::uint32_t>& found) {
+  const Vec3 half_box{largest, largest, largest};
   for (std::size_t k = 0; k < 3; ++k)
     if (x[k] + largest < features.low[k] || x[k] - largest > features.high[k]) return largest;
-  sharp_features_in(features, x - way, x + way, found);
-  double least2 = largest * largest;
+  sharp_features_in(features, x - half_box, x + half_box, found);
+  double smallest2 = largest * largest;
   for (std::uint32_t r : found)
-    least2 = std::min(least2, math::segment_distance2(x, features.feature[r].from, features.feature[r].to));
-  return std::sqrt(least2);
+    smallest2 =
+        std::min(smallest2, math::segment_distance2(x, features.feature[r].from, features.feature[r].to));
+  return std::sqrt(smallest2);
 }
 
 }  // namespace drape::body

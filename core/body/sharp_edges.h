@@ -1,5 +1,5 @@
-// What is sharp about a body: its ridges (convex edges, rims of sheets) and tips, in the body's frame, and
-// which of them are near a place. core/README.md, section 7.
+// The sharp features of a body, in the body's frame: sharp edges (convex edges and the boundary of an open
+// surface) and tips. A hash grid finds those near a point. core/README.md, section 7.
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -10,38 +10,42 @@
 
 namespace drape::body {
 
-// A ridge runs between two points; those of a tip are one. The surface falls away along `fall`, of length 1:
-// into the triangles of an edge, along the edges of a tip, for `length`.
+// A sharp edge runs between two points; the two points of a tip are equal. The surface falls away from the
+// feature along the unit vectors `fall`, over the distances `length`: into the triangles of an edge, or along
+// the edges of a tip.
 struct SharpFeature {
   Vec3 from, to;  // m
   bool tip;
-  int edge;                    // of the surface, or vertex
+  int edge;                    // number of the edge of the surface; of the vertex for a tip
   std::vector<Vec3> fall;      // at least one
   std::vector<double> length;  // [of fall] m
-  Vec3 out;                    // = -sum fall, of length 1
-  double sharp;  // least -out.fall: sine of the angle by which the surface falls away from `out`
+  Vec3 out;                    // -sum fall, normalized to length 1
+  double sharp;                // min of -out.fall: sine of the angle of fall from the plane normal to `out`
 };
 
-// No surface whose triangles turn by less than 2 asin of this is sharp: it stands for a smooth one.
+// An edge is sharp where its triangles turn by at least 2 asin of this. Below that the mesh is taken as the
+// approximation of a smooth surface.
 inline constexpr double kSharpSine = 0.0872;  // 10 degrees
-inline constexpr double kSharpSineFit = 0.5;  // 60 degrees: fewer, for a fit to come to rest
+inline constexpr double kSharpSineFit = 0.5;  // 60 degrees: fewer sharp edges, so that a fit converges
 
 struct SharpFeatures {
-  std::vector<SharpFeature> feature;                                              // edges, then vertices
-  Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};  // their box
-  double bucket = 0;                                                              // m
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> entry;                     // bucket and ridge, sorted
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> table;  // bucket and its first entry, hashed
+  std::vector<SharpFeature> feature;  // edges, then tips
+  // Bounding box of the features, m.
+  Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+  double bucket = 0;                                           // m, size of a bucket
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> entry;  // bucket and feature, sorted
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> table;  // hash table: bucket and its first entry
 };
 
-// Those at least as sharp as `sine`; buckets of `bucket` m or more.
+// The features of a surface that are at least as sharp as `sine`, in buckets of at least `bucket` m.
 SharpFeatures sharp_features_make(const BodySurface& surface, double sine, double bucket);
 
-// Those that may be in a box, in their order, each once.
+// Finds the features whose buckets meet the box from `low` to `high`: their numbers, ascending, each once.
 void sharp_features_in(const SharpFeatures& features, const Vec3& low, const Vec3& high,
                        std::vector<std::uint32_t>& found);
 
-// How far from x the nearest is (m), at most `most`.
-double sharp_features_distance(const SharpFeatures& features, const Vec3& x, double largest);
+// The distance (m) from x to the closest sharp feature, at most `largest`. `found` is scratch memory.
+double sharp_features_distance(const SharpFeatures& features, const Vec3& x, double largest,
+                               std::vector<std::uint32_t>& found);
 
 }  // namespace drape::body

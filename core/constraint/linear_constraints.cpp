@@ -12,16 +12,16 @@ namespace {
 
 using namespace math::vector3;
 
-constexpr double kRankTolerance = 1e-10;  // of A M^-1 A^T, relative to the row's own diagonal
-// The same of a weld beside pins and other welds. What little those leave free would have to take up all of a
-// gap that they hold open.
+constexpr double kRankTolerance = 1e-10;  // pivot of A M^-1 A^T, relative to the row's own diagonal
+// The same for a weld, after pins and other welds. Below it, almost no freedom is left, and closing the whole
+// gap with that little freedom would need large displacements.
 constexpr double kWeldTolerance = 1e-3;
-// Between rows that say the same. A row that counts as dependent may differ by the root of the above in its
-// weights.
+// Tolerances of the comparison of redundant rows. The weights of a dependent row may differ by the square
+// root of kRankTolerance.
 constexpr double kTargetTolerance = 1e-6;  // m
 constexpr double kShareTolerance = 1e-4;
 
-// A row while it is sorted.
+// A constraint during the elimination of fixed nodes and dependent rows.
 struct OpenRow {
   int pin;
   math::SparseRow on;
@@ -39,7 +39,7 @@ void parts_add(std::vector<TargetPart>& sum, const std::vector<TargetPart>& part
 
 using Fixed = std::unordered_map<std::size_t, std::vector<TargetPart>>;
 
-// Takes fixed nodes out of a row.
+// Eliminates fixed nodes from a row.
 void row_reduce(OpenRow& row, const Fixed& fixed) {
   math::SparseRow kept;
   for (std::size_t k = 0; k < row.on.node.size(); ++k) {
@@ -54,14 +54,14 @@ void row_reduce(OpenRow& row, const Fixed& fixed) {
   row.on = std::move(kept);
 }
 
-// Tells where a target that must vanish does not: at the start, or for some poses of the driven pins.
-void contradiction_report(const std::vector<PinBase>& pins, int pin, const std::vector<TargetPart>& rest,
+// Reports a problem where a residual target is not 0, at the start or for some motion of the driven pins.
+void contradiction_report(const std::vector<PinBase>& pins, int pin, const std::vector<TargetPart>& residual,
                           std::vector<Problem>& problems) {
   if (pin < 0) return;
   const std::string& name = pins[std::size_t(pin)].name;
   Vec3 off{0, 0, 0};
   const PinBase *driven = nullptr, *other = nullptr;
-  for (const TargetPart& part : rest) {
+  for (const TargetPart& part : residual) {
     const PinBase& base = pins[std::size_t(part.pin)];
     off += part.start;
     const bool shifts = std::abs(part.share) > kShareTolerance,
@@ -77,14 +77,14 @@ void contradiction_report(const std::vector<PinBase>& pins, int pin, const std::
                                            "' is driven; allowed: driven pins hold cloth of their own"});
 }
 
-// The kept rows by the node that they act on.
+// For each node, the kept rows that contain it, with their weights.
 using RowsByNode = std::unordered_map<std::size_t, std::vector<std::pair<std::size_t, double>>>;
 
-// What is left of a dependent row's target less those that the kept rows, of which it is a combination, give
-// it.
-std::vector<TargetPart> rest_of(const OpenRow& row, const std::vector<OpenRow>& kept,
-                                const RowsByNode& by_node, const math::CholeskyFactor& factor,
-                                const Array& inverse_mass) {
+// The residual target of a dependent row. The row is a combination of the kept rows; the result is its own
+// target minus the same combination of their targets.
+std::vector<TargetPart> residual_target(const OpenRow& row, const std::vector<OpenRow>& kept,
+                                        const RowsByNode& by_node, const math::CholeskyFactor& factor,
+                                        const Array& inverse_mass) {
   std::vector<double> b(3 * kept.size(), 0.0);
   for (std::size_t k = 0; k < row.on.node.size(); ++k) {
     const auto found = by_node.find(row.on.node[k]);
@@ -93,10 +93,10 @@ std::vector<TargetPart> rest_of(const OpenRow& row, const std::vector<OpenRow>& 
       b[3 * r] += row.on.weight[k] * weight * inverse_mass[row.on.node[k]];
   }
   math::cholesky_solve(factor, b.data());
-  std::vector<TargetPart> rest = row.parts;
+  std::vector<TargetPart> residual = row.parts;
   for (std::size_t r = 0; r < kept.size(); ++r)
-    if (b[3 * r] != 0) parts_add(rest, kept[r].parts, -b[3 * r]);
-  return rest;
+    if (b[3 * r] != 0) parts_add(residual, kept[r].parts, -b[3 * r]);
+  return residual;
 }
 
 std::vector<const math::SparseRow*> pointers_to(const std::vector<OpenRow>& rows) {
@@ -105,7 +105,7 @@ std::vector<const math::SparseRow*> pointers_to(const std::vector<OpenRow>& rows
   return pointers;
 }
 
-// The independent ones of the rows, in their order; the others are checked against them.
+// Returns the independent rows, in their order, and checks the dependent ones for contradictions.
 std::vector<OpenRow> rows_independent(std::vector<OpenRow> rows, const Array& inverse_mass,
                                       const std::vector<PinBase>& pins, std::vector<Problem>& problems) {
   const auto welds =
@@ -124,7 +124,7 @@ std::vector<OpenRow> rows_independent(std::vector<OpenRow> rows, const Array& in
       by_node[kept[r].on.node[k]].push_back({r, kept[r].on.weight[k]});
   const math::CholeskyFactor factor = math::cholesky_factorise(pointers_to(kept), inverse_mass, 0);
   for (const OpenRow& row : dependent)
-    contradiction_report(pins, row.pin, rest_of(row, kept, by_node, factor, inverse_mass), problems);
+    contradiction_report(pins, row.pin, residual_target(row, kept, by_node, factor, inverse_mass), problems);
   return kept;
 }
 
@@ -140,7 +140,8 @@ Target target_make(Constraints& c, const std::vector<TargetPart>& parts) {
   return t;
 }
 
-// A row on one node fixes it, which may leave another row with one node.
+// Fixes the nodes of rows with a single node, and eliminates these nodes from the other rows. That may leave
+// other rows with a single node, so it is repeated.
 std::vector<OpenRow> nodes_fix(Constraints& c, std::vector<OpenRow> rows, std::vector<Problem>& problems) {
   Fixed fixed;
   for (bool again = true; again;) {
@@ -165,7 +166,8 @@ std::vector<OpenRow> nodes_fix(Constraints& c, std::vector<OpenRow> rows, std::v
   return rows;
 }
 
-// The part of each row, numbered by their first rows: rows of one node are in one part.
+// The connected part of each row, named by the first row of the part. Rows that share a node are in the same
+// part. Union-find with path halving.
 std::vector<std::size_t> parts_of(const std::vector<OpenRow>& rows) {
   std::vector<std::size_t> up(rows.size());  // an earlier row of the same part, or the row itself
   std::iota(up.begin(), up.end(), std::size_t(0));
@@ -173,7 +175,7 @@ std::vector<std::size_t> parts_of(const std::vector<OpenRow>& rows) {
     while (up[r] != r) r = up[r] = up[up[r]];
     return r;
   };
-  std::unordered_map<std::size_t, std::size_t> row_of;  // a node's
+  std::unordered_map<std::size_t, std::size_t> row_of;  // first row that contains the node
   for (std::size_t r = 0; r < rows.size(); ++r)
     for (std::size_t n : rows[r].on.node) {
       const std::size_t a = first(row_of.try_emplace(n, r).first->second), b = first(r);
@@ -183,7 +185,7 @@ std::vector<std::size_t> parts_of(const std::vector<OpenRow>& rows) {
   return up;
 }
 
-// The rows part by part.
+// Stores the rows in `c`, sorted by part.
 void rows_collect(Constraints& c, std::vector<OpenRow> rows) {
   const std::vector<std::size_t> part = parts_of(rows);
   std::vector<std::size_t> order(rows.size());

@@ -1,17 +1,18 @@
-// Pins as linear constraints on nodes: sum_k w_k r_k = target. core/README.md, section 4.
+// Pins and welds as linear constraints on nodes: sum_k w_k r_k = target. core/README.md, section 4.
 //
-// A row on a single node fixes it: the node is put back after each step. The other rows, less the nodes
-// already fixed and made independent, are projected together:
+// Each constraint is a row of A. A row on a single node fixes that node, which is set to its target after
+// each step. Fixed nodes are eliminated from the other rows, and dependent rows are removed. The remaining
+// rows are projected together:
 //
 //   y = (A M^-1 A^T)^-1 (A r - target),   r <- r - M^-1 A^T y,   v <- v - M^-1 A^T y / h
 //
-// Either way the momentum taken out is the impulse on the outside world. A target moves with the frames of
-// pins:
+// In both cases the momentum removed is the impulse on the outside world. A target moves with its pins:
 //
 //   target = sum_parts share p + R (start - share p_0)
 //
-// one part of share 1 but where nodes fixed by pins were taken out of a row; an impulse J on the row is then
-// share J on each pin, with the moment R (start - share p_0) x J about it.
+// where p is the position and R the rotation of a pin, and p_0 its initial position. A target has one part of
+// share 1, unless nodes fixed by pins were eliminated from its row. An impulse J on the row gives each pin
+// the impulse share J and the moment R (start - share p_0) x J about it.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -23,20 +24,20 @@
 
 namespace drape::constraint {
 
-// What a pin is before it moves.
+// The constant data of a pin.
 struct PinBase {
   std::string name;
   Vec3 centre{0, 0, 0};  // p_0, m
-  bool clamp = false;    // the frame may turn
+  bool clamp = false;    // the pin may rotate
   scene::Drive drive = scene::Drive::kNone;
 };
 
-// One constraint as the scene states it; nodes by index into the State's arrays.
+// One constraint as the scene gives it. Nodes are indices into the arrays of State.
 struct ConstraintRow {
-  int pin;                        // index into Scene::pins; -1: of a weld, whose target is 0
+  int pin;                        // index into Scene::pins; -1: a weld, whose target is 0
   std::vector<std::size_t> node;  // [k]
   std::vector<double> weight;     // [k] none of them 0, sum 1
-  Vec3 target;                    // m, at the start
+  Vec3 target;                    // m, initial value
 };
 
 struct TargetPart {
@@ -46,9 +47,9 @@ struct TargetPart {
 };
 
 struct Target {
-  int first = 0, count = 0;  // its parts
-  Vec3 start{0, 0, 0};       // their sum at the start, m
-  bool moves = false;        // a pin among them is driven
+  int first = 0, count = 0;  // its range in Constraints::parts
+  Vec3 start{0, 0, 0};       // sum of the initial values of the parts, m
+  bool moves = false;        // one of its pins is driven
 };
 
 struct FixedNode {
@@ -57,42 +58,42 @@ struct FixedNode {
 };
 
 struct HeldRow {
-  math::SparseRow on;  // two nodes or more, none of them fixed
+  math::SparseRow on;  // at least two nodes, none of them fixed
   Target target;
 };
 
-// The rows' entries one after the other, as a step reads them.
+// One entry of a row, stored contiguously for the time step.
 struct RowTerm {
   std::uint32_t node;
-  double weight, pull;  // pull: over the node's mass, 1/kg
+  double weight, pull;  // pull: weight over the mass of the node, 1/kg
 };
 
-// Rows that share nodes, if through others: they are met on their own.
+// A set of rows that are connected by shared nodes. Each set is projected independently of the others.
 struct RowPart {
-  std::size_t begin, end;           // rows
-  std::vector<RowTerm> term;        // theirs
-  std::vector<std::size_t> last;    // [rows] where the terms of a row end
-  std::vector<std::uint32_t> line;  // nodes over kRowUnit, sorted, each once
+  std::size_t begin, end;           // range in Constraints::rows
+  std::vector<RowTerm> term;        // the entries of the rows
+  std::vector<std::size_t> last;    // [rows] index in `term` of the end of each row
+  std::vector<std::uint32_t> line;  // node / kRowUnit of all nodes, sorted, each once
   math::CholeskyFactor factor;      // of A M^-1 A^T
 };
 
 struct Constraints {
-  std::vector<PinBase> pins;  // as Scene::pins
+  std::vector<PinBase> pins;  // in the order of Scene::pins
   std::vector<TargetPart> parts;
   std::vector<FixedNode> fixed;
   std::vector<HeldRow> rows;                  // independent
-  std::vector<RowPart> part;                  // of the rows, in their order
-  std::vector<std::size_t> rows_with_target;  // the rows that have a target
-  Rigid rigid;                                // links beside them
+  std::vector<RowPart> part;                  // the rows are sorted by these parts
+  std::vector<std::size_t> rows_with_target;  // numbers of the rows with a target that is not 0
+  Rigid rigid;                                // rigid links, projected together with the rows
 };
 
-// Sorts rows into fixed nodes and independent rows. Rows of pins that contradict each other, now or once
-// their pins are driven apart, are problems (place = pin name); a weld that says nothing new is left out.
+// Divides the constraints into fixed nodes and independent rows. Pins that contradict each other, at the
+// start or once driven apart, are reported as problems with place "pin.<name>". A redundant weld is dropped.
 Constraints constraints_make(const std::vector<ConstraintRow>& rows, const Array& inverse_mass,
                              std::vector<PinBase> pins, std::vector<Problem>& problems,
                              const std::vector<RigidLink>& links = {});
 
-// Anew after a change of the masses.
+// Factorises the rows again after a change of the masses.
 void constraints_refactor(Constraints& constraints, const Array& inverse_mass);
 
 }  // namespace drape::constraint

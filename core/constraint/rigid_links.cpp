@@ -11,9 +11,9 @@
 namespace drape::constraint {
 namespace {
 
-constexpr double kSoft = 0.01;  // e
+constexpr double kSoft = 0.01;  // e of rigid_links.h
 
-// The entries of all scalar rows.
+// Fills in the entries of all scalar rows.
 void entries_fill(const std::vector<HeldRow>& rows, const std::vector<FixedNode>& fixed, Rigid& rigid) {
   std::set<std::size_t> held;
   for (const FixedNode& f : fixed) held.insert(f.node);
@@ -37,9 +37,10 @@ void entries_fill(const std::vector<HeldRow>& rows, const std::vector<FixedNode>
   }
 }
 
-// Scalar rows in the order of elimination: a row goes before the first link that shares a node with it.
+// Scalar rows in order of elimination. A linear row is eliminated just before the first link that shares a
+// node with it.
 std::vector<std::size_t> elimination_order(const Rigid& rigid) {
-  std::unordered_map<std::size_t, int> first;  // of nodes
+  std::unordered_map<std::size_t, int> first;  // node -> lowest order of its links
   for (const RigidLink& link : rigid.link)
     for (std::size_t node : link.node) {
       const auto [at, made] = first.emplace(node, link.order);
@@ -59,7 +60,7 @@ std::vector<std::size_t> elimination_order(const Rigid& rigid) {
   return order;
 }
 
-// Pairs of columns that share a node along an axis, with what they share.
+// Pairs of columns that share a node along an axis, with the pairs of entries that they share.
 using Shared =
     std::map<std::pair<std::size_t, std::size_t>, std::vector<std::pair<std::size_t, std::size_t>>>;
 Shared shared_of(const Rigid& rigid) {
@@ -75,7 +76,7 @@ Shared shared_of(const Rigid& rigid) {
   return shared;
 }
 
-// Columns of the factor: those of the matrix, and what eliminating the columns before fills in.
+// The sparsity pattern of the factor: the entries of the matrix and the fill-in of the elimination.
 void shape_make(const std::vector<std::size_t>& order, Rigid& rigid) {
   const Shared shared = shared_of(rigid);
   const std::size_t rank = order.size();
@@ -145,7 +146,7 @@ void rigid_aim(const Rigid& rigid, const double* x, const double* y, const doubl
   now.ready = false;
 }
 
-// Right-looking Cholesky on the fixed shape.
+// Right-looking Cholesky factorisation on the fixed sparsity pattern.
 void rigid_factor(const Rigid& rigid, const Array& inverse_mass, RigidNow& now) {
   if (now.ready) return;
   now.ready = true;

@@ -12,13 +12,13 @@
 namespace drape::dynamics {
 namespace {
 
-using math::vector3::operator*;
+using namespace math::vector3;
 
-constexpr int kLimitCheckLongest = 32;                // steps between two looks at the step limit, at most
-constexpr int kLimitCheckGiven = 8;                   // the same where the scene gives the step
+constexpr int kLimitCheckLongest = 32;                // steps between two checks of the step limit, at most
+constexpr int kLimitCheckGiven = 8;                   // where the scene gives the step
 constexpr std::int64_t kIntervalsBeforeGrowth = 100;  // intervals before the step may grow
 
-// Room for v_{n-3/2} where forces depend on velocity; while it is not known, v_{n-1/2} stands for it.
+// Allocates v_{n-3/2} where forces depend on velocity. While it is unknown, v_{n-1/2} stands for it.
 void rates_begin(const System& system, State& s) {
   const bool rates = model::system_has_rates(system);
   if (rates != s.wx.empty()) return;
@@ -30,11 +30,11 @@ void rates_begin(const System& system, State& s) {
 
 std::int64_t steps_for(double length, double h_max) {
   const double n = std::ceil(length / h_max * (1 - 1e-12));
-  constexpr double kMax = 1e16;  // beyond 1e9 intervals of kSubsMost steps; no number counts as beyond, too
+  constexpr double kMax = 1e16;  // more than 1e9 intervals of kMaxStepsPerInterval steps; also for NaN
   return n < 1 ? 1 : std::int64_t(n < kMax ? n : kMax);
 }
 
-// The largest step allowed at the state the last look saw.
+// The largest step allowed at an omega^2.
 double step_allowed(const System& system, double damping, double omega2) {
   if (system.step_given > 0) return std::min(system.step_given, system.step_max);
   return std::min(step_safety(system, damping, omega2) * step_limit_of(system, omega2), system.step_max);
@@ -51,8 +51,8 @@ bool all_finite(const System& system, const State& s) {
   return sum == 0;
 }
 
-// Looks at the step limit where the present velocities lead until the next look. A long look that finds the
-// step too large is repeated over fewer steps: in vibrating cloth velocities turn long before.
+// Checks the step limit along the present velocities up to the next check. A check over many steps that finds
+// the step too large is repeated over fewer: in vibrating cloth velocities reverse long before.
 void check_step_limit(const System& system, const Motion& motion, State& s, double h) {
   if (system.step_given > 0) {
     s.omega2 = step_limit_omega2(system, *motion.kernel, s);
@@ -76,7 +76,7 @@ void describe_step(std::string& event, const char* verb, double time, double h, 
   event = text;
 }
 
-// Fewer steps for the coming interval of q, where the last hundred would have allowed it.
+// Fewer steps for the next interval of q, where the last hundred would have allowed it.
 void steps_relax(const System& system, State& s, std::string& event) {
   if (s.intervals_since_change < kIntervalsBeforeGrowth || system.fit) return;
   const double q = system.communication;
@@ -89,47 +89,54 @@ void steps_relax(const System& system, State& s, std::string& event) {
   describe_step(event, "grows", model::state_time(s, q), q / double(expected), s);
 }
 
-// Looks at the step limit after `done` of the n steps that fill `length`; where it has fallen, n doubles, in
-// a fit the inertia grows.
-Advance limit_check(const System& system, Motion& motion, State& s, double length, std::int64_t& n,
-                    std::int64_t& done, std::string& event) {
+// Steps that fill `length` (s), of which some are done.
+struct Interval {
+  double length;
+  std::int64_t steps, done = 0;
+  double h() const { return length / double(steps); }
+};
+
+// Checks the step limit within an interval. Where it has fallen, the number of steps doubles; in a fit the
+// inertia grows.
+Advance limit_check(const System& system, Motion& motion, State& s, Interval& interval, std::string& event) {
   if (!all_finite(system, s)) return Advance::kNotFinite;
-  const auto h = [&] { return length / double(n); };
   if (system.fit) {
-    relaxation_update(system, motion, s, h());
+    relaxation_update(system, motion, s, interval.h());
     return Advance::kDone;
   }
-  check_step_limit(system, motion, s, h());
+  check_step_limit(system, motion, s, interval.h());
   if (system.step_given > 0)
-    return h() > step_limit_of(system, s.omega2) ? Advance::kStepAboveLimit : Advance::kDone;
-  while (h() > step_now(system, s, s.omega2)) {
-    if (h() * double(kMaxStepsPerInterval) < system.communication) return Advance::kTooManySteps;
-    n *= 2;
-    done *= 2;
+    return interval.h() > step_limit_of(system, s.omega2) ? Advance::kStepAboveLimit : Advance::kDone;
+  while (interval.h() > step_now(system, s, s.omega2)) {
+    if (interval.h() * double(kMaxStepsPerInterval) < system.communication) return Advance::kTooManySteps;
+    interval.steps *= 2;
+    interval.done *= 2;
     s.steps_per_interval *= 2;
     s.intervals_since_change = 0;
     s.max_omega2 = s.omega2;
-    describe_step(event, "falls", model::state_time(s, system.communication) + double(done) * h(), h(), s);
+    const double h = interval.h();
+    describe_step(event, "falls", model::state_time(s, system.communication) + double(interval.done) * h, h,
+                  s);
   }
   return Advance::kDone;
 }
 
-// n steps that fill `length`; more when the limit falls on the way. None where a fit is at rest.
-Advance interval_run(const System& system, Motion& motion, State& s, double length, std::int64_t n,
-                     std::string& event) {
-  for (std::int64_t done = 0; done < n && !s.relaxation.at_rest; ++done) {
+// Takes the steps of an interval; more when the limit falls meanwhile. None where a fit is at rest.
+Advance interval_run(const System& system, Motion& motion, State& s, Interval interval, std::string& event) {
+  for (; interval.done < interval.steps && !s.relaxation.at_rest; ++interval.done) {
     if (s.steps_to_limit_check-- <= 0) {
-      if (const Advance how = limit_check(system, motion, s, length, n, done, event); how != Advance::kDone)
+      if (const Advance how = limit_check(system, motion, s, interval, event); how != Advance::kDone)
         return how;
       --s.steps_to_limit_check;
     }
-    leapfrog_step(system, motion, s, length / double(n), double(done + 1) / double(n), 1 / double(n));
+    const double steps = double(interval.steps);
+    leapfrog_step(system, motion, s, interval.length / steps, double(interval.done + 1) / steps, 1 / steps);
   }
   if (system.fit && !s.relaxation.at_rest && !path_moves(motion.path)) check_convergence(system, motion, s);
   return Advance::kDone;
 }
 
-void subs_begin(const System& system, const Motion& motion, State& s) {
+void steps_begin(const System& system, const Motion& motion, State& s) {
   if (system.step_given == 0) s.max_contact_step = contact::max_step(system, s);
   s.omega2 = s.max_omega2 = step_limit_omega2(system, *motion.kernel, s);
   s.steps_per_interval = steps_for(system.communication, step_now(system, s, s.omega2));
@@ -143,20 +150,19 @@ double kinetic_energy(const System& system, const State& s) {
   return sum / 2;
 }
 
-// Links on ridges share nodes with each other and with particles that touch, so that what bodies have been
-// told of the half step before this advance is found as it was then, and taken out of the first step of it.
+// Links on sharp edges share nodes with each other and with particles in contact. So the impulse that was
+// reported for the half step before this advance is computed as it was then, and taken out of its first step.
 void edge_half_kick_report(const System& system, Motion& motion, State& s) {
   motion.contact.half_kick_reported = contact::edge_any(s) && last_half(system, s) > 0 && !system.fit;
   if (!motion.contact.half_kick_reported) return;
   std::vector<math::Wrench> pins;
-  leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(), motion.now_z.data(),
-                       pins);
+  leapfrog_synchronous(system, motion, s, motion_field(motion), pins);
   for (std::size_t b = 0; b < s.body.size(); ++b)
     s.body[b].impulse = {-1.0 * motion.contact.load[b].force, -1.0 * motion.contact.load[b].torque};
 }
 
-// Lays the paths of an advance and begins them. Where the velocity of a pin jumps, so do those of the cloth;
-// the impulse is the first of the advance. (The paper's scheme takes it up in its first step.)
+// Begins the paths of an advance. Where the velocity of a pin jumps, so does that of the cloth; the impulse
+// is the first of the advance. (In the paper's scheme it is part of the first step.)
 void inputs_begin(const System& system, Motion& motion, State& s, double length) {
   s.pin_impulse.assign(s.pin_impulse.size(), math::Wrench{});
   for (model::BodyContact& body : s.body) body.impulse = math::Wrench{};
@@ -168,7 +174,7 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   path_follow(motion.path, 0, s);
   bodies_follow(motion.path, 0, s);
   held_refresh(motion.constraints, s, motion.held);
-  held_rates(motion.constraints, s, Rate::kVelocity, motion.held);
+  held_rates(motion.constraints, s, model::Pass::kSynchronous, motion.held);
   if (!jumps) return;
   const double before = system.energy ? kinetic_energy(system, s) : 0;
   constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
@@ -180,11 +186,11 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   if (system.energy) s.input += kinetic_energy(system, s) - before;
 }
 
-// Lets the system change before an interval; where it has, looks again at what is held.
+// Lets the system change before an interval. Where it has, targets and rates of held points are updated.
 void interval_open(Motion& motion, State& s, double intervals, const IntervalBegins& begins) {
   if (!begins || !begins(intervals)) return;
   held_refresh(motion.constraints, s, motion.held);
-  held_rates(motion.constraints, s, Rate::kVelocity, motion.held);
+  held_rates(motion.constraints, s, model::Pass::kSynchronous, motion.held);
 }
 
 }  // namespace
@@ -211,15 +217,15 @@ void leapfrog_begin(const System& system, Motion& motion, State& s) {
   motion.inputs = inputs_at(s);
   motion.path.wind_from = motion.path.wind_to = s.wind;
   held_refresh(motion.constraints, s, motion.held);
-  held_rates(motion.constraints, s, Rate::kVelocity, motion.held);
+  held_rates(motion.constraints, s, model::Pass::kSynchronous, motion.held);
   constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
                       nullptr);
   rates_begin(system, s);
-  subs_begin(system, motion, s);
+  steps_begin(system, motion, s);
   if (s.body.empty() && !contact::self_enabled(system)) return;
   contact::begin(system, motion.kernel->contact, motion.contact, s);
   contact::self_begin(system, s);
-  subs_begin(system, motion, s);  // with what is near
+  steps_begin(system, motion, s);  // with contact in the bound
 }
 
 void leapfrog_retuned(const System& system, Motion& motion, State& s) {
@@ -227,7 +233,7 @@ void leapfrog_retuned(const System& system, Motion& motion, State& s) {
   s.steps_to_limit_check = 0;
   s.limit_check_period = 1;
   if (system.fit) relaxation_resume(s), relaxation_forget(s);
-  if (s.steps == 0) subs_begin(system, motion, s);
+  if (s.steps == 0) steps_begin(system, motion, s);
 }
 
 Advance leapfrog_advance(const System& system, Motion& motion, State& s, double length, std::string& event,
@@ -249,7 +255,7 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
       interval_open(motion, s, 1, interval_begins);
       steps_relax(system, s, event);
       path_interval(motion.path, s, k, q);
-      result = interval_run(system, motion, s, q, s.steps_per_interval, event);
+      result = interval_run(system, motion, s, {q, s.steps_per_interval}, event);
       ++s.tick;
       ++s.intervals_since_change;
     }
@@ -257,7 +263,7 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
     interval_open(motion, s, length / q, interval_begins);
     steps_relax(system, s, event);
     result =
-        interval_run(system, motion, s, length, steps_for(length, q / double(s.steps_per_interval)), event);
+        interval_run(system, motion, s, {length, steps_for(length, q / double(s.steps_per_interval))}, event);
     s.intervals_since_change += std::max<std::int64_t>(1, std::int64_t(length / q));
     s.origin = model::state_time(s, q) + length;
     s.tick = 0;

@@ -10,53 +10,12 @@ namespace {
 
 using namespace math::vector3;
 
-Vec3 at(const Array& a, std::size_t k) { return {a[3 * k], a[3 * k + 1], a[3 * k + 2]}; }
-void set(Array& a, std::size_t k, const Vec3& v) {
-  a[3 * k] = v[0], a[3 * k + 1] = v[1], a[3 * k + 2] = v[2];
-}
-Vec3 at(const Field& f, std::size_t n) { return {f.x[n], f.y[n], f.z[n]}; }
-void set(const Field& f, std::size_t n, const Vec3& v) { f.x[n] = v[0], f.y[n] = v[1], f.z[n] = v[2]; }
-
-// Visits the targets of fixed nodes and rows by their number.
-template <class Visit>
-void targets_visit(const constraint::Constraints& c, Visit visit) {
-  std::size_t k = 0;
-  for (const constraint::FixedNode& f : c.fixed) visit(k++, f.target);
-  for (const constraint::HeldRow& r : c.rows) visit(k++, r.target);
-}
-
-// The target of a part less its start: share (p - p_0) + (R - 1)(start - share p_0), exactly 0 before the pin
-// moves.
-Vec3 part_shift(const constraint::PinBase& base, const math::RigidMotion& frame,
-                const constraint::TargetPart& part) {
-  const Vec3 reach = part.start - part.share * base.centre;
-  return part.share * (frame.position - base.centre) + math::rotation_displacement(frame.orientation, reach);
-}
-
-Vec3 target_now(const constraint::Constraints& c, const State& s, const constraint::Target& t) {
-  Vec3 sum = t.start;
-  for (int p = t.first; p < t.first + t.count; ++p) {
-    const constraint::TargetPart& part = c.parts[std::size_t(p)];
-    sum += part_shift(c.pins[std::size_t(part.pin)], s.pin_motion[std::size_t(part.pin)], part);
-  }
-  return sum;
-}
-
-void arms_set(const constraint::Constraints& c, const State& s, HeldMotion& held) {
-  for (std::size_t p = 0; p < c.parts.size(); ++p) {
-    const constraint::TargetPart& part = c.parts[p];
-    const Vec3 reach = part.start - part.share * c.pins[std::size_t(part.pin)].centre;
-    set(held.arm, p,
-        reach + math::rotation_displacement(s.pin_motion[std::size_t(part.pin)].orientation, reach));
-  }
-}
-
-// share v + w x arm; share a + w' x arm + w x (w x arm)
-Vec3 part_rate(const math::RigidMotion& f, double share, const Vec3& arm, Rate which) {
-  if (which == Rate::kVelocity) return share * f.velocity + cross(f.angular_velocity, arm);
-  return share * f.acceleration + cross(f.angular_acceleration, arm) +
-         cross(f.angular_velocity, cross(f.angular_velocity, arm));
-}
+// A projection of a step: the first one, or again, of what contact has added since.
+struct StepProjection {
+  const model::Scheme& scheme;
+  bool again = false;
+  const char* touched = nullptr;  // as in constraints_project_again
+};
 
 void load_add(const constraint::Constraints& c, const Array& arm, const constraint::Target& t,
               const Vec3& impulse, std::vector<math::Wrench>& load) {
@@ -68,14 +27,14 @@ void load_add(const constraint::Constraints& c, const Array& arm, const constrai
   }
 }
 
-Vec3 row_sum(const math::SparseRow& row, const Field& f) {
+Vec3 row_sum(const math::SparseRow& row, const model::Field& f) {
   Vec3 sum{0, 0, 0};
   for (std::size_t k = 0; k < row.node.size(); ++k) sum += row.weight[k] * at(f, row.node[k]);
   return sum;
 }
 
 // y <- (A M^-1 A^T)^-1 (A f - target) of a part
-void part_solve(const constraint::RowPart& part, const Field& f, const double* target, double* y) {
+void part_solve(const constraint::RowPart& part, const model::Field& f, const double* target, double* y) {
   const constraint::RowTerm* t = part.term.data();
   for (std::size_t k = part.begin; k < part.end; ++k) {
     double sum[3] = {-target[3 * k], -target[3 * k + 1], -target[3 * k + 2]};
@@ -91,8 +50,8 @@ void part_solve(const constraint::RowPart& part, const Field& f, const double* t
 
 // f <- f - M^-1 A^T y;  kRate: of v as well, by `rate` of it.
 template <bool kRate>
-void part_correct(const constraint::RowPart& part, const double* y, const Field& f, const Field& v,
-                  double rate) {
+void part_correct(const constraint::RowPart& part, const double* y, const model::Field& f,
+                  const model::Field& v, double rate) {
   const constraint::RowTerm* t = part.term.data();
   for (std::size_t k = part.begin; k < part.end; ++k)
     for (const constraint::RowTerm* end = part.term.data() + part.last[k - part.begin]; t != end; ++t) {
@@ -102,7 +61,7 @@ void part_correct(const constraint::RowPart& part, const double* y, const Field&
     }
 }
 
-void rows_project(const constraint::Constraints& c, const double* target, Array& y, const Field& f) {
+void rows_project(const constraint::Constraints& c, const double* target, Array& y, const model::Field& f) {
   for (const constraint::RowPart& part : c.part) {
     part_solve(part, f, target, y.data());
     part_correct<false>(part, y.data(), f, f, 0);
@@ -114,25 +73,27 @@ bool is_hit(const constraint::RowPart& part, const char* hit) {
 }
 
 // m [v_{n-1/2} + h_o a/2 - (1 + c h_o/2) v_n] over m, from what the free step left.
-Vec3 reported(const HeldStep& step, const Vec3& old, const Vec3& free, const Vec3& rate) {
-  return step.before * old + (step.half / step.kick) * (free - step.keep * old) - step.centred * rate;
+Vec3 reported(const StepProjection& step, const Vec3& old, const Vec3& free, const Vec3& rate) {
+  return step.scheme.decay_before * old +
+         (step.scheme.half / step.scheme.kick) * (free - step.scheme.decay * old) -
+         step.scheme.centred * rate;
 }
 
 // The same of a change of the velocity since.
-Vec3 reported_change(const HeldStep& step, const Vec3& change) { return (step.half / step.kick) * change; }
+Vec3 reported_change(const StepProjection& step, const Vec3& change) {
+  return (step.scheme.half / step.scheme.kick) * change;
+}
 
-// The work of an impulse on the outside world while what it acts on goes from one velocity to the next.
-double work(const Vec3& impulse, const Vec3& old, const Vec3& now) { return -0.5 * dot(impulse, old + now); }
-
-void fixed_apply(const System& system, const constraint::Constraints& c, const HeldStep& step,
+void fixed_apply(const System& system, const constraint::Constraints& c, const StepProjection& step,
                  HeldMotion& held, State& s) {
-  const Field r{s.x.data(), s.y.data(), s.z.data()}, v{s.vx.data(), s.vy.data(), s.vz.data()};
+  const model::Field r{s.x.data(), s.y.data(), s.z.data()}, v{s.vx.data(), s.vy.data(), s.vz.data()};
   for (std::size_t k = 0; k < c.fixed.size(); ++k) {
     const std::size_t n = c.fixed[k].node;
-    const Vec3 next = at(held.next, k), free = at(v, n), kept = (1 / step.h) * (next - at(held.now, k));
-    Vec3 impulse = (system.mass[n] * step.impulse) * (free - kept);
-    if (system.energy) s.input += work(impulse, step.before * at(held.old, k), kept);
-    if (step.begins)
+    const Vec3 next = at(held.next, k), free = at(v, n),
+               kept = (1 / step.scheme.drift) * (next - at(held.now, k));
+    Vec3 impulse = (system.mass[n] * step.scheme.impulse) * (free - kept);
+    if (system.energy) s.input += impulse_work(impulse, step.scheme.decay_before * at(held.old, k), kept);
+    if (step.scheme.begins_advance)
       impulse -= system.mass[n] * (step.again ? reported_change(step, free - kept)
                                               : reported(step, at(held.old, k), free, at(held.rate, k)));
     load_add(c, held.arm, c.fixed[k].target, impulse, s.pin_impulse);
@@ -141,11 +102,11 @@ void fixed_apply(const System& system, const constraint::Constraints& c, const H
   }
 }
 
-void rows_apply(const System& system, const constraint::Constraints& c, const HeldStep& step,
+void rows_apply(const System& system, const constraint::Constraints& c, const StepProjection& step,
                 HeldMotion& held, State& s) {
-  const Field r{s.x.data(), s.y.data(), s.z.data()}, v{s.vx.data(), s.vy.data(), s.vz.data()};
+  const model::Field r{s.x.data(), s.y.data(), s.z.data()}, v{s.vx.data(), s.vy.data(), s.vz.data()};
   const std::size_t fixed = c.fixed.size();
-  const bool reports = step.begins && !step.again;
+  const bool reports = step.scheme.begins_advance && !step.again;
   std::size_t entry = fixed;
   const auto old_of = [&](const math::SparseRow& row) {
     Vec3 sum{0, 0, 0};
@@ -160,27 +121,30 @@ void rows_apply(const System& system, const constraint::Constraints& c, const He
     for (const constraint::RowPart& part : c.part) math::cholesky_solve(part.factor, &held.z[3 * part.begin]);
   }
   for (const constraint::RowPart& part : c.part) {
-    if (step.again && step.hit && !is_hit(part, step.hit)) {
+    if (step.again && step.touched && !is_hit(part, step.touched)) {
       std::fill_n(&held.y[3 * part.begin], 3 * (part.end - part.begin), 0.0);
       continue;
     }
     part_solve(part, r, held.next.data() + 3 * fixed, held.y.data());
-    part_correct<true>(part, held.y.data(), r, v, 1 / step.h);
+    part_correct<true>(part, held.y.data(), r, v, 1 / step.scheme.drift);
   }
-  const auto impulse_of = [&](std::size_t k) { return (step.impulse / step.h) * at(held.y, k); };
+  const auto impulse_of = [&](std::size_t k) {
+    return (step.scheme.impulse / step.scheme.drift) * at(held.y, k);
+  };
   entry = fixed;
   for (std::size_t k = 0; system.energy && k < c.rows.size(); ++k) {
     const math::SparseRow& row = c.rows[k].on;
-    s.input += work(impulse_of(k), step.before * old_of(row), row_sum(row, v));
+    s.input += impulse_work(impulse_of(k), step.scheme.decay_before * old_of(row), row_sum(row, v));
   }
   for (std::size_t k : c.rows_with_target) {
     Vec3 impulse = impulse_of(k);
-    if (step.begins) impulse -= reports ? at(held.z, k) : reported_change(step, (1 / step.h) * at(held.y, k));
+    if (step.scheme.begins_advance)
+      impulse -= reports ? at(held.z, k) : reported_change(step, (1 / step.scheme.drift) * at(held.y, k));
     load_add(c, held.arm, c.rows[k].target, impulse, s.pin_impulse);
   }
 }
 
-// The scalar rows of rows and links: what is left of the rows, as in `left`, and what `excess` says of links.
+// Sets the right-hand side of the scalar rows: left(k) of row k, excess(k) of link k.
 template <class Left, class Excess>
 void rigid_right_hand_side(const constraint::Constraints& c, constraint::RigidNow& now, Left left,
                            Excess excess) {
@@ -191,16 +155,25 @@ void rigid_right_hand_side(const constraint::Constraints& c, constraint::RigidNo
   for (std::size_t k = 0; k < c.rigid.link.size(); ++k) now.b[c.rigid.held + k] = excess(k);
 }
 
-double largest_excess(const constraint::Constraints& c, const Field& r) {  // over the length of a link
+double largest_excess(const constraint::Constraints& c, const model::Field& r) {  // over the length of a link
   double largest = 0;
   for (const constraint::RigidLink& link : c.rigid.link)
     largest = std::max(largest, std::abs(constraint::rigid_excess(link, r.x, r.y, r.z)) / link.length);
   return largest;
 }
 
-// Rows and links met at positions r, by sweeps; what they took in now.y. `v` follows by 1/h.
+// Positions, and the velocities that change by 1/h of what positions do; null: none do.
+struct MovedPositions {
+  model::Field r;
+  const model::Field* v = nullptr;
+  double h = 1;  // s
+};
+
+// Projects positions onto rows and links by sweeps, with multipliers in now.y.
 void rigid_project_positions(const System& system, const constraint::Constraints& c, const Array& target,
-                             const Field& r, const Field* v, double h, constraint::RigidNow& now) {
+                             const MovedPositions& moved, constraint::RigidNow& now) {
+  const model::Field &r = moved.r, *v = moved.v;
+  const double h = moved.h;
   constexpr int kSweeps = 4;
   constexpr double kMet = 1e-9;
   const constraint::RigidField fields[] = {{r.x, r.y, r.z, 1},
@@ -215,8 +188,9 @@ void rigid_project_positions(const System& system, const constraint::Constraints
   }
 }
 
-// A field brought to the rates of rows and links; what they took in held.y.
-void rigid_project(const System& system, const constraint::Constraints& c, const Field& f, HeldMotion& held) {
+// Projects a field onto the rates of rows and links, with multipliers in held.y.
+void rigid_project(const System& system, const constraint::Constraints& c, const model::Field& f,
+                   HeldMotion& held) {
   constexpr int kSweeps = 4;
   constraint::RigidNow& now = held.rigid;
   const constraint::RigidField field{f.x, f.y, f.z, 1};
@@ -230,25 +204,14 @@ void rigid_project(const System& system, const constraint::Constraints& c, const
   std::copy_n(now.y.begin(), held.y.size(), held.y.begin());
 }
 
-// Of a link along itself: what turning asks, and what a step does against what it is off; in a fit a step
-// moves by h^2 times the lightness.
-double link_acceleration(const constraint::RigidLink& link, const State& s) {
-  const auto [a, b] = link.node;
-  const Vec3 turns = Vec3{s.vx[b], s.vy[b], s.vz[b]} - Vec3{s.vx[a], s.vy[a], s.vz[a]};
-  const double turning = -dot(turns, turns) / link.length;
-  if (s.h_old == 0) return turning;
-  const double step2 = s.h_old * s.h_old * (s.inverse_mass_scale.empty() ? 1 : s.inverse_mass_scale[a]);
-  return turning - constraint::rigid_excess(link, s.x.data(), s.y.data(), s.z.data()) / step2;
-}
-
 // As rows_apply, with links.
-void rigid_apply(const System& system, const constraint::Constraints& c, const HeldStep& step,
+void rigid_apply(const System& system, const constraint::Constraints& c, const StepProjection& step,
                  HeldMotion& held, State& s) {
-  const Field r{s.x.data(), s.y.data(), s.z.data()}, v{s.vx.data(), s.vy.data(), s.vz.data()};
+  const model::Field r{s.x.data(), s.y.data(), s.z.data()}, v{s.vx.data(), s.vy.data(), s.vz.data()};
   const std::size_t fixed = c.fixed.size();
   constraint::RigidNow& now = held.rigid;
   std::size_t entry = fixed;
-  const bool reports = step.begins && !step.again;
+  const bool reports = step.scheme.begins_advance && !step.again;
   std::vector<Vec3> old;
   for (const constraint::HeldRow& row : c.rows) {
     Vec3 sum{0, 0, 0};
@@ -274,76 +237,38 @@ void rigid_apply(const System& system, const constraint::Constraints& c, const H
     math::cholesky_solve_scalar(now.factor, now.b.data());
     std::copy_n(now.b.begin(), held.z.size(), held.z.begin());
   }
-  rigid_project_positions(system, c, held.next, r, &v, step.h, now);
+  rigid_project_positions(system, c, held.next, {r, &v, step.scheme.drift}, now);
   for (std::size_t k = 0; k < c.rows.size(); ++k) {
-    Vec3 impulse = (step.impulse / step.h) * at(now.y, k);
-    if (system.energy) s.input += work(impulse, step.before * old[k], row_sum(c.rows[k].on, v));
-    if (step.begins) impulse -= reports ? at(held.z, k) : reported_change(step, (1 / step.h) * at(now.y, k));
+    Vec3 impulse = (step.scheme.impulse / step.scheme.drift) * at(now.y, k);
+    if (system.energy)
+      s.input += impulse_work(impulse, step.scheme.decay_before * old[k], row_sum(c.rows[k].on, v));
+    if (step.scheme.begins_advance)
+      impulse -= reports ? at(held.z, k) : reported_change(step, (1 / step.scheme.drift) * at(now.y, k));
     load_add(c, held.arm, c.rows[k].target, impulse, s.pin_impulse);
   }
 }
 
-}  // namespace
-
-HeldMotion held_make(const constraint::Constraints& c) {
-  HeldMotion held;
-  std::size_t entries = c.fixed.size();
-  for (const constraint::HeldRow& row : c.rows) entries += row.on.node.size();
-  entries += 2 * c.rigid.link.size();
-  held.rigid = constraint::rigid_now(c.rigid);
-  for (Array* a : {&held.now, &held.next, &held.rate, &held.out, &held.taken})
-    a->assign(3 * (c.fixed.size() + c.rows.size()), 0.0);
-  for (Array* a : {&held.y, &held.z}) a->assign(3 * c.rows.size(), 0.0);
-  held.arm.assign(3 * c.parts.size(), 0.0);
-  held.old.assign(3 * entries, 0.0);
-  targets_visit(c, [&](std::size_t k, const constraint::Target& t) {
-    set(held.now, k, t.start);
-    set(held.next, k, t.start);
-    held.moves = held.moves || t.moves;
-  });
-  return held;
-}
-
-void held_refresh(const constraint::Constraints& c, const State& s, HeldMotion& held) {
-  arms_set(c, s, held);
-  constraint::rigid_aim(c.rigid, s.x.data(), s.y.data(), s.z.data(), held.rigid);
-  targets_visit(c, [&](std::size_t k, const constraint::Target& t) {
-    if (t.moves) set(held.now, k, target_now(c, s, t));
-  });
-}
-
-void held_rates(const constraint::Constraints& c, const State& s, Rate which, HeldMotion& held) {
-  targets_visit(c, [&](std::size_t k, const constraint::Target& t) {
-    Vec3 sum{0, 0, 0};
-    for (int p = t.first; t.moves && p < t.first + t.count; ++p) {
-      const constraint::TargetPart& part = c.parts[std::size_t(p)];
-      sum += part_rate(s.pin_motion[std::size_t(part.pin)], part.share, at(held.arm, std::size_t(p)), which);
-    }
-    set(held.rate, k, sum);
-  });
-  for (std::size_t k = 0; k < c.rigid.link.size(); ++k)
-    held.rigid.rate[k] = which == Rate::kVelocity ? 0 : link_acceleration(c.rigid.link[k], s);
-}
-
-void held_store_velocities(const constraint::Constraints& c, const State& s, HeldMotion& held) {
-  std::size_t entry = 0;
-  const auto keep = [&](std::size_t n) { set(held.old, entry++, {s.vx[n], s.vy[n], s.vz[n]}); };
-  for (const constraint::FixedNode& f : c.fixed) keep(f.node);
-  for (const constraint::HeldRow& row : c.rows)
-    for (std::size_t n : row.on.node) keep(n);
-  for (const constraint::RigidLink& link : c.rigid.link)
-    for (std::size_t n : link.node) keep(n);
-}
-
-void constraints_project_step(const System& system, const constraint::Constraints& c, const HeldStep& step,
-                              HeldMotion& held, State& s) {
-  if (held.moves && !step.again)
-    targets_visit(c, [&](std::size_t k, const constraint::Target& t) {
-      if (t.moves) set(held.next, k, target_now(c, s, t));
-    });
+void step_project(const System& system, const constraint::Constraints& c, const StepProjection& step,
+                  HeldMotion& held, State& s) {
   fixed_apply(system, c, step, held, s);
   if (!c.rigid.link.empty()) rigid_apply(system, c, step, held, s);
   else if (!c.rows.empty()) rows_apply(system, c, step, held, s);
+}
+
+}  // namespace
+
+void constraints_project_step(const System& system, const constraint::Constraints& c,
+                              const model::Scheme& scheme, HeldMotion& held, State& s) {
+  if (held.moves)
+    targets_visit(c, [&](std::size_t k, const constraint::Target& t) {
+      if (t.moves) set(held.next, k, held_target(c, s, t));
+    });
+  step_project(system, c, {scheme}, held, s);
+}
+
+void constraints_project_again(const System& system, const constraint::Constraints& c,
+                               const model::Scheme& scheme, const char* touched, HeldMotion& held, State& s) {
+  step_project(system, c, {scheme, true, touched}, held, s);
 }
 
 void constraints_end_step(const constraint::Constraints& c, const State& s, HeldMotion& held) {
@@ -351,13 +276,14 @@ void constraints_end_step(const constraint::Constraints& c, const State& s, Held
   if (!held.moves) return;
   held.now.swap(held.next);
   held.next = held.now;
-  arms_set(c, s, held);
+  held_arms_set(c, s, held);
 }
 
-void constraints_place(const System& system, const constraint::Constraints& c, HeldMotion& held, Field r) {
+void constraints_place(const System& system, const constraint::Constraints& c, HeldMotion& held,
+                       model::Field r) {
   for (std::size_t k = 0; k < c.fixed.size(); ++k) set(r, c.fixed[k].node, at(held.now, k));
   if (!c.rigid.link.empty()) {
-    rigid_project_positions(system, c, held.now, r, nullptr, 1, held.rigid);
+    rigid_project_positions(system, c, held.now, {r}, held.rigid);
     constraint::rigid_aim(c.rigid, r.x, r.y, r.z, held.rigid);
     return;
   }
@@ -365,7 +291,7 @@ void constraints_place(const System& system, const constraint::Constraints& c, H
 }
 
 void constraints_project(const System& system, const constraint::Constraints& c, HeldMotion& held,
-                         Field field, std::vector<math::Wrench>* load) {
+                         model::Field field, std::vector<math::Wrench>* load) {
   const std::size_t fixed = c.fixed.size();
   for (std::size_t k = 0; k < fixed; ++k) {
     const std::size_t n = c.fixed[k].node;
@@ -383,24 +309,6 @@ void constraints_project(const System& system, const constraint::Constraints& c,
     targets_visit(c, [&](std::size_t k, const constraint::Target& t) {
       load_add(c, held.arm, t, at(held.out, k), *load);
     });
-}
-
-double held_work(const constraint::Constraints& c, const State& s, double before, double centred,
-                 const HeldMotion& held) {
-  double sum = 0;
-  for (std::size_t k = 0; k < c.fixed.size(); ++k) {
-    const std::size_t n = c.fixed[k].node;
-    sum += work(centred * at(held.taken, k), before * Vec3{s.vx[n], s.vy[n], s.vz[n]}, at(held.rate, k));
-  }
-  for (std::size_t r = 0; r < c.rows.size(); ++r) {
-    const math::SparseRow& row = c.rows[r].on;
-    Vec3 old{0, 0, 0};
-    for (std::size_t k = 0; k < row.node.size(); ++k)
-      old += row.weight[k] * Vec3{s.vx[row.node[k]], s.vy[row.node[k]], s.vz[row.node[k]]};
-    sum +=
-        work(centred * at(held.taken, c.fixed.size() + r), before * old, at(held.rate, c.fixed.size() + r));
-  }
-  return sum;
 }
 
 }  // namespace drape::dynamics

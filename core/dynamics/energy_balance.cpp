@@ -9,7 +9,7 @@
 // A turning clamp does work on the hinges between R D and its links: E(R', r) - E(R, r) for a turn from R to
 // R', the mean of both ends of the step.
 //
-// Between kicks the potential energy's growth is F.dr, which the kicks meet to O(h^2).
+// Between kicks the potential energy grows by F.dr, which the work of the kicks equals to O(h^2).
 #include "dynamics/energy_balance.h"
 
 #include "forces/hinge_energy.h"
@@ -43,7 +43,7 @@ Vec3 link_now(const model::ClampHinge& c, const State& s) {
   return {s.x[to] - s.x[from], s.y[to] - s.y[from], s.z[to] - s.z[from]};
 }
 
-// What turning has brought in since balance_begin.
+// The work of turning clamps since balance_begin, J.
 double clamps_work(const System& system, const Balance& b, const State& s) {
   double sum = 0;
   for (std::size_t k = 0; k < system.irregular.clamps.size(); ++k) {
@@ -80,7 +80,7 @@ void pull_set(const System& system, Balance& b, const State& s, double extrapola
     }
 }
 
-// sum F.v of the pulls
+// sum F.v of the closing forces
 double pull_power(const System& system, const Balance& b, const Array& vx, const Array& vy, const Array& vz) {
   double sum = 0;
   for (std::size_t p = 0; p < b.pull.size(); ++p)
@@ -135,7 +135,8 @@ void balance_drifted(const System& system, const Balance& b, State& s, double de
 }
 
 BalanceNow balance_now(const System& system, Balance& b, const State& s, double extrapolation,
-                       const Array& vx, const Array& vy, const Array& vz) {
+                       const Velocities& v) {
+  const Array &vx = v.x, &vy = v.y, &vz = v.z;
   if (system.integrator == scene::Integrator::kPaper || system.composition) return {s.dissipated, s.input};
   rates_set(system, b, s, extrapolation);
   pull_set(system, b, s, extrapolation);

@@ -1,11 +1,11 @@
-// The energy balance (core/README.md, section 4): what forces that depend on velocity take from the cloth and
-// what the wind brings in, kick by kick. Only with System::energy.
+// The energy balance, kick by kick: the energy that forces which depend on velocity dissipate, and the work
+// of wind, clamps and closing seams. Only with System::energy. core/README.md, section 4.
 #pragma once
 #include "model/system.h"
 
 namespace drape::dynamics {
 
-// Room of one step; made once per System.
+// The workspace of one step; made once per System.
 struct Balance {
   Array vx, vy, vz;              // [nodes] m/s, before the kick
   Array fx, fy, fz;              // [nodes] N, of damping along springs and air
@@ -16,20 +16,22 @@ struct Balance {
 };
 Balance balance_make(const System& system);
 
-// Before and after a step of h, the constraints and the turns of the pins included.
+// Before and after a step of h (s), with its constraints and the rotations of the pins.
 void balance_begin(const System& system, Balance& balance, const State& state, double extrapolation);
 void balance_end(const System& system, const Balance& balance, State& state, double h_old, double h);
 
-// After a stage of a composition, whose drift has left the share `decay` of v: what -m c v took is the loss
-// of kinetic energy, sum m v^2 (1 - decay^2)/2.
+// After a stage of a composition, whose drift leaves the share `decay` of v. The loss by -m c v is that of
+// kinetic energy, sum m v^2 (1 - decay^2)/2.
 void balance_drifted(const System& system, const Balance& balance, State& state, double decay);
 
-// J since the start until t_n, with the half step that the sums of the state lack; v: the synchronous
-// velocities.
+// J from the start to t_n, with the half step that the sums of the state lack. v: synchronous velocities.
+struct Velocities {
+  const Array &x, &y, &z;  // [nodes] m/s
+};
 struct BalanceNow {
   double dissipated, input;
 };
 BalanceNow balance_now(const System& system, Balance& balance, const State& state, double extrapolation,
-                       const Array& vx, const Array& vy, const Array& vz);
+                       const Velocities& v);
 
 }  // namespace drape::dynamics

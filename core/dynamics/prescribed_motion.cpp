@@ -86,7 +86,7 @@ void pin_path_lay(PinPath& p, scene::Drive drive, bool clamp) {
   p.to.angular_acceleration = math::rotation_angular_acceleration(f, f1, f2);
 }
 
-// Differences that rounding makes between two ways to tell the same velocity: `size` over `length`.
+// The difference that rounding makes between two expressions of one velocity: that of `size` over `length`.
 bool jumps(const Vec3& a, const Vec3& b, double size, double length) {
   constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
   return norm(a - b) > kRounding * (size / length + norm(a) + norm(b));

@@ -12,13 +12,13 @@
 
 namespace drape::dynamics {
 
-// Where inputs are to be at the end of an advance; of a pin, what its drive names counts.
+// Inputs at the end of an advance. Of a pin only the components that its drive names count.
 struct Inputs {
   Vec3 wind{0, 0, 0};                   // m/s
   std::vector<math::RigidMotion> pin;   // [pins]
   std::vector<math::RigidMotion> body;  // [bodies]
 };
-Inputs inputs_at(const State& state);  // where they are
+Inputs inputs_at(const State& state);  // the present inputs
 
 struct PinPath {
   int pin = 0;
@@ -42,17 +42,17 @@ Path path_make(const System& system, const State& state, const Inputs& inputs, d
 // rounding.
 bool path_jumps(const Path& path, const State& state);
 
-// True where a pin or the wind goes somewhere.
+// True where a pin or the wind moves.
 bool path_moves(const Path& path);
 
-// Begins interval k, of `length`. Uniform motion is cut there, so that it does not depend on how an advance
-// is cut.
+// Begins interval k, of `length` (s). Uniform motion restarts there, so that it does not depend on how a
+// master groups its steps.
 void path_interval(Path& path, const State& state, std::int64_t k, double length);
 
-// The frame at the share z of a path.
+// The motion at the share z of a path.
 math::RigidMotion path_frame(const PinPath& path, double z);
 
-// Puts wind and pins of the state, or its bodies, to the share u of the present interval.
+// Moves wind and pins of the state, or its bodies, to the share u of the present interval.
 void path_follow(const Path& path, double u, State& state);
 void bodies_follow(const Path& path, double u, State& state);
 

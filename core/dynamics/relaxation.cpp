@@ -12,18 +12,18 @@ namespace drape::dynamics {
 namespace {
 
 constexpr int kScaleEvery = 16;            // steps, at most
-constexpr double kScaleWithin = 0.02;      // of a cell, by which no particle moves until then
+constexpr double kScaleWithin = 0.02;      // of a cell: no particle moves farther until then
 constexpr int kConvergenceCheckEvery = 8;  // intervals
 constexpr double kResidualRest = 1e-5;     // of the load
 constexpr double kKineticRest = 1e-9;      // of that times the size of the largest piece
 constexpr int kMeasureEvery = 64;          // steps, at least; the first after a change takes
 constexpr int kMeasureFirst = 16;          // and each one twice as many as the one before
-constexpr double kShrink = 0.01;           // of itself, by which an inertia shrinks from look to look at most
-constexpr double kMaxSettling = 1;         // s, for which what has been sewn settles without friction
-constexpr double kConverged = 0.1;         // of the load: then it has settled
-constexpr double kFaded = 1e-4;            // of the most there was, where nothing weighs or pulls
+constexpr double kShrink = 0.01;           // of itself: an inertia shrinks at most by this in an update
+constexpr double kMaxSettling = 1;         // s, for which a sewn garment settles without friction
+constexpr double kConverged = 0.1;         // of the load: a residual below it ends settling
+constexpr double kFaded = 1e-4;            // of the largest force so far: the load where there is none
 
-// True where that changes one.
+// Gives all nodes the smallest scale among them. True where that changes one.
 template <class Nodes>
 bool nodes_even(const Nodes& nodes, State& s) {
   double smallest = 1;
@@ -36,9 +36,9 @@ bool nodes_even(const Nodes& nodes, State& s) {
   return changed;
 }
 
-// Rows on several nodes and links are projected with the true masses, which is right where the nodes of
-// connected rows have one lightness: the least of theirs. Fixed nodes do not move; theirs is 1, for the force
-// on the pin.
+// Rows on several nodes and links are projected with the true masses. That is right where the nodes of
+// connected rows have one scale: the smallest of theirs. Fixed nodes do not move; their scale is 1, for the
+// force on the pin.
 void rows_even(const constraint::Constraints& constraints, State& s) {
   for (bool changed = true; changed;) {
     changed = false;
@@ -49,7 +49,7 @@ void rows_even(const constraint::Constraints& constraints, State& s) {
   for (const constraint::FixedNode& f : constraints.fixed) s.inverse_mass_scale[f.node] = 1;
 }
 
-// Steps until the inertia is scaled anew: what is pulled onto a seam can cross a cell within kScaleEvery.
+// Steps until the next update of the inertia: a particle pulled onto a seam can cross a cell in kScaleEvery.
 int steps_ahead(const System& system, const State& s, double h) {
   double cell = INFINITY, fastest = 0;
   for (const model::Lattice& l : system.lattices) cell = std::min(cell, l.cell);
@@ -80,7 +80,7 @@ void relaxation_scale_masses(const System& system, const constraint::Constraints
                              double h) {
   const int steps = steps_ahead(system, s, h);
   const Array before = std::move(s.inverse_mass_scale);
-  s.inverse_mass_scale.assign(system.nodes, 0.0);  // holds m'/rho at first
+  s.inverse_mass_scale.assign(system.nodes, 0.0);  // at first m'/rho
   const double drag = step_limit_drag(system, s);
   const SeamsBound seams = step_limit_seams(system, s);
   double largest = 0;
@@ -108,11 +108,10 @@ void relaxation_scale_masses(const System& system, const constraint::Constraints
 
 namespace {
 
-// omega of the motion since the last time, 1/s: u.[f(r) - f(r + u)]/(u.M' u); 0 where nothing moved or the
-// motion met no stiffness.
+// omega (1/s) of the motion since the last measure: sqrt(u.[f(r) - f(r + u)]/(u.M' u)); 0 where nothing moved
+// or no stiffness resisted.
 double omega_moved(const System& system, Motion& motion, State& s) {
-  kernel_forces(*motion.kernel, system, s, motion.workspace, motion.now_x.data(), motion.now_y.data(),
-                motion.now_z.data());
+  kernel_forces(*motion.kernel, system, s, motion.workspace, motion_field(motion));
   const Array* r[] = {&s.x, &s.y, &s.z};
   const Array* f[] = {&motion.now_x, &motion.now_y, &motion.now_z};
   double stiff = 0, moved = 0;
@@ -145,22 +144,16 @@ void relaxation_update(const System& system, Motion& motion, State& s, double h)
   s.relaxation.measure_every = kept ? std::min(2 * s.relaxation.measure_every, kMeasureEvery) : kMeasureFirst;
 }
 
-// The forces left on particles and those of the pins (N), summed by size.
+// The residual forces on particles and the forces of pins (N), summed by size.
 namespace {
 struct Left {
   double sum = 0, pins = 0;
 };
 Left forces_left(const System& system, Motion& motion, const State& s) {
-  kernel_forces(*motion.kernel, system, s, motion.workspace, motion.now_x.data(), motion.now_y.data(),
-                motion.now_z.data());
-  Array* a[] = {&motion.now_x, &motion.now_y, &motion.now_z};
-  const Vec3 g = gravity_of(system, s);
-  for (std::size_t n : system.particle)
-    for (std::size_t k = 0; k < 3; ++k) (*a[k])[n] = (*a[k])[n] * system.inverse_mass[n] + g[k];
+  free_accelerations(system, motion, s);
   std::vector<math::Wrench> load(s.pin_impulse.size());
   held_refresh(motion.constraints, s, motion.held);
-  project_synchronous(system, motion, s, Rate::kAcceleration, 0, 1,
-                      {motion.now_x.data(), motion.now_y.data(), motion.now_z.data()}, &load);
+  project_synchronous(system, motion, s, {.pass = model::Pass::kAcceleration}, motion_field(motion), &load);
   Left left;
   for (const math::Wrench& l : load) left.pins += norm(l.force);
   for (std::size_t n : system.particle)
@@ -168,7 +161,7 @@ Left forces_left(const System& system, Motion& motion, const State& s) {
   return left;
 }
 
-// What the forces on particles owe to the rounding of coordinates, N, summed by size.
+// The part of the forces on particles that comes from the rounding of coordinates, N, summed by size.
 double rounding(const System& system, const State& s) {
   double far = 0, inertia = 0;
   for (std::size_t n : system.particle) {

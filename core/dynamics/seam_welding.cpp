@@ -61,12 +61,12 @@ void seams_weld(const System& system, Motion& motion, State& s, const std::vecto
   double moved = 0;
   for (const model::Seam& seam : system.seams.seam) moved = std::max(moved, seam.gap_tolerance);
   leapfrog_complete(system, motion, s);
-  const double lost = contact::edge_record_sides(system, s, moved);
+  const double lost = contact::edge_record_sides(system, motion.contact.edge_scratch, s, moved);
   if (system.energy) s.dissipated += lost;
   for (std::size_t p : pairs) s.sewn[p] = model::Sewn::kWelded;
   seams_restore(system, motion, s);
   held_refresh(motion.constraints, s, motion.held);
-  held_rates(motion.constraints, s, Rate::kVelocity, motion.held);
+  held_rates(motion.constraints, s, model::Pass::kSynchronous, motion.held);
   constraints_place(system, motion.constraints, motion.held, {s.x.data(), s.y.data(), s.z.data()});
   constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
                       &s.pin_impulse);
@@ -89,7 +89,7 @@ void seams_restore(const System& system, Motion& motion, const State& s) {
     motion.welded[p] = is_welded(s, p);
     if (is_welded(s, p)) rows.push_back(weld_row(system.seams.pair[p].gap));
   }
-  std::vector<Problem> none;  // the pins have been judged when the system was made
+  std::vector<Problem> none;  // the pins were checked when the system was made
   motion.constraints =
       constraint::constraints_make(rows, system.inverse_mass, system.constraints.pins, none, system.links);
   motion.held = held_make(motion.constraints);

@@ -6,7 +6,8 @@
 namespace drape::fabric {
 namespace {
 
-// Where a trellis' threads meet: 1 + L = sqrt(2), less a margin that keeps l2 away from 0.
+// The locking strain of a trellis, where its yarns touch: 1 + L = sqrt(2), less a margin that keeps l2 above
+// 0.
 const double kLocked = std::sqrt(2.0) - 1 - 1e-6;
 
 std::vector<double> below_locking(std::vector<double> e) {
@@ -14,7 +15,7 @@ std::vector<double> below_locking(std::vector<double> e) {
   return e;
 }
 
-// Elongations of a law's points, the diagram's but for what a calibration has stored.
+// Elongations of the law's points: those of the diagram times the corrections that a calibration has stored.
 std::vector<double> law_elongations(const scene::DiagramSpec& diagram) {
   std::vector<double> e(diagram.elongation);
   for (std::size_t i = 0; i < diagram.correction_elongation.size(); ++i)
@@ -22,7 +23,7 @@ std::vector<double> law_elongations(const scene::DiagramSpec& diagram) {
   return e;
 }
 
-// Points of a diagram as force per width; the origin included.
+// Forces per width (N/m) at the points of a diagram, including the origin.
 std::vector<double> per_width(const scene::DiagramSpec& diagram, double strip_width, double factor) {
   std::vector<double> f(diagram.force);
   for (std::size_t i = 0; i < f.size(); ++i) {
@@ -32,20 +33,20 @@ std::vector<double> per_width(const scene::DiagramSpec& diagram, double strip_wi
   return f;
 }
 
-// Jaws hold the ends of a 45 degree strip square: its force is K times that of the free trellis, r = gauge /
-// width.
+// The jaw factor K. Jaws keep the ends of a 45 degree strip square, so its force is K times that of the free
+// trellis; r = gauge/width.
 double jaw_factor(double r) { return r * (r - 1.25) / ((r - 1) * (r - 1)); }
 
-// The odd law: both diagonals of a trellis of inextensible threads work, the short one in compression,
+// The odd law. Both diagonals of a trellis of inextensible yarns carry force, the short one in compression:
 //
-//   g(L) + g(|e2|) l1/l2 = P(L),   l1 = 1 + L,   l2 = sqrt(2 - l1^2),   e2 = l2 - 1   at every point L of the
-//   diagram,
+//   g(L) + g(|e2|) l1/l2 = P(L),   l1 = 1 + L,   l2 = sqrt(2 - l1^2),   e2 = l2 - 1
 //
-// solved for the values g at the points; g(.) between them is the curve through them. Near 0 the left side is
-// 2 g, so a half step of the residual converges at once there and by about 1/3 a sweep at 7 % of elongation.
-// A law does not fall: behind a slack toe, where the short diagonal alone would pull more than P, it stays
-// level.
-math::Curve odd_law(std::vector<double> e, const std::vector<double>& p, bool& at_rest) {
+// at every point L of the diagram. The unknowns are the values g at the points; between them g is the curve
+// through them. The fixed-point iteration adds half of the residual. Near 0 the left side is 2 g, so it
+// converges there in one sweep; at 7 % of elongation each sweep reduces the error to about 1/3.
+//
+// A law never decreases. After a slack toe the short diagonal alone would exceed P; there g stays constant.
+math::Curve odd_law(std::vector<double> e, const std::vector<double>& p, bool& converged) {
   e = below_locking(std::move(e));
   const std::size_t n = e.size();
   std::vector<double> g(n), next(n, 0.0);
@@ -53,8 +54,8 @@ math::Curve odd_law(std::vector<double> e, const std::vector<double>& p, bool& a
 
   const math::Continuation odd{.odd = true};
   math::Curve curve = math::curve_make(e, g, odd);
-  at_rest = curve.segments == 0;
-  for (int sweep = 0; sweep < 1000 && !at_rest; ++sweep) {
+  converged = curve.segments == 0;
+  for (int sweep = 0; sweep < 1000 && !converged; ++sweep) {
     double change = 0;
     for (std::size_t i = 1; i < n; ++i) {
       const double l1 = 1 + e[i], l2 = std::sqrt(2 - l1 * l1);
@@ -63,7 +64,7 @@ math::Curve odd_law(std::vector<double> e, const std::vector<double>& p, bool& a
     }
     g = next;
     curve = math::curve_make(e, g, odd);
-    at_rest = change <= 1e-14 * p[n - 1];
+    converged = change <= 1e-14 * p[n - 1];
   }
   return curve;
 }
@@ -74,7 +75,7 @@ math::Curve bias_law(const scene::FabricSpec& fabric, const LawOptions& options,
       options.scaling == scene::Scaling::kPaperArea ? std::sqrt(2.0) * cell / fabric.strip_gauge : 1.0;
   const bool corrected = !fabric.bias.correction.empty();
   const double k =
-      law_takes_jaws_out(fabric, options) ? jaw_factor(fabric.strip_gauge / fabric.strip_width) : 1.0;
+      law_corrects_for_jaws(fabric, options) ? jaw_factor(fabric.strip_gauge / fabric.strip_width) : 1.0;
   const std::vector<double> e = law_elongations(fabric.bias),
                             p = per_width(fabric.bias, fabric.strip_width, scale / k);
   switch (options.bias_model) {
@@ -91,9 +92,9 @@ math::Curve bias_law(const scene::FabricSpec& fabric, const LawOptions& options,
     return {};
   }
   if (corrected) return math::curve_make(below_locking(e), p, {.odd = true});
-  bool at_rest = false;
-  math::Curve curve = odd_law(e, p, at_rest);
-  if (!at_rest)
+  bool converged = false;
+  math::Curve curve = odd_law(e, p, converged);
+  if (!converged)
     problems.push_back(
         {place + ".bias",
          "has no odd law: g(L) + g(|e2|) l1/l2 = P(L) finds no rest in 1000 sweeps; wanted: a diagram whose "
@@ -106,8 +107,8 @@ math::Curve bias_law(const scene::FabricSpec& fabric, const LawOptions& options,
 
 namespace {
 
-// A calibration's corrections hold for the laws that it was made with.
-scene::FabricSpec with_its_corrections(scene::FabricSpec fabric, const LawOptions& options) {
+// Drops the corrections of a calibration unless the options are those that it was made with.
+scene::FabricSpec with_valid_corrections(scene::FabricSpec fabric, const LawOptions& options) {
   if (options.bias_model == scene::BiasModel::kOdd && options.scaling == scene::Scaling::kWidth)
     return fabric;
   for (scene::DiagramSpec* d : {&fabric.warp, &fabric.weft, &fabric.bias})
@@ -117,13 +118,13 @@ scene::FabricSpec with_its_corrections(scene::FabricSpec fabric, const LawOption
 
 }  // namespace
 
-bool law_takes_jaws_out(const scene::FabricSpec& f, const LawOptions& options) {
+bool law_corrects_for_jaws(const scene::FabricSpec& f, const LawOptions& options) {
   return options.clamp_correction && f.bias.jaws && f.bias.correction.empty();
 }
 
 Law law_make(const scene::FabricSpec& stated, const LawOptions& options, double cell,
              const std::string& place, std::vector<Problem>& problems) {
-  const scene::FabricSpec fabric = with_its_corrections(stated, options);
+  const scene::FabricSpec fabric = with_valid_corrections(stated, options);
   const double scale = options.scaling == scene::Scaling::kPaperArea ? cell / fabric.strip_gauge : 1.0;
   const math::Continuation below{.compression = fabric.compression, .blend = fabric.compression_blend};
   const double plate = 1 / (1 - fabric.poisson * fabric.poisson);

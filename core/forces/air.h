@@ -14,7 +14,7 @@
 namespace drape::forces {
 namespace {
 
-// What a corner of a cell feels; `speed` the mean velocity of its corners.
+// The force on one corner of a cell, N. `speed`: mean velocity of the corners, m/s.
 template <class L>
 DRAPE_INLINE simd::Vec<L> air_quarter(const model::Air& air, const Vec3& wind, simd::Vec<L> d1,
                                       simd::Vec<L> d2, simd::Vec<L> speed, L share) {
@@ -29,8 +29,8 @@ DRAPE_INLINE simd::Vec<L> air_quarter(const model::Air& air, const Vec3& wind, s
          ut * (scale * L(air.tangential) * (sqrt(dot(ut, ut)) * size));
 }
 
-// Cells between two rows of nodes: positions r and velocities u of both. Node i is a corner of cells i - 1
-// and i. The row above takes it off what it holds: minus its sums so far.
+// Cells between two rows of nodes, with the positions r and velocities u of both. Node i is a corner of cells
+// i - 1 and i. The accumulator of the row above holds the negative sum, so that row subtracts.
 template <class L>
 DRAPE_INLINE void air_cells(model::Columns reach, const model::Air& air, const Vec3& wind, simd::ConstRow r,
                             simd::ConstRow r_above, simd::ConstRow u, simd::ConstRow u_above,

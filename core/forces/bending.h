@@ -1,19 +1,19 @@
-// Bending: hinges between consecutive edges of a thread [P section 2; core/README.md, section 3].
+// Bending: hinges between consecutive links of a yarn [P section 2; core/README.md, section 3].
 //
 //              o x2        u = (x1 - x0)/|a|,  v = (x2 - x1)/|c|,  y = u.v = cos theta
 //        v    /
 //            / theta       E = kappa theta^2/2,  dE/dy = -kappa psi(y),  psi = theta/sin theta
 //   o-------o
-//   x0  u   x1             force on x2 = kappa psi (u - y v)/|c|,  on x0 = -kappa psi (v - y u)/|a|,  on x1
-//   minus both
+//   x0  u   x1             force on x2 = kappa psi (u - y v)/|c|,  on x0 = -kappa psi (v - y u)/|a|,
+//                          on x1 minus the sum of both
 //
-// The force is normal to each edge and shorter by its present length: no net force, no net torque. The share
-// of a missing hinge is 0.
+// Each force is normal to its link and inversely proportional to the link's present length. So there is no
+// net force and no net torque. A missing hinge has the share 0.
 //
-// psi without trigonometry: psi(y) = acos(y)/sqrt(1 - y^2) is analytic but at y = -1. On y in [1/2, 1], folds
-// of up to 60 degrees, its Chebyshev series in 4y - 3 falls as (7 + sqrt(48))^-n: degree 13 is exact to
-// 6e-17. With h = cos(theta/2) = sqrt((1 + y)/2), psi(y) = psi(h)/h: the same series serves up to 120
-// degrees. Beyond, psi goes on by its second-order Taylor polynomial.
+// psi without trigonometry: psi(y) = acos(y)/sqrt(1 - y^2) is analytic except at y = -1. On y in [1/2, 1],
+// folds of up to 60 degrees, its Chebyshev series in 4y - 3 decreases as (7 + sqrt(48))^-n; degree 13 is
+// exact to 6e-17. With h = cos(theta/2) = sqrt((1 + y)/2), psi(y) = psi(h)/h, so the same series serves up to
+// 120 degrees. Beyond, psi continues as its second-order Taylor polynomial.
 #pragma once
 #include "forces/bending_constants.h"
 #include "simd/vector_lanes.h"
@@ -31,7 +31,7 @@ inline constexpr double kPsiSeries[] = {
 template <class L>
 DRAPE_INLINE L bending_series(L y) {
   const L z = fma(y, L(4.0), L(-3.0));
-  const L z2 = z * z;  // two short chains instead of a long one
+  const L z2 = z * z;  // two short dependency chains instead of a long one
   L even = kPsiSeries[12], odd = kPsiSeries[13];
   for (int k = 10; k >= 0; k -= 2) {
     even = fma(even, z2, L(kPsiSeries[k]));
@@ -63,8 +63,7 @@ struct HingeForces {
 };
 template <class L>
 DRAPE_INLINE HingeForces<L> bending_hinge(simd::Vec<L> u, L inverse_a, simd::Vec<L> v, L inverse_c, L kappa) {
-  const L y =
-      select(gt(kappa, L(0.0)), dot(u, v), L(1.0));  // where there is no hinge nothing is folded
+  const L y = select(gt(kappa, L(0.0)), dot(u, v), L(1.0));  // no hinge: no fold
   const L moment = kappa * bending_psi(y);
   const auto turned = [&](L a, L b) DRAPE_INLINE_LAMBDA { return fms(a, y, b); };
   const simd::Vec<L> first{turned(u.x, v.x), turned(u.y, v.y), turned(u.z, v.z)},
@@ -72,7 +71,7 @@ DRAPE_INLINE HingeForces<L> bending_hinge(simd::Vec<L> u, L inverse_a, simd::Vec
   return {first * (moment * inverse_a), last * (L(0.0) - moment * inverse_c)};
 }
 
-// A link as its hinges see it.
+// A link, for its hinges: unit vector and inverse length.
 template <class L>
 struct HingeLink {
   simd::Vec<L> unit;
@@ -83,14 +82,14 @@ DRAPE_INLINE HingeLink<L> hinge_link(simd::Vec<L> from, simd::Vec<L> to, L inver
   return {(to - from) * inverse, inverse};
 }
 
-// Hinges along a row of weft links, in the order of i. Hinge i + 1 lies between links i and i + 1 and pulls
-// at nodes i, i + 1 and i + 2, so that what it adds to the later two is handed on:
+// Hinges along a row of weft links, in the order of i. Hinge i + 1 lies between links i and i + 1 and acts on
+// nodes i, i + 1 and i + 2. Its forces on the later two are passed on to the next lane:
 //
 //   F_i += f_i - g_(i-1),   g_i = f_i + l_i - l_(i-1);   f, l of hinge i + 1 on its first and last node
 template <class L>
 struct WeftHinges {
-  HingeLink<L> links;         // from node i on
-  simd::Vec<L> last, passed;  // l and g of the lane before
+  HingeLink<L> links;         // links i, i + 1, ...
+  simd::Vec<L> last, passed;  // l and g of the previous lane
 };
 template <class L>
 DRAPE_INLINE simd::Vec<L> bending_weft(const HingeLink<L>& next, L kappa, WeftHinges<L>& w) {

@@ -1,5 +1,5 @@
-// psi(y) = theta/sin theta at the fold of 120 degrees where its continuation begins: core/README.md,
-// section 3.
+// psi(y) = theta/sin theta and its derivatives at a fold of 120 degrees, where its continuation begins:
+// core/README.md, section 3.
 #pragma once
 
 namespace drape::forces {

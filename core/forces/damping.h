@@ -1,11 +1,11 @@
-// Damping along springs (core/README.md, section 3): what a link pulls with, at rest of its length and
-// moving.
+// Damping along links (core/README.md, section 3): the tension of a link from its strain e and strain rate
+// e'.
 //
 //   r0 o---->----o r1      T = w [p(e) + beta p'(e) e'],   e' = (u1 - u0).(r1 - r0)/(l l0)
 //      u0       u1
 //
-// Along the link only: no net force or torque, nothing in rigid motion; it takes w l0 beta p' e'^2 from the
-// cloth.
+// The force acts along the link: no net force, no net torque, and none in rigid motion. It dissipates the
+// power w l0 beta p' e'^2.
 #pragma once
 #include "simd/lane.h"
 

@@ -1,11 +1,11 @@
-// Hinges of seams, eight at a time.
+// A batch of eight hinges of seams.
 #pragma once
 #include "math/aligned_array.h"
 
 namespace drape::forces {
 
-// In: the arms a = x - p_a, c = p_b - x of each, m, and its stiffness, N m. Out: the forces on p_a and p_b,
-// N, in their places.
+// Input: the arms a = x - p_a and c = p_b - x of each hinge, m, and its stiffness, N m. Output: the forces on
+// p_a and p_b, N, which replace a and c.
 struct alignas(math::kLine) HingeBatch {
   double a[3][math::kRowUnit], c[3][math::kRowUnit], stiffness[math::kRowUnit];
 };

@@ -1,4 +1,4 @@
-// The arithmetic of a batch of hinges.
+// The forces of a batch of hinges, lane by lane.
 #pragma once
 #include "forces/bending.h"
 #include "forces/hinge_batch.h"

@@ -1,4 +1,4 @@
-// A clamp's hinge lies between R D, turned by its pin, and the link v = (x1 - x0)/l:
+// A clamp's hinge lies between the direction R D, with the pin's rotation R, and the link v = (x1 - x0)/l:
 //
 //   x0 o------o x1     y = R D.v;   force on x1: kappa_c psi (R D - y v)/l, on x0 its opposite;
 //        v             torque on the pin: kappa_c psi (R D x v), as (x1 - x0) x F = kappa_c psi v x R D
@@ -31,7 +31,7 @@ void links_add(const System& system, const State& s, bool rates, double extrapol
     }
     const NodeVec force = edge.unit * (NodeLane(link.width) * pull);
     force_add(f, std::size_t(link.slot[0]), force);
-    force_take(f, std::size_t(link.slot[1]), force);
+    force_subtract(f, std::size_t(link.slot[1]), force);
   }
 }
 
@@ -43,7 +43,7 @@ void hinges_add(const System& system, const State& s, NodeForces f) {
     const auto ends = bending_hinge(a.unit, a.inverse, c.unit, c.inverse, NodeLane(rigidity * h.share));
     force_add(f, std::size_t(h.slot[0]), ends.first);
     force_add(f, std::size_t(h.slot[2]), ends.last);
-    force_take(f, std::size_t(h.slot[1]), ends.first + ends.last);
+    force_subtract(f, std::size_t(h.slot[1]), ends.first + ends.last);
   }
 }
 
@@ -60,7 +60,7 @@ void clamps_add(const System& system, const State& s, NodeForces f) {
     const NodeVec force = bending_hinge(clamp_turned(c, s), NodeLane(0.0), edge.unit, edge.inverse,
                                         NodeLane(rigidity * c.share))
                               .last;
-    force_take(f, std::size_t(c.slot[0]), force);
+    force_subtract(f, std::size_t(c.slot[0]), force);
     force_add(f, std::size_t(c.slot[1]), force);
   }
 }
@@ -96,11 +96,11 @@ void irregular_forces(const System& system, const State& s, bool rates, double e
 }
 
 void clamp_torques(const System& system, const State& s, std::vector<Vec3>& torque) {
+  torque.assign(s.pin_impulse.size(), Vec3{0, 0, 0});
   for (const model::ClampHinge& c : system.irregular.clamps) {
     const double rigidity = model::law_bending(system.lattices[std::size_t(c.lattice)].law, c.warp);
     const NodeVec held = clamp_turned(c, s), v = node_edge(s, c.node[0], c.node[1]).unit;
-    const NodeVec moment =
-        cross(held, v) * (NodeLane(rigidity * c.share) * bending_psi(dot(held, v)));
+    const NodeVec moment = cross(held, v) * (NodeLane(rigidity * c.share) * bending_psi(dot(held, v)));
     Vec3& sum = torque[std::size_t(c.pin)];
     sum[0] += moment.x.v;
     sum[1] += moment.y.v;

@@ -1,5 +1,4 @@
-// The laws on single nodes: lanes of one double, for the short lists beside the rows and for the energy
-// balance.
+// The laws on single nodes, as lanes of one double: for irregular elements and the energy balance.
 #pragma once
 #include "forces/air.h"
 #include "model/system.h"
@@ -21,7 +20,7 @@ inline void force_add(NodeForces f, std::size_t k, NodeVec force) {
   f.y[k] += force.y.v;
   f.z[k] += force.z.v;
 }
-inline void force_take(NodeForces f, std::size_t k, NodeVec force) {
+inline void force_subtract(NodeForces f, std::size_t k, NodeVec force) {
   f.x[k] -= force.x.v;
   f.y[k] -= force.y.v;
   f.z[k] -= force.z.v;
@@ -29,7 +28,7 @@ inline void force_take(NodeForces f, std::size_t k, NodeVec force) {
 
 inline NodeVec node_at(const State& s, std::size_t n) { return {s.x[n], s.y[n], s.z[n]}; }
 
-// v + lead (v - w)
+// v + extrapolation (v - w), m/s
 inline NodeVec node_speed(const State& s, std::size_t n, double extrapolation) {
   const NodeVec v{s.vx[n], s.vy[n], s.vz[n]}, w{s.wx[n], s.wy[n], s.wz[n]};
   return v + (v - w) * NodeLane(extrapolation);

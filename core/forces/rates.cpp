@@ -20,7 +20,7 @@ void damping_add(const model::Lattice& l, const model::Link& link, const State& 
   const NodeLane slope = CurveTension{&curve}.slope(e);
   const NodeVec force = edge.unit * (NodeLane(link.width * l.law.damping) * (slope * rate));
   force_add(f, link.from, force);
-  force_take(f, link.to, force);
+  force_subtract(f, link.to, force);
 }
 
 }  // namespace

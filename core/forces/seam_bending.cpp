@@ -12,20 +12,20 @@ using namespace math::vector3;
 
 bool is_welded(const State& s, std::size_t pair) { return s.sewn[pair] == model::Sewn::kWelded; }
 
-// The law along the seam: that of the shorter side's threads nearest to it.
+// The law along the seam: that of the shorter side, along its warp or weft, whichever is nearer to the seam.
 const math::Curve& link_curve(const System& system, const model::Seam& seam) {
   const fabric::Law& law = system.lattices[std::size_t(seam.piece[seam.shorter])].law;
   return seam.along_warp ? law.warp : law.weft;
 }
 
 template <class Visit>
-void each_hinge_sewn(const System& system, const State& s, Visit visit) {
+void sewn_hinges_visit(const System& system, const State& s, Visit visit) {
   for (std::size_t p = 0; p < system.seams.hinge.size(); ++p)
     if (is_welded(s, p) && system.seams.hinge[p].stiffness > 0) visit(system.seams.hinge[p]);
 }
 
 template <class Visit>
-void each_link_sewn(const System& system, const State& s, Visit visit) {
+void sewn_links_visit(const System& system, const State& s, Visit visit) {
   for (const model::Seam& seam : system.seams.seam)
     for (std::size_t k = seam.link_first; k < seam.link_first + seam.link_count; ++k) {
       const model::SeamLink& link = system.seams.link[k];
@@ -39,7 +39,7 @@ void batch_set(HingeBatch& b, std::size_t i, const Vec3& a, const Vec3& c, doubl
   b.stiffness[i] = stiffness;
 }
 
-// Bends what is in the batch, and gives the forces: on x they are the others' opposite, and a = x - p_a.
+// Computes the batch and adds its forces. The force on x is minus the sum of the others, as a = x - p_a.
 void batch_bend(HingeBatch& b, const model::SeamHinge* const* of, std::size_t count, HingeKernel hinges,
                 model::SlotForces to) {
   for (std::size_t i = count; i < std::size_t(math::kRowUnit); ++i) batch_set(b, i, {1, 0, 0}, {1, 0, 0}, 0);
@@ -76,7 +76,7 @@ void seams_bending_forces(const System& system, const State& s, HingeKernel hing
   HingeBatch batch;
   const model::SeamHinge* of[math::kRowUnit];
   std::size_t count = 0;
-  each_hinge_sewn(system, s, [&](const model::SeamHinge& hinge) {
+  sewn_hinges_visit(system, s, [&](const model::SeamHinge& hinge) {
     batch_set(batch, count, model::sum_value(hinge.arm[0], s), model::sum_value(hinge.arm[1], s),
               hinge.stiffness);
     of[count++] = &hinge;
@@ -85,7 +85,7 @@ void seams_bending_forces(const System& system, const State& s, HingeKernel hing
     count = 0;
   });
   if (count > 0) batch_bend(batch, of, count, hinges, to);
-  each_link_sewn(system, s, [&](const model::Seam& seam, const model::SeamLink& link, const Vec3& edge) {
+  sewn_links_visit(system, s, [&](const model::Seam& seam, const model::SeamLink& link, const Vec3& edge) {
     const double length = norm(edge);
     if (length == 0) return;
     const double tension = seam_link_tension(system, seam, length / seam.rest - 1);
@@ -95,11 +95,11 @@ void seams_bending_forces(const System& system, const State& s, HingeKernel hing
 
 SeamEnergy seams_energy(const System& system, const State& s) {
   SeamEnergy e;
-  each_hinge_sewn(system, s, [&](const model::SeamHinge& h) {
+  sewn_hinges_visit(system, s, [&](const model::SeamHinge& h) {
     e.bending +=
         h.stiffness * hinge_energy_between(model::sum_value(h.arm[0], s), model::sum_value(h.arm[1], s));
   });
-  each_link_sewn(system, s, [&](const model::Seam& seam, const model::SeamLink&, const Vec3& edge) {
+  sewn_links_visit(system, s, [&](const model::Seam& seam, const model::SeamLink&, const Vec3& edge) {
     const double strain = norm(edge) / seam.rest - 1;
     e.stretch += seam.rest * (seam.link_width * math::curve_energy(link_curve(system, seam), strain) +
                               seam.tape * strain * strain / 2);

@@ -1,15 +1,13 @@
-// What acts in a seam that is sewn. core/README.md, section 6.
+// Forces in a seam that is sewn. core/README.md, section 6.
 //
-//          p_a        x        p_b       across it the cloth bends on: a hinge over points one cell inside
-//          each
-//      - - -o---------o---------o- - -   piece and the middle x of the pair, half of either arm in series
-//               a     :    c
-//                     o x'               along it a link to the next pair, where one side is gathered or a
-//                                        tape is sewn in
+//          p_a        x        p_b       Across the seam the cloth keeps its bending rigidity. A hinge
+//      - - -o---------o---------o- - -   joins points one cell inside each piece and the middle x of the
+//               a     :    c             pair, with half of either arm in series. Along the seam, a link
+//                     o x'               leads to the next pair, where a side is gathered or taped.
 //
-//   kappa = 2 width/(b_a/B_a + b_b/B_b),   B_k = B_warp cos^4 + B_weft sin^4 of the angle of arm and warp
+//   kappa = 2 width/(b_a/B_a + b_b/B_b),   B_k = B_warp cos^4 + B_weft sin^4, angle between arm and warp
 //
-//   T = w p(l/R - 1) + tape (l/R - 1)       of a link
+//   T = w p(l/R - 1) + tape (l/R - 1)       tension of a link
 #pragma once
 #include "drape/drape.h"
 #include "forces/irregular_elements.h"
@@ -17,10 +15,10 @@
 
 namespace drape::forces {
 
-// N m: of a hinge, to be kept with it; 0 where a side does not bend.
+// The stiffness kappa of a hinge, N m, which SeamHinge stores; 0 where a side has no bending rigidity.
 double seam_hinge_stiffness(const System& system, const model::Seam& seam, const model::SeamHinge& hinge);
 
-// Tension of a link, N, and its slope per strain at zero.
+// The tension of a link, N, and its slope at strain zero, N per strain.
 double seam_link_tension(const System& system, const model::Seam& seam, double strain);
 double seam_link_slope(const System& system, const model::Seam& seam);
 

@@ -25,8 +25,8 @@ Vec3 seam_closing_force(const System& system, const model::Seam& seam, std::size
   const double w = seam.pull, length = norm(gap);
   if (length == 0 || w == 0) return {0, 0, 0};
   const Vec3 rate = now + extrapolation * (now - Vec3{before[0], before[1], before[2]});
-  const double held = s.closing_integral[p] * length / std::hypot(length, seam.gap_tolerance);
-  const double spring = w * w * (std::min(length, 2 * seam.speed / w) + held),
+  const double integral = s.closing_integral[p] * length / std::hypot(length, seam.gap_tolerance);
+  const double spring = w * w * (std::min(length, 2 * seam.speed / w) + integral),
                damping = 2 * w * dot(rate, gap) / length;
   return (-seam_mass(system, pair) * (spring + damping) / length) * gap;
 }

@@ -1,4 +1,4 @@
-// Stretch: links along the threads [P section 2, scaled by width; core/README.md, section 3].
+// Stretch: links along the yarns [P section 2, scaled by width; core/README.md, section 3].
 //
 //      c o            l = |r1 - r0|,  e = l/b - 1
 //        |
@@ -9,14 +9,14 @@
 namespace drape::forces {
 namespace {
 
-// A coordinate of the links that node a begins: along the weft to b, along the warp to c.
+// One coordinate of the links that begin at node a: along the weft to b, along the warp to c.
 template <class L>
 DRAPE_INLINE void stretch_edges(L a, L b, L c, L* weft_warp) {
   weft_warp[0] = b - a;
   weft_warp[1] = c - a;
 }
 
-// A link is half a cell wide for each whole cell beside it.
+// Each whole cell next to a link adds half a cell to its width.
 DRAPE_INLINE double stretch_width(double cell) { return cell / 2; }
 
 }  // namespace

@@ -1,7 +1,7 @@
-// A curve read in lanes: the force per width (and its slope) at a strain. core/README.md, section 2.
+// Evaluates a curve in lanes: force per width, N/m, and its slope, at a strain. core/README.md, section 2.
 //
-// A straight diagram is one product. Any other is a table: first the segment that a strain lies in, then its
-// polynomial.
+// A straight diagram is one product. Any other curve is a table: first find the segment that contains the
+// strain, then evaluate its polynomial.
 #pragma once
 #include "math/monotone_curve.h"
 #include "simd/lane.h"
@@ -22,7 +22,7 @@ struct LineTension {
   }
 };
 
-// Where the strains of a lane lie: their bins, then their segments.
+// The bins that contain the strains of a lane; then the segment within a bin.
 template <class L>
 DRAPE_INLINE void bins_store(const math::Curve& curve, L x, int* bins) {
   const L bin = fma(x, L(curve.bin_scale), L(curve.bin_shift));
@@ -35,13 +35,13 @@ DRAPE_INLINE const double* segment_find(const math::Curve& curve, int bin, doubl
   return &segment->origin;
 }
 
-// The segments that the strains of a lane lie in.
+// The segments that contain the strains of a lane: origin and coefficients.
 template <class L>
 struct Segments {
   L origin, c0, c1, c3, c4, c5;
 };
 
-// |e| of an odd curve, e of another; sign: the bits that are taken off.
+// The argument of a curve: |e| for an odd curve, e for any other. sign: the sign bit that was removed.
 template <class L>
 struct Read {
   L x, sign;
@@ -71,7 +71,7 @@ DRAPE_INLINE Segments<L> segments_load(const double* const* rows) {
   return s;
 }
 
-// Any curve, from memory.
+// Any curve, its segments loaded from memory.
 template <class L>
 DRAPE_INLINE Segments<L> segments_search(const math::Curve& curve, L x) {
   alignas(64) int bins[L::kWidth];
@@ -83,7 +83,7 @@ DRAPE_INLINE Segments<L> segments_search(const math::Curve& curve, L x) {
   return segments_load<L>(rows);
 }
 
-// From registers, where no strain is beyond the start of the curve.
+// Segments picked from registers. No strain may lie beyond the start of the curve.
 template <class L, int kSize>
 DRAPE_INLINE Segments<L> segments_pick(const math::CurveStart<kSize>& start, L x) {
   const auto bin = L::places(fma(max(x, L(start.low)), L(start.scale), L(start.shift)));
@@ -108,7 +108,7 @@ DRAPE_INLINE Segments<L> segments_of(const math::Curve& curve, L x) {
   }
 }
 
-// Any curve. One that is off reads as 0 from its first, empty segment.
+// Any curve. A direction without a law evaluates to 0, from its first, empty segment.
 struct CurveTension {
   static constexpr bool kTable = true;
   const math::Curve* curve;

@@ -5,25 +5,26 @@
 namespace drape::laboratory {
 namespace {
 
-constexpr std::size_t kKept = 8;       // changes
-constexpr double kIndependent = 1e-4;  // of the largest change: what less is left of tells nothing new
+constexpr std::size_t kMaxChanges = 8;  // stored changes
+constexpr double kIndependent =
+    1e-4;  // relative to the largest change: smaller pivots are dropped as dependent
 
 }  // namespace
 
-Eigen::VectorXd anderson_next(Anderson& m, const Eigen::VectorXd& x, const Eigen::VectorXd& left) {
+Eigen::VectorXd anderson_next(Anderson& m, const Eigen::VectorXd& x, const Eigen::VectorXd& residual) {
   m.x.push_back(x);
-  m.left.push_back(left);
-  if (m.x.size() > kKept + 1) m.x.erase(m.x.begin()), m.left.erase(m.left.begin());
+  m.residual.push_back(residual);
+  if (m.x.size() > kMaxChanges + 1) m.x.erase(m.x.begin()), m.residual.erase(m.residual.begin());
   const std::size_t changes = m.x.size() - 1;
-  if (changes == 0) return x + left;
-  Eigen::MatrixXd by_x(x.size(), Eigen::Index(changes)), by_left(x.size(), Eigen::Index(changes));
+  if (changes == 0) return x + residual;
+  Eigen::MatrixXd by_x(x.size(), Eigen::Index(changes)), by_residual(x.size(), Eigen::Index(changes));
   for (std::size_t k = 0; k < changes; ++k) {
     by_x.col(Eigen::Index(k)) = m.x[k + 1] - m.x[k];
-    by_left.col(Eigen::Index(k)) = m.left[k + 1] - m.left[k];
+    by_residual.col(Eigen::Index(k)) = m.residual[k + 1] - m.residual[k];
   }
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(by_left);
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(by_residual);
   qr.setThreshold(kIndependent);
-  return x + left - (by_x + by_left) * qr.solve(left);
+  return x + residual - (by_x + by_residual) * qr.solve(residual);
 }
 
 }  // namespace drape::laboratory

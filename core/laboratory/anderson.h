@@ -1,8 +1,9 @@
-// Anderson's mixing (1965) for x = x + f(x): with the changes X and R of x and f over the last sweeps,
+// Anderson mixing (Anderson 1965) for the fixed point x = x + f(x). X and R are the changes of x and f over
+// the last sweeps:
 //
-//     x <- x + f - (X + R) c,      c the least squares of |f - R c|,
+//     x <- x + f - (X + R) c,      c minimises |f - R c| (least squares)
 //
-// the plain sweep x <- x + f without what the ones before foretell.
+// This is the plain sweep x <- x + f without the part that the previous sweeps predict.
 #pragma once
 #include <Eigen/Core>
 #include <vector>
@@ -10,10 +11,10 @@
 namespace drape::laboratory {
 
 struct Anderson {
-  std::vector<Eigen::VectorXd> x, left;  // [sweeps kept]
+  std::vector<Eigen::VectorXd> x, residual;  // [stored sweeps] x and f
 };
 
-// The next x; keeps the present one, and f in `left`.
-Eigen::VectorXd anderson_next(Anderson& mixing, const Eigen::VectorXd& x, const Eigen::VectorXd& left);
+// Returns the next x, and stores the present x and residual f(x) in `mixing`.
+Eigen::VectorXd anderson_next(Anderson& mixing, const Eigen::VectorXd& x, const Eigen::VectorXd& residual);
 
 }  // namespace drape::laboratory

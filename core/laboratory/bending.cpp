@@ -14,17 +14,17 @@ namespace {
 
 constexpr int kShapePoints = 512;
 constexpr int kSecants = 12;
-constexpr double kConverged = 1e-7;  // of the overhang
-constexpr double kLimpest = 1e5;     // beta of a wing; limper cloth hangs straight down
+constexpr double kConverged = 1e-7;  // relative change of the overhang
+constexpr double kMaxBeta = 1e5;     // largest beta of a wing; softer cloth hangs straight down
 
 double weight_of(const scene::FabricSpec& f) { return f.areal_density * standards::kStandardGravity; }  // Pa
 
-// B as the law has it.
+// B of the fabric's law, N m.
 double rigidity_of(const scene::FabricSpec& f, bool warp) {
   return (warp ? f.bending_warp : f.bending_weft) / (1 - f.poisson * f.poisson);
 }
 
-// A strip of cloth in the level plane whose threads of one kind run along y.
+// A horizontal strip whose warp or weft runs along y.
 Scene bending_scene(const scene::FabricSpec& fabric, bool warp, double cell, double width, double length) {
   Scene scene;
   scene.name = "bending";
@@ -45,14 +45,14 @@ Scene bending_scene(const scene::FabricSpec& fabric, bool warp, double cell, dou
   return scene;
 }
 
-// The rest of a strip that is level from y = low to y = high and hangs on either side, each side first laid
-// along the elastica of its length.
-struct Hung {
+// The equilibrium of a strip that is horizontal from y = low to y = high and hangs on either side. As first
+// guess, each side follows the elastica of its length.
+struct HangingStrip {
   bool found = false;
   std::vector<Vec3> probe;
 };
-Hung hang(const Scene& scene, double low, double high, double wing, double beta,
-          std::vector<Problem>& problems) {
+HangingStrip hanging_strip(const Scene& scene, double low, double high, double wing, double beta,
+                           std::vector<Problem>& problems) {
   State s;
   System system = assembly::system_assemble(scene, s, problems);
   if (!problems.empty()) return {};
@@ -71,7 +71,7 @@ Hung hang(const Scene& scene, double low, double high, double wing, double beta,
     s.z[n] -= between(1);
   }
   const EquilibriumSearchHandle search = equilibrium_search_make(system, false);
-  Hung hung;
+  HangingStrip hung;
   hung.found = equilibrium_find(*search, system, motion, s).found;
   for (const model::Probe& p : system.probes) {
     Vec3 r{0, 0, 0};
@@ -83,11 +83,12 @@ Hung hang(const Scene& scene, double low, double high, double wing, double beta,
   return hung;
 }
 
-// The angle (rad) below the level at which an overhang of this length ends.
+// The angle, rad, below the horizontal of the line from the edge to the end of an overhang of this length.
 double overhang_angle(const scene::FabricSpec& fabric, bool warp, double cell, double length, bool& found,
                       std::vector<Problem>& problems) {
   const double beta = weight_of(fabric) * length * length * length / rigidity_of(fabric, warp);
-  const Hung hung = hang(overhang_scene(fabric, warp, cell, length), 0, 0, length, beta, problems);
+  const HangingStrip hung =
+      hanging_strip(overhang_scene(fabric, warp, cell, length), 0, 0, length, beta, problems);
   found = hung.found;
   return found ? std::atan2(-hung.probe[0][2], hung.probe[0][1]) : 0;
 }
@@ -106,7 +107,7 @@ Scene pt2_scene(const scene::FabricSpec& fabric, bool warp, double cell) {
 }
 
 Scene overhang_scene(const scene::FabricSpec& fabric, bool warp, double cell, double length) {
-  const double width = std::min(kOverhangWidth, length);  // a narrow strip tells a short overhang as well
+  const double width = std::min(kOverhangWidth, length);  // a narrow strip serves a short overhang as well
   Scene scene = bending_scene(fabric, warp, cell, width, length);
   scene.name = "overhang";
   scene.pins[0].name = "edge";
@@ -119,9 +120,10 @@ BendingTest pt2_test(const scene::FabricSpec& fabric, bool warp, double cell,
                      std::vector<Problem>& problems) {
   BendingTest test;
   const double load = weight_of(fabric) * kWing * kWing * kWing, beta = load / rigidity_of(fabric, warp);
-  if (beta > kLimpest) return test;
+  if (beta > kMaxBeta) return test;
   test.expected = kWing * standards::cantilever_of_load(beta).drop;
-  const Hung hung = hang(pt2_scene(fabric, warp, cell), kWing, kWing + kSupport, kWing, beta, problems);
+  const HangingStrip hung =
+      hanging_strip(pt2_scene(fabric, warp, cell), kWing, kWing + kSupport, kWing, beta, problems);
   test.found = hung.found;
   if (!test.found) return test;
   test.reading = -(hung.probe[0][2] + hung.probe[1][2]) / 2;

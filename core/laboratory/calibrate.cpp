@@ -10,10 +10,10 @@
 namespace drape::laboratory {
 namespace {
 
-constexpr int kPlacingSweeps = 3;  // that move the points of the bias law
-constexpr double kMin = 1e-3;      // of a correction; the range of its key
-constexpr model::YarnDirection kThreads[] = {model::YarnDirection::kWarp, model::YarnDirection::kWeft,
-                                             model::YarnDirection::kBias};
+constexpr int kPlacingSweeps = 3;        // sweeps that move the points of the bias law
+constexpr double kMinCorrection = 1e-3;  // smallest correction, as in the range of its key
+constexpr model::YarnDirection kYarnDirections[] = {model::YarnDirection::kWarp, model::YarnDirection::kWeft,
+                                                    model::YarnDirection::kBias};
 
 scene::DiagramSpec& diagram_of(scene::FabricSpec& f, model::YarnDirection along) {
   return along == model::YarnDirection::kWarp   ? f.warp
@@ -31,10 +31,11 @@ std::string percent(double fraction) {
   return text;
 }
 
-// The first corrections: none of warp and weft; of bias, the law that stands without a stored one.
+// The initial corrections: 1 for warp and weft; for bias, those that give the law of a fabric without
+// corrections.
 void corrections_begin(scene::FabricSpec& f, std::vector<Problem>& problems) {
   const fabric::Law law = fabric::law_make(f, {}, 1, "fabric." + f.name, problems);
-  for (model::YarnDirection along : kThreads) {
+  for (model::YarnDirection along : kYarnDirections) {
     scene::DiagramSpec& d = diagram_of(f, along);
     d.correction.assign(d.force.size(), 1.0);
     if (along != model::YarnDirection::kBias) continue;
@@ -45,7 +46,7 @@ void corrections_begin(scene::FabricSpec& f, std::vector<Problem>& problems) {
   }
 }
 
-// What no strip reached goes on as the last point did; so does the origin with the first.
+// Points beyond the last reached one take its correction. The origin takes that of the first point.
 void corrections_end(std::vector<double>& q, std::size_t reached) {
   if (q.size() > 1) q[0] = q[1];
   for (std::size_t i = reached + 1; i < q.size(); ++i) q[i] = q[reached];
@@ -54,11 +55,11 @@ void corrections_end(std::vector<double>& q, std::size_t reached) {
 void warp_correct(scene::DiagramSpec& d, const StripPull& pull) {
   for (std::size_t k = 0; k < pull.force.size(); ++k)
     if (const double f = d.force[k + 1]; f > 0)
-      d.correction[k + 1] = std::max(kMin, d.correction[k + 1] + (f - pull.force[k]) / f);
+      d.correction[k + 1] = std::max(kMinCorrection, d.correction[k + 1] + (f - pull.force[k]) / f);
   corrections_end(d.correction, pull.force.size());
 }
 
-// Puts the points of the law at the strains where their strips lead.
+// Moves the points of the law to the leading strains of their strips.
 void bias_place(const scene::FabricSpec& f, scene::DiagramSpec& d, const StripPull& pull) {
   std::vector<Problem> none;
   const math::Curve law = fabric::law_make(f, {}, 1, "", none).bias;
@@ -72,16 +73,17 @@ void bias_place(const scene::FabricSpec& f, scene::DiagramSpec& d, const StripPu
 
 void bias_correct(Anderson& mixing, scene::DiagramSpec& d, const StripPull& pull) {
   const auto points = Eigen::Index(pull.force.size());
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(points), left = x;
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(points), residual = x;
   for (Eigen::Index k = 0; k < points; ++k) {
     const auto i = std::size_t(k);
     if (!(d.force[i + 1] > 0)) continue;
     x[k] = std::log(d.correction[i + 1]);
-    left[k] = std::log(d.force[i + 1] / pull.force[i]);
+    residual[k] = std::log(d.force[i + 1] / pull.force[i]);
   }
-  const Eigen::VectorXd next = anderson_next(mixing, x, left);
+  const Eigen::VectorXd next = anderson_next(mixing, x, residual);
   for (Eigen::Index k = 0; k < points; ++k)
-    if (d.force[std::size_t(k) + 1] > 0) d.correction[std::size_t(k) + 1] = std::max(kMin, std::exp(next[k]));
+    if (d.force[std::size_t(k) + 1] > 0)
+      d.correction[std::size_t(k) + 1] = std::max(kMinCorrection, std::exp(next[k]));
   corrections_end(d.correction, pull.force.size());
 }
 
@@ -92,13 +94,13 @@ double max_difference(const scene::DiagramSpec& d, const StripPull& pull) {
   return largest;
 }
 
-// Empty, or why a law of these corrections is none.
+// Empty, or the reason why these corrections give no valid law.
 std::string law_problem(const scene::FabricSpec& f) {
-  for (model::YarnDirection along : kThreads) {
+  for (model::YarnDirection along : kYarnDirections) {
     const scene::DiagramSpec& d = strip_diagram(f, along);
     for (std::size_t i = 1; i < d.force.size(); ++i) {
       const std::string at = std::string(yarn_direction_name(along)) + " at " + percent(d.elongation[i]);
-      if (d.correction[i] <= kMin)
+      if (d.correction[i] <= kMinCorrection)
         return "the " + at + " pulls no harder than the rest of the cloth in its strip";
       if (d.force[i] * d.correction[i] < d.force[i - 1] * d.correction[i - 1])
         return "the law of the " + at + " would fall; smooth its diagram";
@@ -107,12 +109,13 @@ std::string law_problem(const scene::FabricSpec& f) {
   return "";
 }
 
-// One sweep: pulls all strips of `f`, and corrects it. False, with the reason, where a strip found no rest.
+// One sweep: pulls all strips of `f` and corrects it. False, with the reason, where a strip has no
+// equilibrium.
 bool sweep(scene::FabricSpec& f, bool placing, Anderson& mixing, Calibration& c,
            std::vector<Problem>& problems) {
   scene::FabricSpec next = f;
   double residual = 0;
-  for (model::YarnDirection along : kThreads) {
+  for (model::YarnDirection along : kYarnDirections) {
     const scene::DiagramSpec& d = strip_diagram(f, along);
     if (!switched_on(d)) continue;
     const std::vector<double> elongation = strip_elongations(f, along, d.elongation.back());

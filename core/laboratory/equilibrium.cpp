@@ -12,11 +12,11 @@
 namespace drape::laboratory {
 
 struct EquilibriumSearch {
-  std::vector<math::SparseRow> rows;  // [held] fixed nodes, then rows, as in HeldMotion
+  std::vector<math::SparseRow> rows;  // [held] fixed nodes, then rows, in the order of HeldMotion
   NullSpaceBasis basis;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor;
   bool ordered = false;
-  double way = 0;  // m, the largest of a coordinate in the last step
+  double last_step = 0;  // m, largest displacement of a coordinate in the last step
 };
 
 void EquilibriumSearchCloser::operator()(EquilibriumSearch* search) const { delete search; }
@@ -28,16 +28,16 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr int kMaxSteps = 300;
-constexpr double kResidualRest = 1e-7;  // of the load
-constexpr double kMinLoad = 1e-2;       // N, of slack cloth, which carries nothing
-constexpr double kFarthest = 4;         // cells, the longest way of a particle in one step
-constexpr double kArmijo = 1e-4;        // of the promised fall
+constexpr double kResidualRest = 1e-7;  // relative to the load
+constexpr double kMinLoad = 1e-2;       // N, for slack cloth, which carries no load
+constexpr double kMaxTravel = 4;        // cells, largest displacement in one step
+constexpr double kArmijo = 1e-4;        // relative to the predicted decrease of energy
 constexpr int kMaxCuts = 20;
-constexpr double kRounding = 1e-13;  // of an energy
+constexpr double kRounding = 1e-13;  // relative to the energy
 constexpr double kShifts[] = {0, 1e-6, 1e-4, 1e-2};
 
-// Puts the nodes that follow where their rows want them.
-void held_place(const EquilibriumSearch& search, const dynamics::HeldMotion& held, State& s) {
+// Moves the following nodes so that all rows are satisfied.
+void rows_satisfy(const EquilibriumSearch& search, const dynamics::HeldMotion& held, State& s) {
   Array* const axes[] = {&s.x, &s.y, &s.z};
   for (std::size_t k = 0; k < 3; ++k) {
     Array& r = *axes[k];
@@ -57,8 +57,7 @@ void held_place(const EquilibriumSearch& search, const dynamics::HeldMotion& hel
 
 // F + m g, in motion.now_x, now_y, now_z.
 void forces_collect(const System& system, dynamics::Motion& motion, const State& s) {
-  dynamics::kernel_forces(*motion.kernel, system, s, motion.workspace, motion.now_x.data(),
-                          motion.now_y.data(), motion.now_z.data());
+  dynamics::kernel_forces(*motion.kernel, system, s, motion.workspace, dynamics::motion_field(motion));
   Array* f[] = {&motion.now_x, &motion.now_y, &motion.now_z};
   for (std::size_t n : system.particle)
     for (std::size_t k = 0; k < 3; ++k) (*f[k])[n] += system.mass[n] * system.gravity[k];
@@ -73,7 +72,7 @@ VectorXd forces_of(const EquilibriumSearch& search, const System& system, const 
   return b;
 }
 
-// [held] N, what each row carries: A1^T q = f_1.
+// [held] N, the force on each row: A1^T q = f_1.
 std::vector<Vec3> row_forces(const EquilibriumSearch& search, const dynamics::Motion& motion) {
   const Array* f[] = {&motion.now_x, &motion.now_y, &motion.now_z};
   std::vector<Vec3> q(search.rows.size(), Vec3{0, 0, 0});
@@ -102,15 +101,15 @@ std::vector<Vec3> pin_forces(const EquilibriumSearch& search, const System& syst
   return force;
 }
 
-// What is left of the forces, over the load; true where that is rest, or all that rounding of the coordinates
-// allows: the last step was below it.
+// Sets the residual. True where it is small enough, or where the last step was below the rounding of the
+// coordinates.
 bool equilibrium_check(const EquilibriumSearch& search, const System& system, dynamics::Motion& motion,
                        const State& s, Equilibrium& found) {
   forces_collect(system, motion, s);
-  const VectorXd left = search.basis.z.transpose() * forces_of(search, system, motion);
+  const VectorXd unbalanced = search.basis.z.transpose() * forces_of(search, system, motion);
   double sum = 0, weight = 0, pulled = 0, far = 0;
   const int dimension = search.basis.all.dimension;
-  for (Index k = 0; k < left.size(); k += dimension) sum += left.segment(k, dimension).norm();
+  for (Index k = 0; k < unbalanced.size(); k += dimension) sum += unbalanced.segment(k, dimension).norm();
   for (std::size_t n : system.particle) {
     far = std::max({far, std::abs(s.x[n]), std::abs(s.y[n]), std::abs(s.z[n])});
     weight += system.mass[n] * norm(system.gravity);
@@ -118,11 +117,12 @@ bool equilibrium_check(const EquilibriumSearch& search, const System& system, dy
   found.force = pin_forces(search, system, motion);
   for (const Vec3& f : found.force) pulled += norm(f);
   found.residual = sum / std::max({weight, pulled, kMinLoad});
-  const bool rounded = search.way <= std::numeric_limits<double>::epsilon() * far;
+  const bool rounded = search.last_step <= std::numeric_limits<double>::epsilon() * far;
   return found.residual <= kResidualRest || rounded;
 }
 
-// Z^T (K + shift 1) Z, factorised; the shift over the largest entry of K. False where it is not positive.
+// Factorises Z^T (K + shift 1) Z, with the shift relative to the largest entry of K. False where the matrix
+// is not positive definite.
 bool factor_update(EquilibriumSearch& search, const System& system, const State& s, Stiffness which,
                    double shift) {
   Triplets triplets;
@@ -140,47 +140,48 @@ bool factor_update(EquilibriumSearch& search, const System& system, const State&
   return search.factor.info() == Eigen::Success && search.factor.vectorD().minCoeff() > 0;
 }
 
-void state_move(const EquilibriumSearch& search, const System& system, const VectorXd& way, double share,
-                State& s) {
+void state_move(const EquilibriumSearch& search, const System& system, const VectorXd& direction,
+                double share, State& s) {
   Array* const axes[] = {&s.x, &s.y, &s.z};
   const Unknowns& all = search.basis.all;
   for (std::size_t n : system.particle)
-    for (int k = 0; k < all.dimension; ++k) (*axes[k])[n] += share * way[all.first[n] + k];
+    for (int k = 0; k < all.dimension; ++k) (*axes[k])[n] += share * direction[all.first[n] + k];
 }
 
-// Along `way`, which promises a fall of the energy by `slope` a whole way; false where none is found.
-bool travel_step(const EquilibriumSearch& search, const System& system, const VectorXd& way, double slope,
-                 State& s) {
+// Line search along `direction`, for which a full step is predicted to lower the energy by `slope`, J. False
+// where no step lowers it.
+bool line_search(const EquilibriumSearch& search, const System& system, const VectorXd& direction,
+                 double slope, State& s) {
   double cell = system.lattices[0].cell;
   for (const model::Lattice& l : system.lattices) cell = std::min(cell, l.cell);
-  double share = std::min(1.0, kFarthest * cell / way.lpNorm<Eigen::Infinity>());
+  double share = std::min(1.0, kMaxTravel * cell / direction.lpNorm<Eigen::Infinity>());
   const auto energy = [&] { return outputs::energy_sum(outputs::energy_potential(system, s)); };
   const double before = energy();
   const double rounding = kRounding * std::abs(before);
-  state_move(search, system, way, share, s);
+  state_move(search, system, direction, share, s);
   for (int cut = 0; cut < kMaxCuts; ++cut, share /= 2) {
     if (energy() <= before - kArmijo * share * slope + rounding) return true;
-    state_move(search, system, way, -share / 2, s);
+    state_move(search, system, direction, -share / 2, s);
   }
   return false;
 }
 
-// The tangent, or the nearest to it that is positive.
+// Factorises the tangent, or the first of its modifications that is positive definite.
 bool positive_factor(EquilibriumSearch& search, const System& system, const State& s) {
   if (factor_update(search, system, s, Stiffness::kTangent, 0)) return true;
   for (double shift : kShifts)
-    if (factor_update(search, system, s, Stiffness::kBlunt, shift)) return true;
+    if (factor_update(search, system, s, Stiffness::kNonNegative, shift)) return true;
   return false;
 }
 
-// One step; false where there is none.
+// One Newton step. False where none lowers the energy.
 bool step_apply(EquilibriumSearch& search, const System& system, dynamics::Motion& motion, State& s) {
   if (!positive_factor(search, system, s)) return false;
   const VectorXd b = search.basis.z.transpose() * forces_of(search, system, motion);
-  const VectorXd free = search.factor.solve(b), way = search.basis.z * free;
-  search.way = way.lpNorm<Eigen::Infinity>();
-  if (!travel_step(search, system, way, b.dot(free), s)) return false;
-  held_place(search, motion.held, s);
+  const VectorXd free = search.factor.solve(b), direction = search.basis.z * free;
+  search.last_step = direction.lpNorm<Eigen::Infinity>();
+  if (!line_search(search, system, direction, b.dot(free), s)) return false;
+  rows_satisfy(search, motion.held, s);
   return true;
 }
 
@@ -198,8 +199,8 @@ Equilibrium equilibrium_find(EquilibriumSearch& search, const System& system, dy
                              State& s) {
   Equilibrium found;
   dynamics::held_refresh(system.constraints, s, motion.held);
-  held_place(search, motion.held, s);
-  search.way = std::numeric_limits<double>::infinity();
+  rows_satisfy(search, motion.held, s);
+  search.last_step = std::numeric_limits<double>::infinity();
   for (found.steps = 0; found.steps < kMaxSteps; ++found.steps) {
     if ((found.found = equilibrium_check(search, system, motion, s, found))) break;
     if (!step_apply(search, system, motion, s)) break;

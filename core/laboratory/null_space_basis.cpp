@@ -7,7 +7,7 @@
 namespace drape::laboratory {
 namespace {
 
-// Rows by the nodes that they share, in the order of their first row.
+// Groups the rows that share nodes, in the order of each group's first row.
 std::vector<std::vector<std::size_t>> rows_gather(const System& system,
                                                   const std::vector<math::SparseRow>& rows) {
   std::vector<std::size_t> first(system.nodes, rows.size()), root(rows.size());

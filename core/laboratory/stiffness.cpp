@@ -1,6 +1,6 @@
-// Link of rest length R, width w, law p, strain e = l/R - 1, tension T = w p(e), direction u:
+// Link with rest length R, width w, law p, strain e = l/R - 1, tension T = w p(e), direction u:
 //
-//     K = (w p'/R - T/l) u u^T + (T/l) 1          on the difference of its ends.
+//     K = (w p'/R - T/l) u u^T + (T/l) 1          acts on the difference of its ends.
 //
 // Hinge between edges a and c, y = u.v = cos theta, E(y) = kappa theta^2/2, dE/dy = -kappa psi:
 //
@@ -43,7 +43,7 @@ Psi psi_at(double y, double sine) {
   return {psi, (y * psi - 1) / s2};
 }
 
-// Second derivatives of a hinge's energy in its two edges.
+// Second derivatives of a hinge's energy with respect to its two edges, N/m.
 struct HingeStiffness {
   Matrix3d aa, ac, cc;
 };
@@ -74,7 +74,7 @@ void block_add(const Unknowns& unknowns, std::size_t row, std::size_t column, co
     for (int j = 0; j < unknowns.dimension; ++j) to.emplace_back(r + i, c + j, k(i, j));
 }
 
-// K on the difference x1 - x0.
+// Adds K that acts on the difference x1 - x0.
 void difference_add(const Unknowns& unknowns, std::size_t n0, std::size_t n1, const Matrix3d& k,
                     Triplets& to) {
   block_add(unknowns, n0, n0, k, to);
@@ -91,7 +91,8 @@ void link_add(const model::Lattice& l, const State& s, Stiffness which, const Un
   const double length = edge.norm(), strain = model::link_strain(s, link);
   double geometric = link.width * math::curve_value(law, strain) / length,
          material = link.width * math::curve_slope(law, strain) / link.rest;
-  if (which == Stiffness::kBlunt) geometric = std::max(geometric, 0.0), material = std::max(material, 0.0);
+  if (which == Stiffness::kNonNegative)
+    geometric = std::max(geometric, 0.0), material = std::max(material, 0.0);
   const Vector3d u = edge / length;
   difference_add(unknowns, link.from, link.to,
                  (material - geometric) * u * u.transpose() + geometric * Matrix3d::Identity(), to);

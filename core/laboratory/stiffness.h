@@ -1,4 +1,4 @@
-// The tangent stiffness of a cloth: K = -dF/dr of the forces of links, hinges and clamps, as triplets.
+// The tangent stiffness of a cloth, K = -dF/dr, of the forces of links, hinges and clamps, as triplets.
 #pragma once
 #include <Eigen/SparseCore>
 #include <vector>
@@ -9,7 +9,8 @@ namespace drape::laboratory {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-// Unknowns of a node: `dimension` consecutive ones from first[node] on; -1 where the node is no particle.
+// The unknowns of a node are `dimension` consecutive ones from first[node]; -1 where the node is not a
+// particle.
 struct Unknowns {
   int dimension = 3;                // 2: the cloth stays in the plane z = const
   std::vector<Eigen::Index> first;  // [nodes]
@@ -17,11 +18,11 @@ struct Unknowns {
 };
 Unknowns unknowns_make(const System& system, int dimension);
 
-// kBlunt leaves out what compressed links take from K across themselves and falling laws along, so that it is
-// not negative in flat cloth.
-enum class Stiffness { kTangent, kBlunt };
+// kNonNegative omits the negative parts of K: those of compressed links across, and of falling laws along the
+// link. So K is positive semidefinite in flat cloth.
+enum class Stiffness { kTangent, kNonNegative };
 
-// Adds K, N/m. Forces that depend on velocity have no part in it.
+// Adds the entries of K, N/m. Forces that depend on velocity are not part of K.
 void stiffness_add(const System& system, const State& state, Stiffness which, const Unknowns& unknowns,
                    Triplets& to);
 

@@ -26,7 +26,7 @@ Specimen specimen_make(const Scene& scene, std::vector<Problem>& problems) {
   return s;
 }
 
-// Between jaws: each elongation starts from the one before, stretched evenly.
+// Between jaws. Each elongation starts from the previous equilibrium, stretched uniformly.
 StripPull jaws_pull(const scene::FabricSpec& fabric, model::YarnDirection along, double cell,
                     const std::vector<double>& elongation, std::vector<Problem>& problems,
                     const fabric::LawOptions& options) {
@@ -50,8 +50,9 @@ StripPull jaws_pull(const scene::FabricSpec& fabric, model::YarnDirection along,
   return pull;
 }
 
-// A trellis of threads of fixed length: stretched by l1 = 1 + e along y, it shortens to l2 = sqrt(2 - l1^2)
-// along x. Virtual work of the forces of the lattice: F H dl1 = -sum f.dr, dr = (-X l1/l2, Y) dl1.
+// A trellis of yarns of fixed length. Stretched by l1 = 1 + e along y, it shortens to l2 = sqrt(2 - l1^2)
+// along x. The force follows from the virtual work of the forces of the lattice: F H dl1 = -sum f.dr, dr =
+// (-X l1/l2, Y) dl1.
 StripPull trellis_pull(const scene::FabricSpec& fabric, double cell, const std::vector<double>& elongation,
                        std::vector<Problem>& problems, const fabric::LawOptions& options) {
   StripPull pull;
@@ -67,8 +68,8 @@ StripPull trellis_pull(const scene::FabricSpec& fabric, double cell, const std::
       strip.state.x[n] = l2 * flat.x[n];
       strip.state.y[n] = l1 * flat.y[n];
     }
-    dynamics::kernel_forces(*motion.kernel, strip.system, strip.state, motion.workspace, motion.now_x.data(),
-                            motion.now_y.data(), motion.now_z.data());
+    dynamics::kernel_forces(*motion.kernel, strip.system, strip.state, motion.workspace,
+                            dynamics::motion_field(motion));
     double work = 0;
     for (std::size_t n : strip.system.particle)
       work -= motion.now_y[n] * flat.y[n] - motion.now_x[n] * flat.x[n] * l1 / l2;

@@ -8,11 +8,18 @@
 namespace drape::laboratory {
 namespace {
 
-constexpr std::size_t kOneLine = 8;  // numbers; more are broken into lines of as many
+constexpr std::size_t kOneLine = 8;  // numbers in one line; a longer list is broken into lines of as many
 
 struct Edit {
   std::size_t begin, end;  // bytes
   std::string text;
+};
+
+// A text and the edits that are still to be applied to it.
+struct Draft {
+  const std::string& text;
+  std::string newline;
+  std::vector<Edit> edits;
 };
 
 std::string six_digits(double value) {
@@ -33,7 +40,7 @@ std::string list_text(const std::vector<double>& values, bool in_line, const std
   return text + (broken ? newline + "]" : "]");
 }
 
-// The byte of a line and column of the parser, which count characters from 1.
+// The byte at a line and column of the parser, which counts characters from 1.
 std::size_t byte_of(const std::string& text, toml::source_position at) {
   std::size_t k = 0;
   for (unsigned line = 1; line < at.line && k < text.size(); ++k)
@@ -45,9 +52,9 @@ std::size_t byte_of(const std::string& text, toml::source_position at) {
   return k;
 }
 
-// Takes a key out of a table: its lines, or what stands between the commas of an inline table.
-void key_remove(const std::string& text, const toml::table& table, const std::string& key,
-                std::vector<Edit>& edits) {
+// Removes a key from a table: its lines, or its part between the commas of an inline table.
+void key_remove(Draft& draft, const toml::table& table, const std::string& key) {
+  const std::string& text = draft.text;
   const toml::node* there = table.get(key);
   if (!there) return;
   std::size_t begin = text.rfind(key, byte_of(text, there->source().begin)),
@@ -62,43 +69,43 @@ void key_remove(const std::string& text, const toml::table& table, const std::st
     begin = text.rfind('\n', begin) + 1;
     end = std::min(text.find('\n', end), text.size() - 1) + 1;
   }
-  edits.push_back({begin, end, ""});
+  draft.edits.push_back({begin, end, ""});
 }
 
-// Sets `key` beside the value of `old_key` in a table of the document.
-void beside_set(const std::string& text, const toml::table& table, const std::string& old_key,
-                const std::string& key, const std::vector<double>& values, const std::string& newline,
-                std::vector<Edit>& edits) {
+// Sets `key` next to the value of `old_key` in a table of the document.
+void key_set(Draft& draft, const toml::table& table, const std::string& old_key, const std::string& key,
+             const std::vector<double>& values) {
+  const std::string &text = draft.text, &newline = draft.newline;
   const auto region = [&](const toml::node& node) {
     return std::pair(byte_of(text, node.source().begin), byte_of(text, node.source().end));
   };
   if (const toml::node* there = table.get(key)) {
     const auto [begin, end] = region(*there);
-    edits.push_back({begin, end, list_text(values, table.is_inline(), newline)});
+    draft.edits.push_back({begin, end, list_text(values, table.is_inline(), newline)});
     return;
   }
   const toml::node* old = table.get(old_key);
   if (!old) return;
   const auto [begin, end] = region(*old);
   if (table.is_inline()) {
-    edits.push_back({end, end, ", " + key + " = " + list_text(values, true, newline)});
+    draft.edits.push_back({end, end, ", " + key + " = " + list_text(values, true, newline)});
     return;
   }
-  // The key as it is written, indented and dotted, and a new line below the old value's last.
+  // The same indentation and dotted prefix as the old key, on a new line below the old value.
   const std::size_t line = begin == 0 ? 0 : text.rfind('\n', begin - 1) + 1;
   const std::size_t name = text.rfind(old_key, begin);
   const std::string before = name == std::string::npos || name < line ? "" : text.substr(line, name - line);
   std::size_t after = std::min(text.find('\n', end), text.size());
   if (after > end && text[after - 1] == '\r') --after;
-  edits.push_back({after, after, newline + before + key + " = " + list_text(values, false, newline)});
+  draft.edits.push_back({after, after, newline + before + key + " = " + list_text(values, false, newline)});
 }
 
-// Corrections of diagrams from sheets, which have no table of their own.
+// Corrections of diagrams from data sheets, which have no table of their own: by direction.
 using SheetCorrections = std::vector<std::pair<std::string, std::vector<double>>>;
 
-void calibration_set(const std::string& text, const toml::table& root, const Calibration& c,
-                     const std::string& date, const SheetCorrections& sheets, const std::string& newline,
-                     std::vector<Edit>& edits) {
+void calibration_set(Draft& draft, const toml::table& root, const Calibration& c, const std::string& date,
+                     const SheetCorrections& sheets) {
+  const std::string &text = draft.text, &newline = draft.newline;
   const std::pair<const char*, std::string> keys[] = {
       {"cell", six_digits(c.cell)}, {"residual", six_digits(c.residuals.back())}, {"date", '"' + date + '"'}};
   const toml::table* table = root["calibration"].as_table();
@@ -112,13 +119,14 @@ void calibration_set(const std::string& text, const toml::table& root, const Cal
       added += std::string(keys[k].first) + " = " + keys[k].second + units[k] + newline;
     for (const auto& [name, values] : sheets)
       added += name + " = " + list_text(values, false, newline) + newline;
-    edits.push_back({text.size(), text.size(), added});
+    draft.edits.push_back({text.size(), text.size(), added});
     return;
   }
   for (const auto& [key, value] : keys)
     if (const toml::node* there = table->get(key))
-      edits.push_back({byte_of(text, there->source().begin), byte_of(text, there->source().end), value});
-  for (const auto& [name, values] : sheets) beside_set(text, *table, "date", name, values, newline, edits);
+      draft.edits.push_back(
+          {byte_of(text, there->source().begin), byte_of(text, there->source().end), value});
+  for (const auto& [name, values] : sheets) key_set(draft, *table, "date", name, values);
 }
 
 std::string edited(std::string text, std::vector<Edit> edits) {
@@ -128,8 +136,9 @@ std::string edited(std::string text, std::vector<Edit> edits) {
   return text;
 }
 
-// What the table of a text says, to compare with what was to be said.
-bool says(const toml::table& root, const char* table, const char* key, const std::vector<double>& values) {
+// True where a key of the document has these values, to six digits.
+bool has_values(const toml::table& root, const char* table, const char* key,
+                const std::vector<double>& values) {
   const toml::array* list = root[table][key].as_array();
   if (values.empty()) return !root[table][key];
   if (!list || list->size() != values.size()) return false;
@@ -143,13 +152,13 @@ bool says(const toml::table& root, const char* table, const char* key, const std
 std::string write_calibration(const std::string& text, const Calibration& c, const std::string& date,
                               std::vector<Problem>& problems) {
   const std::string newline = text.find("\r\n") == std::string::npos ? "\n" : "\r\n";
-  const model::YarnDirection threads[] = {model::YarnDirection::kWarp, model::YarnDirection::kWeft,
-                                          model::YarnDirection::kBias};
+  const model::YarnDirection directions[] = {model::YarnDirection::kWarp, model::YarnDirection::kWeft,
+                                             model::YarnDirection::kBias};
   try {
     const toml::table root = toml::parse(text);
-    std::vector<Edit> edits;
+    Draft draft{text, newline, {}};
     SheetCorrections sheets;
-    for (model::YarnDirection along : threads) {
+    for (model::YarnDirection along : directions) {
       const scene::DiagramSpec& d = strip_diagram(c.fabric, along);
       const toml::table* table = root[yarn_direction_name(along)].as_table();
       if (d.correction.empty()) continue;
@@ -157,23 +166,21 @@ std::string write_calibration(const std::string& text, const Calibration& c, con
         sheets.push_back({yarn_direction_name(along), d.correction});
         continue;
       }
-      if (d.correction_elongation.empty()) key_remove(text, *table, "correction_elongation", edits);
-      else
-        beside_set(text, *table, d.force_as.key, "correction_elongation", d.correction_elongation, newline,
-                   edits);
-      beside_set(text, *table, d.force_as.key, "correction", d.correction, newline, edits);
+      if (d.correction_elongation.empty()) key_remove(draft, *table, "correction_elongation");
+      else key_set(draft, *table, d.force_as.key, "correction_elongation", d.correction_elongation);
+      key_set(draft, *table, d.force_as.key, "correction", d.correction);
     }
-    calibration_set(text, root, c, date, sheets, newline, edits);
-    std::string stored = edited(text, edits);
+    calibration_set(draft, root, c, date, sheets);
+    std::string stored = edited(text, draft.edits);
     const toml::table after = toml::parse(stored);
     bool good = after["calibration"]["date"].value_or(std::string()) == date;
-    for (model::YarnDirection along : threads) {
+    for (model::YarnDirection along : directions) {
       const scene::DiagramSpec& d = strip_diagram(c.fabric, along);
       const bool sheet = !after[yarn_direction_name(along)].is_table();
-      good = good && (sheet ? says(after, "calibration", yarn_direction_name(along), d.correction)
-                            : says(after, yarn_direction_name(along), "correction", d.correction) &&
-                                  says(after, yarn_direction_name(along), "correction_elongation",
-                                       d.correction_elongation));
+      good = good && (sheet ? has_values(after, "calibration", yarn_direction_name(along), d.correction)
+                            : has_values(after, yarn_direction_name(along), "correction", d.correction) &&
+                                  has_values(after, yarn_direction_name(along), "correction_elongation",
+                                             d.correction_elongation));
     }
     if (good) return stored;
   } catch (const toml::parse_error&) {

@@ -1,5 +1,5 @@
-// A calibration in the text of its fabric file: the corrections, and a table [calibration]. All else stays as
-// it is, comments and line ends included.
+// Writes a calibration into the text of its fabric file: the corrections, and a table [calibration]. All
+// other text is unchanged, comments and line ends included.
 #pragma once
 #include <string>
 
@@ -7,8 +7,8 @@
 
 namespace drape::laboratory {
 
-// Numbers are rounded to six digits. `date`: "2026-11-25". Empty, with a problem, where the text does not
-// take them.
+// Returns the new text, with numbers of six digits. date: such as "2026-11-25". Returns an empty text, with a
+// problem, where the corrections cannot be written into the text.
 std::string write_calibration(const std::string& text, const Calibration& calibration,
                               const std::string& date, std::vector<Problem>& problems);
 

@@ -1,4 +1,4 @@
-// Numbers in rows of whole vector registers: doubles aligned to a cache line.
+// Arrays of doubles aligned to a cache line, so that whole vector registers can be loaded from them.
 #pragma once
 #include <cstddef>
 #include <new>
@@ -7,7 +7,7 @@
 namespace drape::math {
 
 inline constexpr std::size_t kLine = 64;  // bytes: one cache line, one AVX-512 register
-inline constexpr int kRowUnit = 8;        // doubles in it; row strides and first nodes are multiples of this
+inline constexpr int kRowUnit = 8;  // doubles in a line; row strides and first nodes are multiples of this
 
 template <class T>
 struct LineAllocator {

@@ -3,7 +3,8 @@
 
 namespace drape::math {
 
-// The x in [low, high] at which a rising `value` passes `target`, halved down to the last bit.
+// The x in [low, high] at which the increasing function `value` passes `target`. The interval is halved until
+// no double lies inside it.
 template <class Function>
 double bisect_rising(Function value, double target, double low, double high) {
   for (;;) {

@@ -1,6 +1,6 @@
-// Right-looking elimination of the row with the largest pivot (each row scaled to a diagonal of 1). Rows that
-// hold an edge touch their neighbours along it only, so that eliminating one joins its neighbours and the
-// factor stays as narrow.
+// Right-looking elimination. Each step eliminates the row with the largest pivot, relative to the row's own
+// initial diagonal. Rows that support an outline edge couple only to their neighbours along the edge.
+// Eliminating one of them couples its two neighbours, so the factor stays as narrow as the matrix.
 #include "math/cholesky.h"
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 namespace drape::math {
 namespace {
 
-using SymmetricRows = std::vector<std::map<int, double>>;  // [rows] all entries but those of eliminated rows
+using SymmetricRows =
+    std::vector<std::map<int, double>>;  // [rows] all entries except those of eliminated rows
 
 SymmetricRows gram_of(const std::vector<const SparseRow*>& rows, const Array& inverse_mass) {
   std::map<std::size_t, std::vector<std::pair<int, double>>> by_node;
@@ -25,7 +26,7 @@ SymmetricRows gram_of(const std::vector<const SparseRow*>& rows, const Array& in
   return gram;
 }
 
-// Takes the row of a pivot out of the others, whose diagonals are told, and appends its column.
+// Eliminates the row of a pivot from the other rows, updates their diagonals and appends the pivot's column.
 void eliminate(SymmetricRows& gram, int pivot, std::vector<double>& diagonals, CholeskyFactor& f) {
   const std::map<int, double> row = std::move(gram[std::size_t(pivot)]);
   const double diagonal = std::sqrt(row.at(pivot));
@@ -63,11 +64,11 @@ CholeskyFactor cholesky_factorise(const std::vector<const SparseRow*>& rows, con
   f.begin.push_back(0);
   std::vector<char> done(rows.size(), 0);
   late = std::min(late, rows.size());
-  for (const auto& [from, to, least] :
+  for (const auto& [from, to, min_pivot] :
        {std::tuple{std::size_t(0), late, tolerance}, {late, rows.size(), late_tolerance}})
     for (std::size_t step = from; step < to; ++step) {
       int best = -1;
-      double largest = least;
+      double largest = min_pivot;
       for (std::size_t r = from; r < to; ++r) {
         if (done[r]) continue;
         const double pivot = diagonals[r] * scale[r];

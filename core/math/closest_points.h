@@ -1,4 +1,4 @@
-// Where two pieces of a surface are nearest to each other.
+// The closest points of points, segments, triangles and lines.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -7,14 +7,14 @@
 
 namespace drape::math {
 
-// The point of a triangle nearest to p: sum weight[k] corner[k]; `arm` leads from it to p.
+// The point of a triangle closest to p: sum weight[k] corner[k]. `arm` is the vector from that point to p.
 struct TriangleClosest {
   double weight[3];
   Vec3 arm;
   double distance2;
 };
 
-// The point of a segment nearest to p, as the share of the way from a to b.
+// The point of the segment from a to b closest to p: a + s (b - a). Returns s, from 0 to 1.
 inline double segment_closest(const Vec3& p, const Vec3& a, const Vec3& b) {
   using namespace vector3;
   const Vec3 e = b - a;
@@ -22,13 +22,15 @@ inline double segment_closest(const Vec3& p, const Vec3& a, const Vec3& b) {
   return length2 > 0 ? std::clamp(dot(p - a, e) / length2, 0.0, 1.0) : 0;
 }
 
+// The squared distance from p to a segment.
 inline double segment_distance2(const Vec3& p, const Vec3& a, const Vec3& b) {
   using namespace vector3;
   const Vec3 arm = (p - a) - segment_closest(p, a, b) * (b - a);
   return dot(arm, arm);
 }
 
-// Inside: the foot of the perpendicular, u e1 + v e2 with (p - a - u e1 - v e2).e = 0. Else on a side.
+// The foot of the perpendicular is a + u e1 + v e2 with (p - a - u e1 - v e2).e = 0. If it is inside the
+// triangle, it is the closest point. Otherwise the closest point is on an edge.
 inline TriangleClosest triangle_closest(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   using namespace vector3;
   const Vec3 e1 = b - a, e2 = c - a, q = p - a;
@@ -54,8 +56,9 @@ inline TriangleClosest triangle_closest(const Vec3& p, const Vec3& a, const Vec3
   return best;
 }
 
-// Where two lines along e and f are nearest, r from the second one's beginning to the first one's: the shares
-// of e and f. `skew`: they are not parallel; else nothing else counts.
+// The closest points of two lines along e and f; r is the vector from the start of the second line to the
+// start of the first. The points are s e and t f from the starts. `skew` is false where the lines are
+// parallel; then s and t have no meaning.
 struct LinesClosest {
   double s, t;
   bool skew;
@@ -69,8 +72,9 @@ inline LinesClosest lines_closest(const Vec3& e, const Vec3& f, const Vec3& r) {
   return {(ef * fr - ff * er) / det, (ee * fr - ef * er) / det, true};
 }
 
-// Two edges: the shares along them where they are nearest, the arm from the second to the first. `crosses`:
-// both within their edges, and the edges not parallel; else only the distance counts.
+// The closest points of two edges: their parameters along the edges, and the vector `arm` from the point on
+// the second edge to that on the first. `crosses`: both points are inside their edges and the edges are not
+// parallel. Otherwise only `distance2` has a meaning.
 struct EdgesClosest {
   double share[2];
   Vec3 arm;

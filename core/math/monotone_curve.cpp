@@ -6,11 +6,16 @@
 namespace drape::math {
 namespace {
 
-// One segment of width d from value f: slope k to k_next, mean slope s (core/README.md, section 2, in powers
-// of t).
-void segment_add(Curve& c, double start, double origin, double f, double d, double k, double k_next,
-                 double s) {
-  if (c.segments > 0) c.segment[c.segments - 1].end = start;
+struct SegmentShape {
+  double f, d;       // value at the origin; width
+  double k, k_next;  // slopes at both ends
+  double s;          // mean slope
+};
+
+// Adds a segment from `origin` on: the polynomial of core/README.md, section 2, in powers of t.
+void segment_add(Curve& c, double origin, const SegmentShape& shape) {
+  const auto [f, d, k, k_next, s] = shape;
+  if (c.segments > 0) c.segment[c.segments - 1].end = origin;
   CurveSegment& to = c.segment[c.segments++];
   const double bump = 30 * (s - (k + k_next) / 2);
   to.origin = origin;
@@ -21,12 +26,10 @@ void segment_add(Curve& c, double start, double origin, double f, double d, doub
   to.c5 = bump / (5 * d * d * d * d);
 }
 
-void line_add(Curve& c, double start, double origin, double f, double k) {
-  segment_add(c, start, origin, f, 1, k, k, k);
-}
+void line_add(Curve& c, double origin, double f, double k) { segment_add(c, origin, {f, 1, k, k, k}); }
 
-// Slopes at the points: the weighted harmonic mean of Fritsch and Butland (1984), at most twice the lesser
-// secant.
+// Slopes at the points: the weighted harmonic mean of Fritsch and Butland (1984), limited to twice the
+// smaller of the two secant slopes.
 std::vector<double> slopes_of(const std::vector<double>& d, const std::vector<double>& s) {
   std::vector<double> k(s.size() + 1, 0.0);
   k.front() = s.front();
@@ -52,7 +55,7 @@ double integral_within(const CurveSegment& s, double t) {
   return t * (s.c0 + t * (s.c1 / 2 + t2 * (s.c3 / 4 + t * (s.c4 / 5 + t * s.c5 / 6))));
 }
 
-// Energies from segment to segment, outwards from e = 0.
+// Integrates the energy from segment to segment, outwards from e = 0.
 void energies_set(Curve& c, int zero) {
   c.segment[zero].energy = 0;
   for (int k = zero + 1; k < c.segments; ++k) {
@@ -65,8 +68,8 @@ void energies_set(Curve& c, int zero) {
   }
 }
 
-// A bin begins a little early, so that rounding never puts a strain into a bin that begins beyond its
-// segment.
+// Each bin starts slightly early, so that rounding never puts a strain into a bin that starts beyond the
+// strain's segment.
 void bins_set(Curve& c) {
   if (c.segments < 2) return;
   const double first = c.segment[0].end, last = c.segment[c.segments - 2].end;
@@ -82,7 +85,8 @@ void bins_set(Curve& c) {
   }
 }
 
-// True where bins of equal width from `low` on hold the first `ends` ends one by one, none near an edge.
+// True where bins of equal width from `low` on contain the first `ends` segment ends, at most one in a bin
+// and none near the edge of a bin.
 bool bins_part(const Curve& c, double low, double width, int ends) {
   constexpr double kEdge = 1e-6;  // of a bin
   double before = -1;
@@ -96,7 +100,7 @@ bool bins_part(const Curve& c, double low, double width, int ends) {
 
 template <int kSize>
 void start_fill(const Curve& c, double low, double width, double limit, CurveStart<kSize>& s) {
-  s.low = low + 1e-3 * width;  // off the edge, whatever rounding does
+  s.low = low + 1e-3 * width;  // off the edge of the bin in spite of rounding
   s.limit = std::min(limit, low + (kSize - 1e-6) * width);
   s.scale = 1 / width;
   s.shift = -low / width - 0.5;
@@ -110,7 +114,8 @@ void start_fill(const Curve& c, double low, double width, double limit, CurveSta
   }
 }
 
-// The most ends that bins of some width and place can hold: widths of intervals between ends, and others.
+// Finds the bin width and position that cover the most segment ends. Candidate widths run from 1 to 1.5
+// times the smallest possible width; the intervals between segment ends are candidates too.
 template <int kSize>
 void start_set(const Curve& c, CurveStart<kSize>& s) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -121,7 +126,7 @@ void start_set(const Curve& c, CurveStart<kSize>& s) {
     const double span = ends > 1 ? end(ends - 1) - end(0) : std::max(std::abs(end(0)), 1e-3);
     const double limit = ends == c.segments - 1 ? kInfinite : end(ends);
     for (int phase = 1; phase < kPhases; ++phase) {
-      const double before = double(phase) / kPhases;  // of a bin, that the first end lies beyond `low`
+      const double before = double(phase) / kPhases;  // of a bin, from `low` to the first end
       const double smallest = span / (kSize - before) * 1.001;
       for (int w = 0; w < kWidths + ends - 1; ++w) {
         const double width =
@@ -157,20 +162,20 @@ Curve curve_make(const std::vector<double>& e, const std::vector<double>& f, con
   const bool straight =
       std::all_of(s.begin(), s.end(), [&](double v) { return std::abs(v - s[0]) <= 1e-14 * std::abs(s[0]); });
   if (straight && (below.odd || r == 1)) {
-    line_add(c, 0, 0, 0, k[0]);
+    line_add(c, 0, 0, k[0]);
     starts_set(c);
     return c;
   }
   if (!below.odd && r != 1) {
     const double w = below.blend, f_blend = -k[0] * w * (1 + r) / 2;
-    line_add(c, -w, -w, f_blend, r * k[0]);
-    segment_add(c, -w, -w, f_blend, w, r * k[0], k[0], k[0] * (1 + r) / 2);
+    line_add(c, -w, f_blend, r * k[0]);
+    segment_add(c, -w, {f_blend, w, r * k[0], k[0], k[0] * (1 + r) / 2});
   } else if (!below.odd) {
-    line_add(c, 0, 0, 0, k[0]);
+    line_add(c, 0, 0, k[0]);
   }
   const int zero = c.segments;
-  for (std::size_t i = 0; i < s.size(); ++i) segment_add(c, e[i], e[i], f[i], d[i], k[i], k[i + 1], s[i]);
-  line_add(c, e.back(), e.back(), f.back(), k.back());
+  for (std::size_t i = 0; i < s.size(); ++i) segment_add(c, e[i], {f[i], d[i], k[i], k[i + 1], s[i]});
+  line_add(c, e.back(), f.back(), k.back());
   energies_set(c, zero);
   bins_set(c);
   starts_set(c);

@@ -9,14 +9,14 @@ namespace {
 
 using namespace vector3;
 
-constexpr double kSmall = 0.3;  // rad^2: below, the series to the fifth term are exact to rounding
+constexpr double kSmall = 0.3;  // rad^2; below it, five terms of the series are exact to rounding
 
 // c_0 + c_1 x + ... + c_4 x^4
 double series(double x, const double (&c)[5]) {
   return c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * c[4])));
 }
 
-// A and B of frame.h, and their derivatives by |f|^2 / 2, with x = |f|^2.
+// A and B of rigid_motion.h, and their derivatives with respect to |f|^2 / 2, as functions of x = |f|^2.
 double spin_a(double x) {
   if (x < kSmall) return series(x, {1. / 2, -1. / 24, 1. / 720, -1. / 40320, 1. / 3628800});
   return (1 - std::cos(std::sqrt(x))) / x;
@@ -47,7 +47,7 @@ Quaternion quaternion_product(const Quaternion& a, const Quaternion& b) {
 }
 
 Quaternion quaternion_normalised(const Quaternion& q) {
-  double largest = 0;  // first to size 1: squares of what is allowed may underflow
+  double largest = 0;  // scale to size 1 first: the squares of small components may underflow
   for (double x : q) largest = std::max(largest, std::abs(x));
   const Quaternion s{q[0] / largest, q[1] / largest, q[2] / largest, q[3] / largest};
   const double size = std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + s[3] * s[3]);
@@ -99,12 +99,12 @@ Vec3 rotation_angular_acceleration(const Vec3& f, const Vec3& f1, const Vec3& f2
 }
 
 // f' = w - f x w/2 + [1 - (t/2) cot(t/2)]/t^2 f x (f x w),  t = |f|
-Vec3 rotation_vector_rate(const Vec3& f, const Vec3& spin) {
+Vec3 rotation_vector_rate(const Vec3& f, const Vec3& angular_velocity) {
   const double x = dot(f, f), half = std::sqrt(x) / 2;
   const double c = x < kSmall ? series(x, {1. / 12, 1. / 720, 1. / 30240, 1. / 1209600, 1. / 47900160})
                               : (1 - half / std::tan(half)) / x;
-  const Vec3 across = cross(f, spin);
-  return spin - 0.5 * across + c * cross(f, across);
+  const Vec3 across = cross(f, angular_velocity);
+  return angular_velocity - 0.5 * across + c * cross(f, across);
 }
 
 }  // namespace drape::math

@@ -1,5 +1,5 @@
-// phi of the penalty and its integral, at a depth e > 0; phi' reaches 1 at e = blend. core/README.md,
-// section 7.
+// The smooth ramp phi(e) of the contact penalty, and its integral, at the depth e > 0. The slope phi' rises
+// from 0 at e = 0 to 1 at e = blend and stays 1. Depth and blend in m. core/README.md, section 7.
 #pragma once
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-// Points and vectors of the plane and of space, and their arithmetic.
+// Points and vectors in two and three dimensions, and their arithmetic.
 #pragma once
 #include <array>
 #include <cmath>
@@ -17,7 +17,7 @@ inline void operator+=(Vec3& a, const Vec3& b) { a = a + b; }
 inline void operator-=(Vec3& a, const Vec3& b) { a = a - b; }
 inline double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 inline double norm(const Vec3& a) { return std::sqrt(dot(a, a)); }
-inline Vec3 unit(const Vec3& a) {  // of length 1; 0 stays
+inline Vec3 unit(const Vec3& a) {  // of length 1; the zero vector stays zero
   const double length = norm(a);
   return length > 0 ? (1 / length) * a : a;
 }

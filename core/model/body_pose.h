@@ -1,11 +1,11 @@
-// A body's pose, place by place.
+// Maps between space and the frame of a body, and the body's velocity field.
 #pragma once
 #include "math/vector3.h"
 #include "model/contact.h"
 
 namespace drape::model {
 
-// Where a place is in the body's frame: R^T (r - o).
+// The point r of space in the body's frame: R^T (r - o).
 inline Vec3 pose_inward(const Body& body, const BodyContact& c, const Vec3& at) {
   using namespace math::vector3;
   if (!body.moves) return at;
@@ -16,21 +16,21 @@ inline Vec3 pose_inward(const Body& body, const BodyContact& c, const Vec3& at) 
   return x;
 }
 
-// A direction of the body's frame in space: R n.
+// A direction n of the body's frame, in space: R n.
 inline Vec3 pose_outward(const Body& body, const BodyContact& c, const Vec3& n) {
   using namespace math::vector3;
   if (!body.moves) return n;
   return {dot(c.rotation[0], n), dot(c.rotation[1], n), dot(c.rotation[2], n)};
 }
 
-// The velocity of the body at a place r in space: V + w x (r - o).
+// The velocity of the body at a point r of space, m/s: V + w x (r - o).
 inline Vec3 pose_velocity(const Body& body, const BodyContact& c, const Vec3& at) {
   using namespace math::vector3;
   if (!body.moves) return {0, 0, 0};
   return c.motion.velocity + cross(c.motion.angular_velocity, at - c.motion.position);
 }
 
-// Its acceleration there: V' + w' x (r - o) + w x (w x (r - o)).
+// The acceleration of the body there, m/s^2: V' + w' x (r - o) + w x (w x (r - o)).
 inline Vec3 pose_acceleration(const Body& body, const BodyContact& c, const Vec3& at) {
   using namespace math::vector3;
   if (!body.moves) return {0, 0, 0};

@@ -21,7 +21,7 @@ constexpr double kA6 = 1 - 2 * (kA[0] + kA[1] + kA[2] + kA[3] + kA[4]);
 constexpr double kKick6[] = {kB[0], kB[1], kB[2], kB[3], kB[4], kB6, kB6, kB[4], kB[3], kB[2], kB[1], kB[0]};
 constexpr double kDrift6[] = {kA[0], kA[1], kA[2], kA[3], kA[4], kA6, kA[4], kA[3], kA[2], kA[1], kA[0]};
 
-// The limits are where the trace of one step over an oscillator leaves [-2, 2] first.
+// The limit is the smallest h omega at which the trace of one step of an oscillator leaves [-2, 2].
 constexpr Composition kOrder4{4, 4, kKick4, kDrift4, 3.4696};
 constexpr Composition kOrder6{6, 11, kKick6, kDrift6, 3.1414};
 

@@ -1,4 +1,4 @@
-// Bodies and what the cloth knows of them. core/README.md, section 7.
+// Bodies, and the state of their contact with the cloth. core/README.md, section 7.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -13,10 +13,10 @@
 
 namespace drape::model {
 
-// Rotation matrix, row by row.
+// 3 x 3 matrix by rows, here a rotation.
 using Mat3 = std::array<Vec3, 3>;
 
-// A body's surface in its own frame, and who finds its triangles.
+// A body's surface in the body's frame, and the library that queries its triangles.
 struct BodyMesh {
   body::BodySurface surface;
   const drape_contact_library* library = nullptr;
@@ -25,25 +25,25 @@ struct BodyMesh {
 
 struct Body {
   std::string name;
-  BodyMesh mesh;  // of a body that does not move, in space
-  bool moves = false;
-  bool has_friction = false;  // of its own, in place of the fabric's
-  Vec2 friction{0, 0};        // static, kinetic
-  double damping = 1;         // of the normal motion while it touches, over the critical one
+  BodyMesh mesh;              // a fixed body's frame is space itself
+  bool moves = false;         // its pose is an input
+  bool has_friction = false;  // it has coefficients of its own, which replace those of the fabric
+  Vec2 friction{0, 0};        // 1, static, kinetic
+  double damping = 1;         // 1, of the normal motion in contact, over the critical damping
   math::RigidMotion start;
   body::SharpFeatures sharp;
-  std::vector<std::string> remarks;  // what is odd about the mesh, but no fault
+  std::vector<std::string> remarks;  // warnings about the mesh
 };
 
-// How the particles of a lattice touch.
+// The contact law of a lattice's particles.
 struct ContactLaw {
-  double distance = 0;      // m, half the thickness: nearer to a surface, a particle touches it
-  double omega2 = 0;        // 1/s^2, stiffness over mass
-  Vec2 friction{0.3, 0.3};  // static, kinetic
+  double distance = 0;  // m, contact distance, half the thickness: a particle nearer to a surface touches it
+  double omega2 = 0;    // 1/s^2, penalty stiffness over mass
+  Vec2 friction{0.3, 0.3};  // 1, static, kinetic
 };
 
-// Eight neighbouring nodes of a lattice and a surface near each: lanes without one have side = 0 and
-// offset = -kFar.
+// Eight consecutive nodes of a lattice, each with a nearby point of a body's surface. Lanes without a near
+// surface have side = 0 and offset = -kFar.
 inline constexpr double kFar = 1e300;
 struct alignas(math::kLine) ContactBlock {
   double side[3][math::kRowUnit];        // unit vector out of the surface, in the body's frame
@@ -51,12 +51,12 @@ struct alignas(math::kLine) ContactBlock {
   double point[3][math::kRowUnit];       // m
   double shape[6][math::kRowUnit];       // D: xx xy xz yy yz zz
   double sticking[math::kRowUnit];       // 1 where the particle sticks, else 0
-  double warm_start[3][math::kRowUnit];  // m/s^2, what a particle that is not alone got in the last step
-  double shared[math::kRowUnit];         // 1 where other surfaces are near as well, else 0
-  bool flat;                             // every surface in it is a face: D = side side^T
-  bool shares;                           // somewhere
-  bool has_warm_start;                   // a carry is not 0
-  std::size_t node;                      // the first of them
+  double warm_start[3][math::kRowUnit];  // m/s^2, response of the last step, where several constraints act
+  double shared[math::kRowUnit];         // 1 where further surfaces are near the particle, else 0
+  bool flat;                             // every surface in the block is a face: D = side side^T
+  bool shares;                           // a lane has shared = 1
+  bool has_warm_start;                   // a warm start is not 0
+  std::size_t node;                      // the first of the eight nodes
   int lattice;
   bool empty() const {
     for (double o : offset)
@@ -65,56 +65,56 @@ struct alignas(math::kLine) ContactBlock {
   }
 };
 
-// The blocks of a body, by their nodes; a particle in a groove is in several.
+// The blocks of a body, sorted by node. A particle in a groove is in several blocks.
 struct ContactPlace {
-  std::uint32_t node, block;  // the first node, over kRowUnit; its place in the pool
+  std::uint32_t node, block;  // first node divided by kRowUnit; index in the pool
 };
 struct ContactBlocks {
   std::vector<ContactBlock> pool;
-  std::vector<std::uint32_t> free;
+  std::vector<std::uint32_t> free;  // indices of unused blocks in the pool
   std::vector<ContactPlace> order;
 };
 
-// A link or cell of the cloth (a number of RidgeCloth) near a ridge of the body.
+// A link or cell of the cloth (an index in EdgeElements) near a sharp feature of the body.
 struct EdgePair {
   std::uint32_t element, feature;
-  bool outside = false;      // known to belong out of the body
+  bool outside = false;      // known to belong outside the body
   double sticking = 0;       // 1 where it sticks, else 0
-  double share = 0;          // of its penalty
+  double share = 0;          // 1, of its penalty
   double stored = 0;         // J, of its penalty
-  Vec3 warm_start{0, 0, 0};  // N, what it got in the last step
+  Vec3 warm_start{0, 0, 0};  // N, response of the last step
 };
 
-// Which pairs are near. `way` grows by the most that any of the nodes moves against the body.
+// Nearby pairs. In each step, `travel` grows by the largest displacement of a node relative to the body.
 struct EdgeContact {
-  std::vector<char> near;            // [nodes] 1: a ridge may be near its links; empty where a body has none
-  std::vector<std::uint32_t> fresh;  // nodes near since the pairs were listed
-  std::vector<std::uint32_t> node;   // those of all links and cells of near nodes, sorted
-  std::vector<Vec3> last,
-      from;                    // [of node] m, in the body's frame: where they are; as their parts were listed
-  std::vector<EdgePair> pair;  // sorted
-  std::vector<double> active_after_travel;  // [pairs] m, way until which they do not touch
+  std::vector<char> near;  // [nodes] 1: a sharp feature may be near its links; empty without features
+  std::vector<std::uint32_t> fresh;  // nodes that came near since the pairs were listed
+  std::vector<std::uint32_t> node;   // nodes of all links and cells of near nodes, sorted
+  std::vector<Vec3> last, from;      // [node] m, in the body's frame: now; when their elements were listed
+  std::vector<EdgePair> pair;        // sorted
+  std::vector<double> active_after_travel;  // [pairs] m, travel up to which the pair cannot touch
   double travel = 0;                        // m
   double reach = 0;                         // m, of the next step
 };
 
-// What the motion changes of a body.
+// The state of a body and of its contact with the cloth.
 struct BodyContact {
   math::RigidMotion motion;  // at t_n
   Mat3 rotation;             // R at t_n
   math::Wrench
-      impulse;    // N s, N m s of the cloth on the body in the last advance, but for its last half step
-  Array x, y, z;  // [nodes] m, where a particle was when its surroundings were last looked at
-  Array free_distance2;  // [nodes] m^2, of the distance that it may move from there; infinite at unused nodes
-  Array group_clearance;  // [nodes / kRowUnit] m, that all nodes of a group may still move before one must be
-                          // compared with its budget: at the group's first block, where the body stays
+      impulse;    // N s, N m s, of the cloth on the body in the last advance, without its last half step
+  Array x, y, z;  // [nodes] m, a particle's position when its neighbours were last updated
+  Array free_distance2;   // [nodes] m^2, square of its free distance: how far it may move from there before
+                          // its neighbours must be updated; infinite at unused nodes
+  Array group_clearance;  // [nodes / kRowUnit] m: how far all nodes of a group may still move before one must
+                          // be compared with its free distance; at the group's first block, for a fixed body
   ContactBlocks blocks;
   EdgeContact edges;
 };
 
 struct ContactSummary {
-  std::size_t count = 0;                 // particles that touch, pairs with ridges that do
-  double penetration = 0, pressure = 0;  // m, Pa, the largest
+  std::size_t count = 0;                 // particles and pairs with sharp features that touch
+  double penetration = 0, pressure = 0;  // m, Pa, the largest values
 };
 
 }  // namespace drape::model

@@ -1,5 +1,5 @@
-// The links, hinges and cells of a lattice one by one, those beside its rows included: for outputs, the
-// energy balance and words. Widths: core/README.md, section 1.
+// Visits the links, hinges and cells of a lattice one by one, irregular elements included. For outputs, the
+// energy balance and messages. Widths: core/README.md, section 1.
 #pragma once
 #include <cmath>
 
@@ -11,7 +11,7 @@ struct Link {
   std::size_t from, to;  // nodes
   double width, rest;    // m
   YarnDirection along;
-  bool doubled;  // a further part of the width of a link already visited
+  bool doubled;  // irregular part of a link that the rows hold too, and that has been visited there
 };
 
 inline const math::Curve& law_curve(const fabric::Law& law, YarnDirection along) {
@@ -21,6 +21,7 @@ inline double law_bending(const fabric::Law& law, bool warp) {
   return warp ? law.bending_warp : law.bending_weft;
 }
 
+// l/l_0 - 1
 inline double link_strain(const State& s, const Link& link) {
   const double x = s.x[link.to] - s.x[link.from], y = s.y[link.to] - s.y[link.from],
                z = s.z[link.to] - s.z[link.from];
@@ -46,7 +47,7 @@ void links_visit(const System& system, const Lattice& l, Visit visit) {
     if (s.lattice == l.piece) visit(Link{s.node[0], s.node[1], s.width, s.rest, s.along, s.doubled});
 }
 
-// visit(n0, n1, n2, warp, share): kappa = B share.
+// visit(n0, n1, n2, warp, share): three nodes along the yarn, and the stiffness kappa = B share.
 template <class Visit>
 void hinges_visit(const System& system, const Lattice& l, Visit visit) {
   const auto row = std::size_t(l.stride);
@@ -60,7 +61,7 @@ void hinges_visit(const System& system, const Lattice& l, Visit visit) {
     if (s.lattice == l.piece) visit(s.node[0], s.node[1], s.node[2], s.warp, s.share);
 }
 
-// visit(corners a, b, c, d as size_t[4], share)
+// visit(corner, share): corners a, b, c, d as size_t[4], and the share phi of the cell that is cloth.
 template <class Visit>
 void cells_visit(const System& system, const Lattice& l, Visit visit) {
   const auto row = std::size_t(l.stride);

@@ -1,4 +1,4 @@
-// Sums over nodes, and what acts on them.
+// Weighted sums over nodes: their values, and the forces on them.
 #pragma once
 #include "math/vector3.h"
 #include "model/system.h"
@@ -17,6 +17,7 @@ inline Vec3 sum_value(const NodeSum& row, const Array& x, const Array& y, const 
 }
 inline Vec3 sum_value(const NodeSum& row, const State& s) { return sum_value(row, s.x, s.y, s.z); }
 
+// The present position of a point, m.
 inline Vec3 point_now(const SeamPoint& point, const State& s) {
   using namespace math::vector3;
   Vec3 sum{0, 0, 0};
@@ -25,7 +26,7 @@ inline Vec3 point_now(const SeamPoint& point, const State& s) {
   return sum;
 }
 
-// A force on the sum is its nodes' by their weights.
+// A force on the sum acts on each of its nodes, times the node's weight.
 inline void sum_force(const NodeSum& row, const Vec3& force, SlotForces to) {
   for (const auto& [node, slot, weight] : row) {
     to.x[slot] += weight * force[0];
@@ -34,7 +35,7 @@ inline void sum_force(const NodeSum& row, const Vec3& force, SlotForces to) {
   }
 }
 
-// A point more.
+// Adds factor times a point to the sum.
 inline void sum_add(NodeSum& row, const SeamPoint& point, double factor) {
   for (int k = 0; k < 4; ++k) {
     if (point.weight[k] == 0) continue;

@@ -1,5 +1,5 @@
-// What a system knows of its seams: pairs of particles on two outlines, each tied to the nodes of its cell.
-// core/README.md, section 6.
+// Seams: pairs of particles on two outlines. Each particle is a point of a cell and moves with the cell's
+// nodes. core/README.md, section 6.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -13,10 +13,10 @@ struct SeamPoint {
   double weight[4];
 };
 
-// A sum over nodes, each once: of the points of a pair.
+// A weighted sum over nodes that contains each node once, built from the points of a pair.
 struct NodeTerm {
   std::uint32_t node;
-  int slot;  // in Side
+  int slot;  // of IrregularElements
   double weight;
 };
 struct NodeSum {
@@ -33,38 +33,39 @@ struct SeamPair {
   NodeSum gap;  // r_b - r_a
 };
 
-// Across a welded pair: p_a - x - p_b, each p a cell's edge inside its piece, x the middle of the pair.
+// A hinge p_a - x - p_b across a welded pair. p_a and p_b are points one cell size inside either piece, x is
+// the middle of the pair.
 struct SeamHinge {
   NodeSum arm[2];            // x - p_a, p_b - x
-  double reach[2];           // m: their lengths at rest
-  double yarn_shares[2][2];  // of side k: cos^4 between arm and warp, sin^4
+  double reach[2];           // m, rest lengths of the arms
+  double yarn_shares[2][2];  // 1, [side][cos^4, sin^4] of the angle between arm and warp
   double width;              // m
-  double stiffness = 0;      // N m; 0 where a side does not bend
+  double stiffness = 0;      // N m; 0 where a side has no bending rigidity
 };
 
-// Along the seam, between the middles of two welded pairs that follow each other.
+// A link along the seam, between the middles of two consecutive welded pairs.
 struct SeamLink {
   std::size_t pair[2];
   NodeSum edge;
 };
 
 struct Seam {
-  std::size_t first = 0, count = 0;  // its pairs and hinges
-  std::size_t link_first = 0, link_count = 0;
+  std::size_t first = 0, count = 0;            // its pairs and hinges in Seams
+  std::size_t link_first = 0, link_count = 0;  // its links in Seams
   int piece[2];
-  double length[2], spacing[2];  // m: l and R of both sides
-  bool closed = false;           // it comes back to its start
-  int shorter = 0;               // side
-  double rest = 0;               // m: of its links, the smaller R
-  bool along_warp = false;       // their law: of the shorter side
-  double link_width = 0;         // m: half a cell on either side
-  double closed_at = 0;          // s
-  double gap_tolerance = 0;      // m
-  double speed = 0;              // m/s
-  double pull_given = 0;         // w, 1/s; 0 = automatic
-  double pull = 0;               // w, 1/s
-  double tape = 0;               // N per strain
-  bool close = false;            // pulling starts now
+  double length[2], spacing[2];  // m, length l and pair spacing R of both sides
+  bool closed = false;           // it is a ring: its end is its start
+  int shorter = 0;               // 0 or 1, the shorter side
+  double rest = 0;               // m, rest length of its links, the smaller R
+  bool along_warp = false;   // the links follow the shorter side's law along the warp; else along the weft
+  double link_width = 0;     // m, half a cell on either side
+  double closed_at = 0;      // s, time at which closing starts; infinite: only by `close`
+  double gap_tolerance = 0;  // m, gap within which a pair is welded
+  double speed = 0;          // m/s, closing speed
+  double pull_given = 0;     // w of the scene, 1/s; 0 = automatic
+  double pull = 0;           // w, 1/s
+  double tape = 0;           // N per strain, stiffness of a tape
+  bool close = false;        // closing starts now, whatever closed_at
 };
 
 struct Seams {
@@ -72,11 +73,11 @@ struct Seams {
   std::vector<SeamPair> pair;
   std::vector<SeamHinge> hinge;  // [pairs]
   std::vector<SeamLink> link;
-  double omega2_pull = 0, damping = 0;  // 1/s^2, 1/s: what the pulls add to omega^2 and d, at most
-  double omega2_welded = 0;             // 1/s^2: what hinges and links add, at most
+  double omega2_pull = 0, damping = 0;  // 1/s^2, 1/s, bounds of what the closing forces add to omega^2 and d
+  double omega2_welded = 0;             // 1/s^2, bound of what hinges and links add to omega^2
 };
 
-// Of a pair; part of the State.
+// The state of a pair. Part of State.
 enum class Sewn : char { kOpen, kPulled, kWelded };
 
 }  // namespace drape::model

@@ -1,5 +1,5 @@
-// Cloth against cloth: what a system knows of its own surface, and what the motion changes. core/README.md,
-// section 8.
+// Self contact: the surface of the cloth, constant after assembly, and the state of its contact.
+// core/README.md, section 8.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,23 +14,23 @@ namespace drape::model {
 using NodeIndex = std::uint32_t;
 inline constexpr NodeIndex kNoNode = 0xffffffff;
 
-// An edge of a triangle, and the corners across it: of its one or two triangles.
+// An edge, and the corners opposite to it in its one or two triangles.
 struct SelfEdge {
   NodeIndex node[2];
-  NodeIndex across[2];  // kNoNode where there is none
+  NodeIndex across[2];  // kNoNode where there is no triangle
 };
 
-// A cell of cloth as the triangles a b d and a d c.
+// A cell of the cloth as the triangles a b d and a d c.
 struct SelfCell {
   NodeIndex node[4];  // corners a, b, c, d
   int lattice, i, j;
-  int node_first, node_end;  // in SelfMesh::own_node: each particle in one cell
-  int edge_first, edge_end;  // in SelfMesh::edge, likewise
-  int seam_first, seam_end;  // in SelfMesh::near_seam
+  int node_first, node_end;  // range in SelfMesh::own_node; each particle belongs to one cell
+  int edge_first, edge_end;  // range in SelfMesh::edge; each edge belongs to one cell
+  int seam_first, seam_end;  // range in SelfMesh::near_seam
 };
 
 struct NearSeam {
-  int place;        // where pairs of seams meet: sewn points of the cloth
+  int place;        // number of a sewn point of the cloth: all pairs of seams that meet there share it
   double distance;  // m along the cloth, from the cell's centre
 };
 
@@ -38,7 +38,7 @@ struct NodeSpan {
   std::size_t begin, end;
 };
 
-// Constant after assembly; without cells where cloth does not touch cloth.
+// Constant after assembly. Has no cells in a scene without self contact.
 struct SelfMesh {
   std::vector<SelfCell> cell;
   std::vector<NodeIndex> own_node;
@@ -47,22 +47,23 @@ struct SelfMesh {
   std::vector<NodeSpan> span;        // runs of particles in the arrays of nodes
   std::vector<int> lattice_of;       // [nodes]
   std::vector<char> fixed;           // [nodes] 1 where a pin holds it
-  Array max_contact_distance;        // [nodes] m: nearer than the thickness at the start, else infinite
-  std::vector<int> exclusion_cells;  // [lattices] cells as near as this along the cloth do not touch
-  std::vector<double> min_protrusion_sine;  // [lattices] sine from which edges do: look.cpp
-  double seam_exclusion_distance = 0;       // m, likewise along the cloth across a seam
-  double contact_distance = 0;              // m, the thickest
-  double min_cell = 0;                      // m
+  Array max_contact_distance;        // [nodes] m: bound, where it starts within the thickness; else infinite
+  std::vector<int> exclusion_cells;  // [lattices] cells this near along the cloth are excluded from contact
+  std::vector<double> min_protrusion_sine;  // [lattices] sine from which an edge protrudes: narrow_phase.cpp
+  double seam_exclusion_distance = 0;       // m, exclusion along the cloth across a seam
+  double contact_distance = 0;              // m, the largest of all pairs
+  double min_cell = 0;                      // m, smallest cell size
 };
 
-// A particle and a triangle; two edges.
+// A pair of a particle and a triangle.
 struct SelfPoint {
-  NodeIndex node[4];
-  double contact_distance;  // m, at which the pair touches: the mean thickness, or how near it started
+  NodeIndex node[4];        // particle, corners of the triangle
+  double contact_distance;  // m: the mean thickness, or the distance at the start where that is smaller
 };
+// A pair of two edges.
 struct SelfCross {
   NodeIndex node[4];
-  NodeIndex edge[2];        // of SelfMesh
+  NodeIndex edge[2];        // indices in SelfMesh::edge
   double contact_distance;  // m
 };
 struct SelfPairs {
@@ -71,7 +72,7 @@ struct SelfPairs {
   std::size_t size() const { return point.size() + cross.size(); }
 };
 
-// What friction held at a pair in the last step.
+// The friction force of a pair in the last step.
 struct SelfHold {
   std::array<NodeIndex, 4> node;
   bool cross, sticks;
@@ -80,15 +81,17 @@ struct SelfHold {
 
 inline constexpr std::size_t kPairsPerBlock = 32;  // pairs
 
-// What the motion changes. `way` grows by the most that any two points of cloth may have come nearer.
+// The state of self contact. In each step, `travel` grows by an upper bound of how much nearer any two points
+// of the cloth have come.
 struct SelfState {
   double travel = 0;                       // m
-  double speed = 0;                        // m/s, of any two particles against each other, at most
-  double searched = 0, margin = 0;         // m: pairs were searched at this way, this much beyond the layer
-  std::shared_ptr<const SelfPairs> pairs;  // that were near then
+  double speed = 0;                        // m/s, upper bound of the relative speed of any two particles
+  double searched = 0;                     // m, travel at the last search for pairs
+  double margin = 0;                       // m, margin of that search beyond the contact distance
+  std::shared_ptr<const SelfPairs> pairs;  // pairs that search found
   std::vector<double> active_after_travel,
-      block_active_after_travel;  // [pairs], [blocks] way until which they do not touch
-  std::vector<SelfHold> hold;     // by their pairs, points first
+      block_active_after_travel;  // [pairs], [blocks] m, travel up to which they cannot touch
+  std::vector<SelfHold> hold;     // in the order of their pairs, points first
 };
 
 }  // namespace drape::model

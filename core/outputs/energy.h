@@ -1,20 +1,20 @@
-// Energies by kind, J.
+// Energies by kind, J, and the start of the energy balance.
 #pragma once
 #include "drape/drape.h"
 #include "model/system.h"
 
 namespace drape::outputs {
 
-// Potential energies of the present positions; kinetic is left 0.
+// The potential energies at the present positions, J. The kinetic energy and the balance are left at 0.
 drape_energy energy_potential(const System& system, const State& state);
 
-// sum m v^2/2
+// The kinetic energy sum m v^2/2, J, from velocities [nodes], m/s.
 double energy_kinetic(const System& system, const Array& vx, const Array& vy, const Array& vz);
 
-// Of all kinds.
+// The sum of the kinetic and all potential energies, J.
 double energy_sum(const drape_energy& energy);
 
-// The balance begins at a start state, whose velocities are v_0.
+// Starts the energy balance at a start state, whose velocities are v_0.
 void energy_begin(const System& system, State& start);
 
 }  // namespace drape::outputs

@@ -13,7 +13,7 @@ double link_tension(const fabric::Law& law, model::YarnDirection along, double s
   return curve.segments == 0 ? 0 : math::curve_value(curve, strain);
 }
 
-// Sums of a node over its links: width, width x strain, width x tension; of warp, weft, bias.
+// Sums over the links of a node, for warp, weft, bias: width, width x strain, width x tension.
 using LinkSums = std::array<std::array<double, 3>, 3>;
 
 std::vector<LinkSums> link_sums(const System& system, const State& s) {

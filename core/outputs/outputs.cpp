@@ -14,7 +14,7 @@ namespace {
 
 using namespace math::vector3;
 
-// A field at each probe, by coordinate.
+// Interpolates a field x, y, z [nodes] at each probe.
 void probes_fill(Outputs& o, const System& system, double (drape_probe::*to)[3], const Array& x,
                  const Array& y, const Array& z) {
   const Array* field[] = {&x, &y, &z};
@@ -28,21 +28,23 @@ void probes_fill(Outputs& o, const System& system, double (drape_probe::*to)[3],
   }
 }
 
-// The impulse of whole steps lacks the last kick up to now: load x its time.
+// The force is the impulse of the last advance over its length. The impulse of the state lacks the last kick
+// up to the present time, which is the load times the time of that kick.
 void pins_fill(Outputs& o, const System& system, const State& s) {
   const double half = dynamics::last_half(system, s);
   for (std::size_t p = 0; p < o.pins.size(); ++p) {
-    const math::Wrench &done = s.pin_impulse[p], &load = o.pin_load[p];
+    const math::Wrench &impulse = s.pin_impulse[p], &load = o.pin_load[p];
     for (std::size_t k = 0; k < 3; ++k) {
       const bool moved = s.advance_length > 0 && !system.fit;
-      o.pins[p].force[k] = moved ? (done.force[k] + half * load.force[k]) / s.advance_length : load.force[k];
+      o.pins[p].force[k] =
+          moved ? (impulse.force[k] + half * load.force[k]) / s.advance_length : load.force[k];
       o.pins[p].torque[k] =
-          moved ? (done.torque[k] + half * load.torque[k]) / s.advance_length : load.torque[k];
+          moved ? (impulse.torque[k] + half * load.torque[k]) / s.advance_length : load.torque[k];
     }
   }
 }
 
-// Likewise of bodies; the impulse of the last kick is one already.
+// Likewise for bodies, where the load is already the impulse of the last kick.
 void bodies_fill(Outputs& o, const System& system, const dynamics::Motion& motion, const State& s) {
   const bool moved = s.advance_length > 0 && !system.fit, half = dynamics::last_half(system, s) > 0;
   for (std::size_t b = 0; b < o.bodies.size(); ++b) {
@@ -60,17 +62,17 @@ void bodies_fill(Outputs& o, const System& system, const dynamics::Motion& motio
 void seams_fill(Outputs& o, const System& system, const State& s) {
   for (std::size_t k = 0; k < o.seams.size(); ++k) {
     const model::Seam& seam = system.seams.seam[k];
-    drape_seam& shown = o.seams[k];
-    shown.gap_max = shown.length = 0;
-    shown.closed = 1;
+    drape_seam& view = o.seams[k];
+    view.gap_max = view.length = 0;
+    view.closed = 1;
     Vec3 before{};
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
       const model::SeamPair& pair = system.seams.pair[p];
       const Vec3 a = model::point_now(pair.side[0], s), b = model::point_now(pair.side[1], s),
                  middle = 0.5 * (a + b);
-      shown.gap_max = std::max(shown.gap_max, norm(b - a));
-      if (s.sewn[p] != model::Sewn::kWelded || shown.gap_max > seam.gap_tolerance) shown.closed = 0;
-      if (p > seam.first) shown.length += norm(middle - before);
+      view.gap_max = std::max(view.gap_max, norm(b - a));
+      if (s.sewn[p] != model::Sewn::kWelded || view.gap_max > seam.gap_tolerance) view.closed = 0;
+      if (p > seam.first) view.length += norm(middle - before);
       before = middle;
     }
   }
@@ -109,13 +111,13 @@ void summary_fill(Outputs& o, const System& system, const State& s, const contac
 void energy_fill(Outputs& o, const System& system, dynamics::Motion& motion, const State& s) {
   drape_energy& e = o.c_view.energy;
   e = energy_potential(system, s);
-  e.kinetic = energy_kinetic(system, motion.now_x, motion.now_y, motion.now_z);
+  e.kinetic = energy_kinetic(system, o.velocity[0], o.velocity[1], o.velocity[2]);
   if (!o.c_view.has_balance) return;
   const dynamics::BalanceNow now =
       dynamics::balance_now(system, motion.balance, s, dynamics::velocity_extrapolation(system, s),
-                            motion.now_x, motion.now_y, motion.now_z);
-  e.dissipated = now.dissipated + motion.contact.dissipated + motion.self.dissipated;
-  e.input = now.input + motion.held.work + motion.contact.input;
+                            {o.velocity[0], o.velocity[1], o.velocity[2]});
+  e.dissipated = now.dissipated + o.half_kick.dissipated_by_contact + o.half_kick.dissipated_by_self_contact;
+  e.input = now.input + o.half_kick.work_of_pins + o.half_kick.work_of_bodies;
   e.balance_error = energy_sum(e) - s.energy_start - e.input + e.dissipated;
 }
 
@@ -130,6 +132,7 @@ void outputs_make(Outputs& o, const Scene& scene, const System& system) {
         {scene.seams[k].name.c_str(), int(seam.count), {seam.length[0], seam.length[1]}, 0, 0, 0});
   }
   for (const scene::BodySpec& body : scene.bodies) o.bodies.push_back({body.name.c_str(), {}, {}});
+  for (Array& v : o.velocity) v.assign(system.nodes, 0.0);
   o.c_view.has_energy = scene.energy;
   o.c_view.has_balance = system.energy;
   o.c_view.has_self_contact = scene.self_contact;
@@ -145,26 +148,27 @@ void outputs_make(Outputs& o, const Scene& scene, const System& system) {
   o.c_view.node_count = int(system.particle.size());
 }
 
-void outputs_fill(Outputs& o, const System& system, dynamics::Motion& motion, const State& s, int what) {
+void outputs_fill(Outputs& o, const System& system, dynamics::Motion& motion, const State& s, int mask) {
   const contact::ContactStops stops =
-      what & DRAPE_STRAIN ? dynamics::leapfrog_stops(system, motion, s) : contact::ContactStops{};
-  if (what & (DRAPE_MOTION | DRAPE_ENERGY | DRAPE_NODE_MOTION))
-    dynamics::leapfrog_synchronous(system, motion, s, motion.now_x.data(), motion.now_y.data(),
-                                   motion.now_z.data(), o.pin_load);
-  if (what & DRAPE_PLACES) {
+      mask & DRAPE_OUT_STRAIN ? dynamics::leapfrog_stops(system, motion, s) : contact::ContactStops{};
+  if (mask & (DRAPE_OUT_VELOCITY | DRAPE_OUT_ENERGY | DRAPE_OUT_NODE_VELOCITY))
+    o.half_kick = dynamics::leapfrog_synchronous(
+        system, motion, s, {o.velocity[0].data(), o.velocity[1].data(), o.velocity[2].data()}, o.pin_load);
+  if (mask & DRAPE_OUT_POSITION) {
     probes_fill(o, system, &drape_probe::position, s.x, s.y, s.z);
     seams_fill(o, system, s);
   }
-  if (what & DRAPE_MOTION) {
-    probes_fill(o, system, &drape_probe::velocity, motion.now_x, motion.now_y, motion.now_z);
+  if (mask & DRAPE_OUT_VELOCITY) {
+    probes_fill(o, system, &drape_probe::velocity, o.velocity[0], o.velocity[1], o.velocity[2]);
     pins_fill(o, system, s);
     bodies_fill(o, system, motion, s);
   }
-  if (what & DRAPE_STRAIN) summary_fill(o, system, s, stops);
-  if ((what & DRAPE_ENERGY) && o.c_view.has_energy) energy_fill(o, system, motion, s);
-  if (what & DRAPE_NODE_PLACES) o.c_view.node_position = nodes_fill(o.node_position, system, s.x, s.y, s.z);
-  if (what & DRAPE_NODE_MOTION)
-    o.c_view.node_velocity = nodes_fill(o.node_velocity, system, motion.now_x, motion.now_y, motion.now_z);
+  if (mask & DRAPE_OUT_STRAIN) summary_fill(o, system, s, stops);
+  if ((mask & DRAPE_OUT_ENERGY) && o.c_view.has_energy) energy_fill(o, system, motion, s);
+  if (mask & DRAPE_OUT_NODE_POSITION)
+    o.c_view.node_position = nodes_fill(o.node_position, system, s.x, s.y, s.z);
+  if (mask & DRAPE_OUT_NODE_VELOCITY)
+    o.c_view.node_velocity = nodes_fill(o.node_velocity, system, o.velocity[0], o.velocity[1], o.velocity[2]);
 }
 
 }  // namespace drape::outputs

@@ -1,4 +1,4 @@
-// Strain and tension of every thread and diagonal.
+// A summary of strain and tension over all links.
 #pragma once
 #include "drape/drape.h"
 #include "model/system.h"
@@ -6,9 +6,9 @@
 namespace drape::outputs {
 
 struct StrainSummary {
-  drape_strain warp, weft, bias;
-  double tension_max;        // N/m, over warp and weft
-  double beyond_test_count;  // links past the last elongation of their diagram
+  drape_strain warp, weft, bias;  // 1
+  double tension_max;             // N/m, over warp and weft
+  double beyond_test_count;       // links beyond the last elongation of their diagram
 };
 StrainSummary strain_summary(const System& system, const State& state);
 

@@ -18,7 +18,8 @@ Vec3 plane_point(const scene::PlaceSpec& place, Vec2 q) {
   return sum(sum(place.origin, q[0], place.axis_x), q[1], place.axis_y);
 }
 
-// Of the plane: from the axis of its cylinder to it, where it does not hold the axis.
+// The unit normal of the plane. It points from the axis of the cylinder to the plane, unless the axis is in
+// the plane.
 Vec3 plane_normal(const scene::PlaceSpec& place) {
   const Vec3 n = cross(place.axis_x, place.axis_y);
   const Vec3 d = sum(place.origin, -1, place.axis_point);
@@ -26,7 +27,7 @@ Vec3 plane_normal(const scene::PlaceSpec& place) {
   return height < -1e-9 * (std::sqrt(dot(d, d)) + size) ? Vec3{-n[0], -n[1], -n[2]} : n;
 }
 
-// Length of the ellipse (a sin f, b cos f) from 0 to f, by the elliptic integral of the second kind:
+// Arc length of the ellipse (a sin f, b cos f) from 0 to f, by the elliptic integral of the second kind:
 //
 //   s(f) = int_0^f sqrt(a^2 cos^2 u + b^2 sin^2 u) du = a E(f, k),  k^2 = 1 - b^2/a^2      for a >= b,
 //                                                     = b [E(k') - E(pi/2 - f, k')]        for a < b
@@ -37,19 +38,19 @@ double arc_length(Vec2 radius, double f) {
   return b * (std::comp_ellint_2(k) - std::ellint_2(k, std::numbers::pi / 2 - f));
 }
 
-// The f at which s(f) = s. Within a quarter s' only rises or only falls, so Newton's method from the end with
-// the larger s' comes to the root from one side.
+// The f at which s(f) = s. Within a quarter of the ellipse s' is monotone, so Newton's method started at the
+// end with the larger s' converges from one side.
 double arc_angle(Vec2 radius, double s) {
   const auto [a, b] = radius;
   if (a == b) return s / a;
   constexpr double kQuarter = std::numbers::pi / 2;
   const double quarter = std::floor(s / arc_length(radius, kQuarter));
-  const bool even = std::fmod(quarter, 2) == 0;  // s' goes from a to b there, else from b to a
+  const bool even = std::fmod(quarter, 2) == 0;  // s' runs from a to b there, else from b to a
   double f = kQuarter * ((even == (a > b)) ? quarter : quarter + 1);
   for (int k = 0; k < 60; ++k) {
     const double step = (arc_length(radius, f) - s) / std::hypot(a * std::cos(f), b * std::sin(f));
     f -= step;
-    if (!(std::abs(step) > 1e-10)) break;  // the error is of the order of its square
+    if (!(std::abs(step) > 1e-10)) break;  // the remaining error is of the order of step^2
   }
   return f;
 }

@@ -38,8 +38,7 @@ Obstacle obstacle_of(const scene::BodySpec& body) {
 // W^2 = [4 (max p'(0) + g'(0))/(rho b^2) + 32 B/(rho b^4)]/20
 double stiffness(const Scene& scene, const scene::FabricSpec& f, double b) {
   const auto slope = [](const Law& law) { return law.curve.e.empty() ? 0.0 : curve_slope(law.curve, 0); };
-  const double along =
-      std::max(slope(thread_law(scene, f, f.warp, b)), slope(thread_law(scene, f, f.weft, b)));
+  const double along = std::max(slope(yarn_law(scene, f, f.warp, b)), slope(yarn_law(scene, f, f.weft, b)));
   const double B = std::max(f.bending_warp, f.bending_weft) / (1 - f.poisson * f.poisson);
   const double b2 = b * b;
   return (4 * (along + slope(bias_law(scene, f, b))) / b2 + 32 * B / (b2 * b2)) / f.areal_density / 20;
@@ -71,14 +70,14 @@ Vector3d nearest(const Obstacle& o, const Vector3d& x) {
   return best;
 }
 
-// Visits each particle within its layer: its depth and the way out.
+// Visits each particle within its contact distance: visit(body, particle, law, depth, outward direction).
 template <class Visit>
-void each_touch(const Lattice& lattice, const Contact& contact, const VectorXd& r, Visit visit) {
+void contacts_visit(const Lattice& lattice, const Contact& contact, const VectorXd& r, Visit visit) {
   for (const Obstacle& o : contact.bodies)
     for (int n = 0; n < lattice.count; ++n) {
       const Vector3d x = r.segment<3>(3 * n), away = x - nearest(o, x);
       const Skin& skin = contact.skin[std::size_t(n)];
-      const double depth = skin.layer - away.norm();
+      const double depth = skin.contact_distance - away.norm();
       if (depth > 0) visit(o, n, skin, depth, Vector3d(away.normalized()));
     }
 }
@@ -108,27 +107,27 @@ Contact contact_make(const Scene& scene) {
 
 double add_contact(const Lattice& lattice, const Contact& contact, const VectorXd& r, const VectorXd& v,
                    VectorXd& F) {
-  double taken = 0;
-  each_touch(lattice, contact, r,
-             [&](const Obstacle& o, int n, const Skin& skin, double depth, const Vector3d& out) {
-               const double blend = skin.layer / 8, t = std::min(depth / blend, 1.0),
-                            slope = 3 * t * t - 2 * t * t * t;
-               const double phi = blend * (t * t * t - t * t * t * t / 2) + std::max(depth - blend, 0.0);
-               const double speed = v.segment<3>(3 * n).dot(out);
-               const double held = skin.omega * skin.omega * phi,
-                            pushed = std::max(held - 2 * o.damping * skin.omega * slope * speed, 0.0);
-               const double m = lattice.mass[std::size_t(n)];
-               F.segment<3>(3 * n) += m * pushed * out;
-               taken -= m * (pushed - held) * speed;
-             });
-  return taken;
+  double dissipated = 0;
+  contacts_visit(lattice, contact, r,
+                 [&](const Obstacle& o, int n, const Skin& skin, double depth, const Vector3d& out) {
+                   const double blend = skin.contact_distance / 8, t = std::min(depth / blend, 1.0),
+                                slope = 3 * t * t - 2 * t * t * t;
+                   const double phi = blend * (t * t * t - t * t * t * t / 2) + std::max(depth - blend, 0.0);
+                   const double speed = v.segment<3>(3 * n).dot(out);
+                   const double penalty = skin.omega * skin.omega * phi,
+                                pushed = std::max(penalty - 2 * o.damping * skin.omega * slope * speed, 0.0);
+                   const double m = lattice.mass[std::size_t(n)];
+                   F.segment<3>(3 * n) += m * pushed * out;
+                   dissipated -= m * (pushed - penalty) * speed;
+                 });
+  return dissipated;
 }
 
 double contact_energy(const Lattice& lattice, const Contact& contact, const VectorXd& r) {
   double sum = 0;
-  each_touch(
+  contacts_visit(
       lattice, contact, r, [&](const Obstacle&, int n, const Skin& skin, double depth, const Vector3d&) {
-        const double blend = skin.layer / 8, t = std::min(depth / blend, 1.0),
+        const double blend = skin.contact_distance / 8, t = std::min(depth / blend, 1.0),
                      on = std::max(depth - blend, 0.0);
         const double phi =
             blend * blend * (t * t * t * t / 4 - t * t * t * t * t / 10) + on * blend / 2 + on * on / 2;
@@ -137,9 +136,9 @@ double contact_energy(const Lattice& lattice, const Contact& contact, const Vect
   return sum;
 }
 
-Touching touching(const Lattice& lattice, const Contact& contact, const VectorXd& r) {
-  Touching found;
-  each_touch(lattice, contact, r, [&](const Obstacle&, int, const Skin&, double depth, const Vector3d&) {
+ContactSummary contact_summary(const Lattice& lattice, const Contact& contact, const VectorXd& r) {
+  ContactSummary found;
+  contacts_visit(lattice, contact, r, [&](const Obstacle&, int, const Skin&, double depth, const Vector3d&) {
     ++found.count;
     found.depth = std::max(found.depth, depth);
   });

@@ -1,5 +1,6 @@
-// Bodies that stay and have no friction, by a search through all triangles. Equations: core/README.md,
-// section 7. Of several minima of the distance only the least is taken: bodies without grooves.
+// Contact with fixed bodies without friction, by a search through all triangles. Equations: core/README.md,
+// section 7. Only the nearest point of a body is used, not further local minima of the distance: for bodies
+// without grooves.
 #pragma once
 #include <Eigen/Dense>
 #include <array>
@@ -13,12 +14,12 @@ namespace drape::reference {
 struct Obstacle {
   std::vector<Eigen::Vector3d> point;
   std::vector<std::array<int, 3>> corner;
-  double damping = 1;  // zeta
+  double damping = 1;  // zeta, 1
 };
 
-// What a particle's fabric does to surfaces.
+// The contact law of a particle.
 struct Skin {
-  double layer = 0, omega = 0;  // m, 1/s
+  double contact_distance = 0, omega = 0;  // m, 1/s
 };
 
 struct Contact {
@@ -26,20 +27,21 @@ struct Contact {
   std::vector<Skin> skin;  // [N]
 };
 
-// Throws std::runtime_error, with a sentence, for bodies that move or rub and meshes that cannot be read.
+// Throws std::runtime_error, with one sentence, for self contact, bodies that move or have friction, and
+// meshes that cannot be read.
 Contact contact_make(const Scene& scene);
 
-// Adds the normal forces to F [3 N]; the power that their damping takes, W.
+// Adds the normal forces to F [3 N], N. Returns the power that their damping dissipates, W.
 double add_contact(const Lattice& lattice, const Contact& contact, const Eigen::VectorXd& r,
                    const Eigen::VectorXd& v, Eigen::VectorXd& F);
 
 double contact_energy(const Lattice& lattice, const Contact& contact, const Eigen::VectorXd& r);  // J
 
-// The number of particles that touch, and the greatest depth, m.
-struct Touching {
+// The number of particles in contact, and the largest depth, m.
+struct ContactSummary {
   int count = 0;
   double depth = 0;
 };
-Touching touching(const Lattice& lattice, const Contact& contact, const Eigen::VectorXd& r);
+ContactSummary contact_summary(const Lattice& lattice, const Contact& contact, const Eigen::VectorXd& r);
 
 }  // namespace drape::reference

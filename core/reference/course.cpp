@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The values of an Outside by name: "wind[1]", "pin.bar.position[3]", "pin.bar.orientation[1]" (w first). The
-// order of the quaternions' coefficients in memory is x, y, z, w.
+// A value of an Outside by its name: "wind[1]", "pin.bar.position[3]", "pin.bar.orientation[1]" (w is the
+// first). In memory the coefficients of a quaternion are x, y, z, w.
 double* input_of(Outside& outside, const Lattice& lattice, const std::string& name) {
   const std::size_t bracket = name.find('[');
   if (bracket == std::string::npos || name.size() != bracket + 3 || name.back() != ']') return nullptr;

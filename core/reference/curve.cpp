@@ -4,8 +4,8 @@
 //     f(e)  = f_i + d_i { k_i t + j (t^3 - t^4/2) + 30 q (t^3/3 - t^4/2 + t^5/5) }
 //     E(e)  = E_i + f_i d_i t + d_i^2 { k_i t^2/2 + j (t^4/4 - t^5/10) + 30 q (t^4/12 - t^5/10 + t^6/30) }
 //
-// s the secant. Inner slopes: the weighted harmonic mean of Fritsch and Butland (1984), SIAM J. Sci. Stat.
-// Comput. 5, 300, limited to twice the smaller secant.
+// where s is the slope of the secant. Inner slopes are the weighted harmonic mean of Fritsch and Butland
+// (1984), SIAM J. Sci. Stat. Comput. 5, 300, limited to twice the smaller secant.
 #include "reference/curve.h"
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 namespace drape::reference {
 namespace {
 
-constexpr double kLockingGap = 1e-6;  // stretch kept clear of sqrt(2)
-constexpr double kSweepRest = 1e-14;  // of the last force
+constexpr double kLockingGap = 1e-6;       // smallest distance of a stretch from sqrt(2)
+constexpr double kSweepConverged = 1e-14;  // relative to the last force
 constexpr int kSweepLimit = 10000;
 
 double secant(const Curve& c, std::size_t i) { return (c.f[i + 1] - c.f[i]) / (c.e[i + 1] - c.e[i]); }
@@ -29,7 +29,7 @@ double inner_slope(const Curve& c, std::size_t i) {
   return std::min(mean, 2 * std::min(s_left, s_right));
 }
 
-// The segment of an elongation in [0, e_n).
+// The index of the segment that contains an elongation in [0, e_n).
 std::size_t segment_of(const Curve& c, double e) {
   return std::size_t(std::upper_bound(c.e.begin() + 1, c.e.end() - 1, e) - c.e.begin()) - 1;
 }
@@ -45,9 +45,9 @@ Segment segment_at(const Curve& c, std::size_t i, double e) {
 
 double segment_energy(const Segment& s) {
   const double t = s.t, t2 = t * t, t4 = t2 * t2;
-  const double carry = s.k * t2 / 2 + s.j * (t4 / 4 - t4 * t / 10);
+  const double slopes = s.k * t2 / 2 + s.j * (t4 / 4 - t4 * t / 10);
   const double bump = 30 * s.q * (t4 / 12 - t4 * t / 10 + t4 * t2 / 30);
-  return s.f * s.d * t + s.d * s.d * (carry + bump);
+  return s.f * s.d * t + s.d * s.d * (slopes + bump);
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ double curve_energy(const Curve& c, double e) {
   if (c.e.empty()) return 0;
   if (e < 0 && c.below == Below::kOdd) return curve_energy(c, -e);
   if (e < 0) {
-    // the antiderivative of f(u), taken from u = 1 down to max(u, 0); then a parabola
+    // The antiderivative of f(u) from u = 1 to max(u, 0); beyond, a parabola.
     const double r = c.ratio, b = c.blend, k0 = c.k[0];
     const double u = e <= -b ? 0 : 1 + e / b, u4 = u * u * u * u;
     const double at_u = r * (u * u / 2 - u) + (1 - r) * (u4 / 4 - u4 * u / 10 - u / 2);
@@ -139,7 +139,7 @@ Curve odd_law(const std::vector<double>& e, const std::vector<double>& P) {
       change = std::max(change, std::abs(risen - g[i]));
       g[i] = risen;
     }
-    if (change <= kSweepRest * P[points - 1]) return curve_make(kept, g, Below::kOdd);
+    if (change <= kSweepConverged * P[points - 1]) return curve_make(kept, g, Below::kOdd);
     if (!std::isfinite(change)) break;
   }
   throw std::runtime_error("odd bias law: the sweep for g(L) + g(|e2|) l1/l2 = P(L) does not come to rest");

@@ -7,11 +7,10 @@
 //                  \c        F_2 = kappa psi (u - y v)/|c|,  F_0 = -kappa psi (v - y u)/|a|
 //                   o x2     F_1 = -F_0 - F_2,   E = kappa theta^2/2
 //
-//   clamp  R D ~~~> x0 o--o x1   the same with u = R D, v along the link x1 - x0:  F_1 = kappa psi (u - y
-//   v)/|c| = -F_0,
-//                            and the clamp feels the couple -(x1 - x0) x F_1
+//   clamp  R D ~~~> x0 o--o x1   the same with u = R D and v along the link x1 - x0:
+//                            F_1 = kappa psi (u - y v)/|c| = -F_0,  couple on the clamp -(x1 - x0) x F_1
 //
-// Beyond 120 degrees psi is its own Taylor polynomial of degree 2 in y, and E follows by dE = -kappa psi dy.
+// Beyond 120 degrees psi is its Taylor polynomial of degree 2 in y, and E follows from dE = -kappa psi dy.
 #include "reference/forces.h"
 
 #include <cmath>

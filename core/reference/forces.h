@@ -7,30 +7,31 @@ namespace drape::reference {
 
 double link_strain(const Link& link, const Eigen::VectorXd& r);  // l/rest - 1
 
-// psi(y) = theta/sin(theta) of a hinge and its energy over kappa, theta by atan2; continued past 120 degrees.
+// psi(y) = theta/sin(theta) of a hinge, and its energy over kappa. theta is computed by atan2; beyond 120
+// degrees both are continued.
 struct Fold {
   double y, psi, energy;
 };
 Fold fold_of(const Eigen::Vector3d& a, const Eigen::Vector3d& c);
 
-// How far each pin's frame is turned since the start [pins].
+// The rotation of each pin since the start [pins].
 using Turns = std::vector<Eigen::Matrix3d>;
 Turns unturned(const Lattice& lattice);
 
-// Each law adds to F [3 N].
+// Each function adds the forces of one law to F [3 N], N.
 void add_stretch(const Lattice& lattice, const Eigen::VectorXd& r, Eigen::VectorXd& F);
 void add_shear(const Lattice& lattice, const Eigen::VectorXd& r, Eigen::VectorXd& F);
 void add_bending(const Lattice& lattice, const Eigen::VectorXd& r, Eigen::VectorXd& F);
-// The hinges between clamps and links; returns the couple that they exert on each clamp [3 pins].
+// Adds the forces of the clamp hinges. Returns their couple on each clamp [3 pins], N m.
 Eigen::VectorXd add_clamps(const Lattice& lattice, const Turns& turns, const Eigen::VectorXd& r,
                            Eigen::VectorXd& F);
 Eigen::VectorXd forces(const Lattice& lattice, const Eigen::VectorXd& r, const Turns& turns);  // all four
-Eigen::VectorXd forces(const Lattice& lattice, const Eigen::VectorXd& r);  // with no pin turned
+Eigen::VectorXd forces(const Lattice& lattice, const Eigen::VectorXd& r);  // with all pins unrotated
 
-// J.
+// Energies, J.
 double stretch_energy(const Lattice& lattice, const Eigen::VectorXd& r);
 double shear_energy(const Lattice& lattice, const Eigen::VectorXd& r);
-double bending_energy(const Lattice& lattice, const Eigen::VectorXd& r);  // of the cloth's own hinges
+double bending_energy(const Lattice& lattice, const Eigen::VectorXd& r);  // without the clamp hinges
 double clamp_energy(const Lattice& lattice, const Turns& turns, const Eigen::VectorXd& r);
 
 }  // namespace drape::reference

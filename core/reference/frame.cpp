@@ -1,15 +1,17 @@
-// With R = exp(f), theta = |f|, the angular velocity is that of the left Jacobian of the rotations
-// (Chirikjian 2011):
+// With R = exp(f) and theta = |f|, the left Jacobian of the rotations gives the angular velocity (Chirikjian
+// 2011):
 //
-//     w  = f' + A f x f' + B f x (f x f'),              A = (1 - cos theta)/theta^2,  B = (theta - sin
-//     theta)/theta^3, w' = f'' + A f x f'' + B [f x (f x f'') + f' x (f x f')] + A' f x f' + B' f x (f x f'),
+//     w  = f' + A f x f' + B f x (f x f')
+//     w' = f'' + A f x f'' + B [f x (f x f'') + f' x (f x f')] + A' f x f' + B' f x (f x f')
+//     A  = (1 - cos theta)/theta^2,       A' = (f.f') A_1,   A_1 = (sin theta/theta - 2 A)/theta^2
+//     B  = (theta - sin theta)/theta^3,   B' = (f.f') B_1,   B_1 = (A - 3 B)/theta^2
 //
-// with A' = (f.f') A_1, A_1 = (dA/dtheta)/theta = (sin theta/theta - 2 A)/theta^2, B' likewise with B_1 = (A
-// - 3 B)/theta^2. Below 1 their power series: A = sum (-1)^k theta^2k/(2k + 2)!, B = sum (-1)^k theta^2k/(2k
-// + 3)!.
+// with A_1 = (dA/dtheta)/theta, and B_1 likewise. For theta below 1 the power series are used:
 //
-// Under an angular velocity that goes along a line from w_0 to w_1 within H, R = exp(f_1) R(0) with f_1 = H
-// (w_0 + w_1)/2 + H^2 w_1 x w_0/12 to the fourth order in H (Magnus 1954).
+//     A = sum (-1)^k theta^2k/(2k + 2)!,  B = sum (-1)^k theta^2k/(2k + 3)!
+//
+// If the angular velocity changes linearly from w_0 to w_1 within H, then R = exp(f_1) R(0) with
+// f_1 = H (w_0 + w_1)/2 + H^2 w_1 x w_0/12, to the fourth order in H (Magnus 1954).
 #include "reference/frame.h"
 
 #include <cmath>
@@ -25,7 +27,7 @@ struct Jacobian {
   double A, B, A_1, B_1;
 };
 
-Jacobian jacobian_series(double square) {  // of theta
+Jacobian jacobian_series(double square) {  // square: theta^2
   Jacobian J{0, 0, 0, 0};
   double term = 1, lower = 0;  // (-1)^k theta^2k/(2k)!, and that over theta^2
   for (int k = 0; k < 12; ++k) {
@@ -52,7 +54,7 @@ Jacobian jacobian_of(const Vector3d& f) {
   return J;
 }
 
-// The f' at f with the angular velocity w.
+// The rate f' at f for the angular velocity w.
 Vector3d turn_rate(const Vector3d& f, const Vector3d& w) {
   Matrix3d cross;
   cross << 0, -f[2], f[1], f[2], 0, -f[0], -f[1], f[0], 0;
@@ -64,7 +66,7 @@ Cubic line(const Vector3d& from, const Vector3d& to, double H) {
   return {{from, (to - from) / H, Vector3d::Zero(), Vector3d::Zero()}};
 }
 
-// Through both ends with the slopes u and w there.
+// The cubic through both ends, with the slopes u and w there.
 Cubic hermite(const Vector3d& from, const Vector3d& to, const Vector3d& u, const Vector3d& w, double H) {
   const Vector3d reach = (to - from) / H;
   return {{from, u, (3 * reach - 2 * u - w) / H, (u + w - 2 * reach) / (H * H)}};

@@ -1,9 +1,9 @@
-// Equations: core/README.md, section 4. With a the free acceleration, on fixed particles the wanted one, on
-// which M^-1 is 0,
+// Equations: core/README.md, section 4. a is the free acceleration; on fixed particles it is the expected
+// one, and M^-1 is 0 there:
 //
-//     lambda = -(A M^-1 A^T)^-1 (A a - wanted),     r'' = a + M^-1 A^T lambda,
+//     lambda = -(A M^-1 A^T)^-1 (A a - expected),     r'' = a + M^-1 A^T lambda,
 //
-// the pins act on the cloth by A^T lambda, and on a fixed particle by m (wanted - a_free) - A^T lambda.
+// The pins act on the cloth by A^T lambda, and on a fixed particle by m (expected - a_free) - A^T lambda.
 #include "reference/held.h"
 
 namespace drape::reference {
@@ -14,10 +14,11 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kRankTolerance = 1e-10;  // of A M^-1 A^T
+constexpr double kRankTolerance = 1e-10;  // relative, for A M^-1 A^T
 
-// Pivoted QR of M^-1/2 A^T takes the order of pivoted Cholesky of A M^-1 A^T; its pivots are their roots.
-void keep_independent_rows(const MatrixXd& all, const std::vector<int>& rows, Held& held) {
+// Pivoted QR of M^-1/2 A^T has the pivot order of pivoted Cholesky of A M^-1 A^T; its pivots are their square
+// roots.
+void independent_rows_select(const MatrixXd& all, const std::vector<int>& rows, Held& held) {
   const MatrixXd scaled = held.inverse_mass.cwiseSqrt().asDiagonal() * all.transpose();
   Eigen::ColPivHouseholderQR<MatrixXd> qr(scaled);
   qr.setThreshold(std::sqrt(kRankTolerance));
@@ -67,7 +68,7 @@ Held held_make(const Lattice& lattice, const Sewing& sewing) {
     for (std::size_t m = 0; m < point.node.size(); ++m) all(Index(k), point.node[m]) = point.weight[m];
   }
   others.resize(others.size() + welds.size(), -1);
-  keep_independent_rows(all, others, held);
+  independent_rows_select(all, others, held);
   return held;
 }
 
@@ -80,8 +81,8 @@ std::vector<Target> targets_of(const Lattice& lattice, const std::vector<Frame>&
   return targets;
 }
 
-Passed hold(const Lattice& lattice, const Held& held, const std::vector<Vector3d>& wanted,
-            const std::vector<Vector3d>& arm, VectorXd& x) {
+Passed constraints_project(const Lattice& lattice, const Held& held, const std::vector<Vector3d>& expected,
+                           const std::vector<Vector3d>& arm, VectorXd& x) {
   const Index pins = 3 * Index(lattice.pins.size());
   Passed passed{VectorXd::Zero(pins), VectorXd::Zero(pins)};
   const auto pass = [&](int row, const Vector3d& force) {
@@ -93,17 +94,18 @@ Passed hold(const Lattice& lattice, const Held& held, const std::vector<Vector3d
   const VectorXd free = x;
   for (int n = 0; n < lattice.count; ++n) {
     const int row = held.holder[std::size_t(n)];
-    if (row >= 0) x.segment<3>(3 * n) = wanted[std::size_t(row)];
+    if (row >= 0) x.segment<3>(3 * n) = expected[std::size_t(row)];
   }
 
   VectorXd on_cloth = VectorXd::Zero(x.size());  // A^T lambda
   MatrixXd lambda(held.A.rows(), 3);
   for (Index axis = 0; axis < 3 && held.A.rows() > 0; ++axis) {
     const VectorXd along = x(Eigen::seqN(axis, lattice.count, 3));
-    VectorXd miss = held.A * along;
-    for (Index k = 0; k < miss.size(); ++k)
-      if (const int row = held.row[std::size_t(k)]; row >= 0) miss[k] -= wanted[std::size_t(row)][axis];
-    lambda.col(axis) = -held.gram.solve(miss);
+    VectorXd violation = held.A * along;
+    for (Index k = 0; k < violation.size(); ++k)
+      if (const int row = held.row[std::size_t(k)]; row >= 0)
+        violation[k] -= expected[std::size_t(row)][axis];
+    lambda.col(axis) = -held.gram.solve(violation);
     on_cloth(Eigen::seqN(axis, lattice.count, 3)) = held.A.transpose() * lambda.col(axis);
   }
   for (Index k = 0; k < lambda.rows(); ++k) pass(held.row[std::size_t(k)], -lambda.row(k).transpose());

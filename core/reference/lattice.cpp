@@ -1,4 +1,4 @@
-// Equations: core/README.md, section 1 (masses and widths from the cells' shares), 3 (bending) and 4
+// Equations: core/README.md, sections 1 (masses and widths from the cells' shares), 3 (bending) and 4
 // (clamps).
 #include "reference/lattice.h"
 
@@ -16,14 +16,14 @@ namespace {
 
 const double kRoot2 = std::sqrt(2.0);
 
-// One piece on its grid, and the numbers of its particles.
+// One piece with its grid and the numbers of its particles.
 struct Net {
   const Scene& scene;
   int index;  // of the piece
   piece::Grid grid;
-  std::vector<int> number;  // [nodes of the grid] particle, -1 where the node carries nothing
-  std::map<std::pair<int, int>, double> warp, weft;  // widths of links by their nodes
-  std::vector<piece::Support> holds;                 // by pins; empty for those of other pieces
+  std::vector<int> number;  // [nodes of the grid] particle; -1 where the node has no mass
+  std::map<std::pair<int, int>, double> warp, weft;  // m, widths of links by their nodes
+  std::vector<piece::Support> supports;              // [pins] empty for pins of other pieces
 
   const scene::PieceSpec& piece() const { return scene.pieces[std::size_t(index)]; }
   const scene::FabricSpec& fabric() const { return scene.fabrics[std::size_t(piece().fabric)]; }
@@ -45,8 +45,8 @@ void add_particles(Net& net, Lattice& lattice, std::vector<double>& r, std::vect
 void add_links(Net& net, Lattice& lattice) {
   const double b = net.grid.cell;
   const int warp = int(lattice.laws.size()), weft = warp + 1, bias = warp + 2;
-  lattice.laws.push_back(thread_law(net.scene, net.fabric(), net.fabric().warp, b));
-  lattice.laws.push_back(thread_law(net.scene, net.fabric(), net.fabric().weft, b));
+  lattice.laws.push_back(yarn_law(net.scene, net.fabric(), net.fabric().warp, b));
+  lattice.laws.push_back(yarn_law(net.scene, net.fabric(), net.fabric().weft, b));
   lattice.laws.push_back(bias_law(net.scene, net.fabric(), b));
   for (int law : {warp, weft, bias}) lattice.laws[std::size_t(law)].damping = net.fabric().damping;
   for (const piece::GridCell& cell : net.grid.cells) {
@@ -66,7 +66,7 @@ void add_links(Net& net, Lattice& lattice) {
     lattice.weft.push_back({net.at(ends.first), net.at(ends.second), b, width, weft});
 }
 
-// What clamps do to the hinges along one kind of thread.
+// The effect of clamps on the hinges along warp or weft.
 struct Clamped {
   std::map<std::pair<int, int>, double> series;  // q_c of the link (from, to) in the hinge at `to`; else 1
   std::set<int> pivots;                          // nodes without a hinge
@@ -77,10 +77,10 @@ struct Clamped {
   }
 };
 
-Clamped clamped_threads(const Net& net, bool warp) {
+Clamped clamped_yarns(const Net& net, bool warp) {
   Clamped clamped;
-  for (const piece::Support& hold : net.holds)
-    for (const piece::HeldSlope& slope : hold.slopes) {
+  for (const piece::Support& support : net.supports)
+    for (const piece::HeldSlope& slope : support.slopes) {
       if (slope.warp != warp) continue;
       clamped.series.emplace(std::pair{slope.from, slope.to}, slope.series);
       if (slope.pivot) clamped.pivots.insert(slope.from);
@@ -88,20 +88,20 @@ Clamped clamped_threads(const Net& net, bool warp) {
   return clamped;
 }
 
-// B/b along one kind of thread, B = EI/(1 - nu^2).
+// B/b along warp or weft, B = EI/(1 - nu^2).
 double link_rigidity(const Net& net, bool warp) {
   const scene::FabricSpec& fabric = net.fabric();
   return (warp ? fabric.bending_warp : fabric.bending_weft) / (1 - fabric.poisson * fabric.poisson) /
          net.grid.cell;
 }
 
-// Two links of a thread in series, half of each: kappa = (B/b) 2 w_0 w_1/(q_0 W_1 + q_1 W_0), W_0 and W_1 the
-// widths of all links of the thread that end and begin at the middle node.
+// A hinge is half of each of two links in series: kappa = (B/b) 2 w_0 w_1/(q_0 W_1 + q_1 W_0). W_0 and W_1
+// are the total widths of the links along the yarn that end and begin at the middle node.
 void add_hinges(const Net& net, bool warp, Lattice& lattice) {
   const double B = link_rigidity(net, warp);
   if (!(B > 0)) return;
   const auto& links = warp ? net.warp : net.weft;
-  const Clamped clamped = clamped_threads(net, warp);
+  const Clamped clamped = clamped_yarns(net, warp);
   std::map<int, double> ending, beginning;
   for (const auto& [ends, w] : links) {
     beginning[ends.first] += w;
@@ -119,9 +119,9 @@ void add_hinges(const Net& net, bool warp, Lattice& lattice) {
   }
 }
 
-// The half link between a clamp and a link that leaves it: kappa_c = y 2 B w/b.
-void add_clamps(const Net& net, const piece::Support& hold, int pin, Lattice& lattice) {
-  for (const piece::HeldSlope& slope : hold.slopes) {
+// A clamp hinge is the half link between a clamp and a link that leaves it: kappa_c = y 2 B w/b.
+void add_clamps(const Net& net, const piece::Support& support, int pin, Lattice& lattice) {
+  for (const piece::HeldSlope& slope : support.slopes) {
     const double B = link_rigidity(net, slope.warp);
     if (!(B > 0)) continue;
     const auto& links = slope.warp ? net.warp : net.weft;
@@ -143,14 +143,14 @@ Point point_at(const Net& net, const piece::GridPoint& found) {
 
 void add_pin(const Net& net, int index, Lattice& lattice) {
   const scene::PinSpec& spec = net.scene.pins[std::size_t(index)];
-  const piece::Support& hold = net.holds[std::size_t(index)];
-  const Vec3 centre = piece::place_point(net.piece().place, hold.centre);
+  const piece::Support& support = net.supports[std::size_t(index)];
+  const Vec3 centre = piece::place_point(net.piece().place, support.centre);
   lattice.pins.push_back({spec.name, {centre[0], centre[1], centre[2]}, spec.drive, spec.clamp});
-  for (const piece::GridPoint& at : hold.at) lattice.rows.push_back({point_at(net, at), index});
-  add_clamps(net, hold, index, lattice);
+  for (const piece::GridPoint& at : support.at) lattice.rows.push_back({point_at(net, at), index});
+  add_clamps(net, support, index, lattice);
 }
 
-// Where the held points and slopes are when the cloth starts.
+// Sets the start positions of held points and the start directions of clamped links.
 void measure_start(Lattice& lattice) {
   for (Row& row : lattice.rows) row.start = point_value(row.point, lattice.position);
   for (ClampHinge& clamp : lattice.clamps)
@@ -158,7 +158,7 @@ void measure_start(Lattice& lattice) {
         (lattice.position.segment<3>(3 * clamp.j) - lattice.position.segment<3>(3 * clamp.i)).normalized();
 }
 
-// omega of a piece at rest.
+// omega of a piece at rest, 1/s.
 double omega_at_rest(const Net& net, const Lattice& lattice) {
   const double b = net.grid.cell, nu = net.fabric().poisson;
   const auto slope = [&](int law) {
@@ -234,7 +234,7 @@ void add_seam(const std::vector<Net>& nets, const scene::SeamSpec& spec, double 
 Net net_make(const Scene& scene, int piece) {
   Net net{scene, piece, piece::grid_make(scene, piece), {}, {}, {}, {}};
   for (const scene::PinSpec& pin : scene.pins)
-    net.holds.push_back(pin.piece == piece ? piece::support_make(net.grid, scene, pin) : piece::Support{});
+    net.supports.push_back(pin.piece == piece ? piece::support_make(net.grid, scene, pin) : piece::Support{});
   return net;
 }
 

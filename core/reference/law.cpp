@@ -21,20 +21,21 @@ std::vector<double> per_width(const scene::DiagramSpec& d, double z, double K, d
   return P;
 }
 
-// P_i q_i with the stored correction q, 1 where there is none.
+// P_i q_i with the stored correction q; 1 where there is none.
 std::vector<double> corrected(std::vector<double> P, const scene::DiagramSpec& d) {
   for (std::size_t i = 0; i < d.correction.size(); ++i) P[i] *= d.correction[i];
   return P;
 }
 
-// e_i c_i with the stored correction of elongations c, 1 where there is none.
+// e_i c_i with the stored correction of elongations c; 1 where there is none.
 std::vector<double> elongations(const scene::DiagramSpec& d) {
   std::vector<double> e = d.elongation;
   for (std::size_t i = 0; i < d.correction_elongation.size(); ++i) e[i] *= d.correction_elongation[i];
   return e;
 }
 
-// Stored corrections are those of the default laws.
+// The diagram without its stored corrections where the scene has other than the default laws: they belong to
+// those.
 scene::DiagramSpec used(const Scene& scene, scene::DiagramSpec d) {
   if (scene.bias_model != scene::BiasModel::kOdd || scene.scaling != scene::Scaling::kWidth)
     d.correction.clear(), d.correction_elongation.clear();
@@ -43,8 +44,8 @@ scene::DiagramSpec used(const Scene& scene, scene::DiagramSpec d) {
 
 }  // namespace
 
-Law thread_law(const Scene& scene, const scene::FabricSpec& fabric, const scene::DiagramSpec& diagram,
-               double b) {
+Law yarn_law(const Scene& scene, const scene::FabricSpec& fabric, const scene::DiagramSpec& diagram,
+             double b) {
   const scene::DiagramSpec d = used(scene, diagram);
   if (!switched_on(d)) return {Curve{}, std::numeric_limits<double>::infinity()};
   const double z = scene.scaling == scene::Scaling::kPaperArea ? b / fabric.strip_gauge : 1;
@@ -55,7 +56,7 @@ Law thread_law(const Scene& scene, const scene::FabricSpec& fabric, const scene:
 
 namespace {
 
-// K = r (r - 1.25)/(r - 1)^2: how much the jaws stiffen a strip cut at 45 degrees, r = gauge/width.
+// K = r (r - 1.25)/(r - 1)^2, r = gauge/width: the factor by which jaws stiffen a strip cut at 45 degrees.
 double clamp_stiffening(const scene::FabricSpec& fabric) {
   const double r = fabric.strip_gauge / fabric.strip_width;
   return r * (r - 1.25) / ((r - 1) * (r - 1));

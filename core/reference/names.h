@@ -1,4 +1,4 @@
-// Names of variables as FMI's structured naming wants them: parts that are no identifiers stand in quotes.
+// Names of variables in FMI's structured naming convention: parts that are not identifiers are in quotes.
 #pragma once
 #include <string>
 

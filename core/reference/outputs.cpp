@@ -1,7 +1,7 @@
-// Strain e = l/rest - 1 of a link; its mean over a direction is weighted by the area width x rest.
-// Tension T/w of a thread is its law at e. Energies: sums over the lists; gravity: -sum m g.r. Columns stand
-// in the order of the variable table; step.stability is left out, as an error-controlled step has no limit to
-// be compared with; so are the loads on bodies and the largest pressure.
+// The strain of a link is e = l/rest - 1; its mean over a direction is weighted by the area, width x rest.
+// The tension T/w of a link is its law at e. Energies are sums over the lists; that of gravity is -sum m g.r.
+// Columns are in the order of the variable table, without step.stability, the loads on bodies and the largest
+// pressure. (A step with error control has no stability limit to compare with.)
 #include "reference/outputs.h"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ double beyond_test_count(const Lattice& lattice, const VectorXd& r) {
   return count;
 }
 
-// Largest gap, whether all is sewn, and the length along the middle of both sides.
+// Appends the largest gap, 1 where the seam is closed, and the length along the middle of both sides.
 void push_seam(std::vector<double>& row, const Seam& seam, const std::vector<Stage>& stages,
                const VectorXd& r) {
   double gap = 0, length = 0;
@@ -71,14 +71,14 @@ void push_seam(std::vector<double>& row, const Seam& seam, const std::vector<Sta
   row.insert(row.end(), {gap, double(closed && gap <= seam.gap_tolerance), length});
 }
 
-// The solver's own error appears as balance_error: exactly it is 0.
+// balance_error is the solver's own error: the exact solution has 0.
 void push_energies(std::vector<double>& row, const Motion& motion, const Sample& sample) {
   const Layout at = layout_of(motion.lattice);
   const Energy energy = motion_energy(motion, turns_of(sample.outside), sample.y);
-  const double given = sample.y[at.given], taken = sample.y[at.taken];
+  const double input = sample.y[at.input], dissipated = sample.y[at.dissipated];
   row.insert(row.end(), {energy.kinetic, energy.stretch, energy.shear, energy.bending, energy.gravity});
   if (!motion.contact.bodies.empty()) row.push_back(energy.contact);
-  row.insert(row.end(), {taken, given, energy.total() - sample.energy_start - given + taken});
+  row.insert(row.end(), {dissipated, input, energy.total() - sample.energy_start - input + dissipated});
 }
 
 }  // namespace
@@ -107,7 +107,7 @@ std::vector<std::string> output_columns(const Scene& scene, const Lattice& latti
     for (const char* kind : {"kinetic", "stretch", "shear", "bending", "gravity"})
       names.push_back(std::string("energy.") + kind);
     if (!scene.bodies.empty()) names.push_back("energy.contact");
-    if (scene.mode == scene::Mode::kDynamic)  // a fit has no balance
+    if (scene.mode == scene::Mode::kDynamic)  // fit mode has no energy balance
       for (const char* kind : {"dissipated", "input", "balance_error"})
         names.push_back(std::string("energy.") + kind);
   }
@@ -136,7 +136,7 @@ std::vector<double> output_row(const Scene& scene, const Motion& motion, bool no
   for (std::size_t k = 0; k < lattice.seams.size(); ++k)
     push_seam(row, lattice.seams[k], motion.sewing[k], r);
   if (!motion.contact.bodies.empty()) {
-    const Touching found = touching(lattice, motion.contact, r);
+    const ContactSummary found = contact_summary(lattice, motion.contact, r);
     row.insert(row.end(), {double(found.count), found.depth});
   }
   push_strain(row, lattice.warp, r);

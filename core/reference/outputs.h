@@ -1,4 +1,4 @@
-// What a row of the result says, by the names of the FMU's variables.
+// The columns of the result, with the names of the FMU's variables, and their values.
 #pragma once
 #include "reference/motion.h"
 
@@ -6,12 +6,12 @@ namespace drape::reference {
 
 std::vector<std::string> output_columns(const Scene& scene, const Lattice& lattice, bool nodes);
 
-// A row's data at a time.
+// The data of one row.
 struct Sample {
   double time;
   Eigen::VectorXd y;
   Outside outside;
-  Passed pins;          // mean force and torque on the outside world over the last advance
+  Passed pins;          // N, N m, mean over the last advance, on the outside world
   double energy_start;  // J
   double step_size;
   long step_count;

@@ -1,12 +1,12 @@
 // Equations: core/README.md, section 3.
 //
-//   link   x_i o----o x_j    u = (x_j - x_i)/l,  e' = (v_j - v_i).u/rest,  T = w beta p'(e) e',  taken: T
-//   rest e'
+//   link   x_i o----o x_j    u = (x_j - x_i)/l,  e' = (v_j - v_i).u/rest,  T = w beta p'(e) e'
+//                            dissipated power: T rest e'
 //
 //   cell   c o---o d         d1 = r_d - r_a,  d2 = r_c - r_b,  s = d1 x d2,  n = s/|s|
 //            |   |           u = (v_a + v_b + v_c + v_d)/4 - wind,  u_n = (u.n) n,  u_t = u - u_n
-//          a o---o b         F = -(rho/2) (phi |s|/2) (C_n |u_n| u_n + C_t |u_t| u_t), a quarter to each
-//          corner
+//          a o---o b         F = -(rho/2) (phi |s|/2) (C_n |u_n| u_n + C_t |u_t| u_t)
+//                            a quarter on each corner
 #include "reference/resistance.h"
 
 #include "reference/forces.h"
@@ -22,7 +22,7 @@ Vector3d at(const VectorXd& x, int i) { return x.segment<3>(3 * i); }
 }  // namespace
 
 double add_link_damping(const Lattice& lattice, const VectorXd& r, const VectorXd& v, VectorXd& F) {
-  double taken = 0;
+  double dissipated = 0;
   for (const std::vector<Link>* links : {&lattice.warp, &lattice.weft, &lattice.bias})
     for (const Link& link : *links) {
       const Law& law = lattice.laws[std::size_t(link.law)];
@@ -32,9 +32,9 @@ double add_link_damping(const Lattice& lattice, const VectorXd& r, const VectorX
       const double tension = link.width * law.damping * curve_slope(law.curve, link_strain(link, r)) * rate;
       F.segment<3>(3 * link.i) += tension * u;
       F.segment<3>(3 * link.j) -= tension * u;
-      taken += tension * link.rest * rate;
+      dissipated += tension * link.rest * rate;
     }
-  return taken;
+  return dissipated;
 }
 
 AirPower add_air(const Lattice& lattice, const Air& air, const Vector3d& wind, const VectorXd& r,
@@ -50,8 +50,8 @@ AirPower add_air(const Lattice& lattice, const Air& air, const Vector3d& wind, c
     const Vector3d push = -air.density / 2 * cell.share * s.norm() / 2 *
                           (air.normal * across.norm() * across + air.tangential * along.norm() * along);
     for (int corner : cell.node) F.segment<3>(3 * corner) += push / 4;
-    power.taken -= push.dot(u);
-    power.given += push.dot(wind);
+    power.dissipated -= push.dot(u);
+    power.input += push.dot(wind);
   }
   return power;
 }

@@ -1,7 +1,8 @@
-// Output times are k every and the end. Between two of them lies one advance; with inputs, advances as long
-// as scene.communication (the last may be shorter), each to the inputs at its end. A row's pin forces and
-// torques are the mean over the advance before it, (J(t) - J(t - H))/H, what the pins take up at the start
-// belonging to the first one; the first row has the values at the start.
+// Output times are k every, and the end. Without inputs there is one advance from each output time to the
+// next. With inputs, advances are as long as scene.communication (the last may be shorter), and each goes to
+// the inputs at its end. A row's pin forces and torques are means over the advance before it, (J(t) - J(t -
+// H))/H. The impulse that the pins take up at the start belongs to the first advance. The first row has the
+// values at the start.
 #include "reference/run.h"
 
 #include <algorithm>
@@ -16,9 +17,9 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kLongest = 1e7, kMostRows = 1e7;  // s; rows
-constexpr double kRtolLeast = 1e-12, kRtolMost = 1e-3;
-constexpr double kSameTime = 1e-9;  // of the output interval
+constexpr double kMaxTime = 1e7, kMaxRows = 1e7;  // s; rows
+constexpr double kMinRtol = 1e-12, kMaxRtol = 1e-3;
+constexpr double kSameTime = 1e-9;  // relative to the output interval
 
 bool options_good(const Options& o, double until, double every, const Sink& sink) {
   bool good = true;
@@ -29,16 +30,16 @@ bool options_good(const Options& o, double until, double every, const Sink& sink
     sink.error(text.str());
     good = false;
   };
-  demand(o.rtol >= kRtolLeast && o.rtol <= kRtolMost, "rtol", o.rtol, "1e-12 to 1e-3");
+  demand(o.rtol >= kMinRtol && o.rtol <= kMaxRtol, "rtol", o.rtol, "1e-12 to 1e-3");
   demand(o.order >= 2 && o.order <= 8, "order", o.order, "2 to 8");
   demand(until > 0 && std::isfinite(until), "until", until, "above 0 s, finite");
   demand(every > 0 && std::isfinite(every), "every", every, "above 0 s, finite");
-  demand(!(until > kLongest), "until", until, "at most 1e7 s");
-  demand(!(until / every > kMostRows), "every", every, "at least a ten-millionth of the time to the end");
+  demand(!(until > kMaxTime), "until", until, "at most 1e7 s");
+  demand(!(until / every > kMaxRows), "every", every, "at least a ten-millionth of the time to the end");
   return good;
 }
 
-// The cloth on its way.
+// The state of a run.
 struct Run {
   const Scene& scene;
   const Options& options;
@@ -49,11 +50,12 @@ struct Run {
 
 Passed passed_of(const Motion& motion, const VectorXd& y) {
   const Layout at = layout_of(motion.lattice);
-  return {y.segment(at.impulse, at.angular - at.impulse), y.segment(at.angular, at.given - at.angular)};
+  return {y.segment(at.impulse, at.angular - at.impulse), y.segment(at.angular, at.input - at.angular)};
 }
 
-// Without inputs one advance leads to the next row; seams look at it interval by interval.
-VectorXd march(Run& run, double time) {
+// Without inputs, one advance leads to the next row. With seams it is divided into communication intervals,
+// as their events happen at the beginning of one.
+VectorXd advance_to_row(Run& run, double time) {
   const double q = run.scene.communication, begin = run.sample.time;
   const double intervals = run.scene.seams.empty() ? 1 : std::max(1.0, std::ceil((time - begin) / q - 1e-9));
   for (double k = 1; k < intervals; ++k) solver_advance(*run.solver, begin + k * q);
@@ -66,7 +68,7 @@ void advance(Run& run, double time) {
   const Passed before = s.time > 0 ? passed_of(run.motion, s.y) : passed_of(run.motion, 0 * s.y);
   const InputTable& inputs = run.options.inputs;
   s.y = inputs.time.empty()
-            ? march(run, time)
+            ? advance_to_row(run, time)
             : solver_advance(*run.solver, time, inputs_at(inputs, run.scene, run.motion.lattice, time));
   const Passed after = passed_of(run.motion, s.y);
   s.pins = {(after.force - before.force) / length, (after.torque - before.torque) / length};
@@ -106,8 +108,8 @@ void run_rows(const Scene& scene, const Options& options, double until, double e
   sink.columns(output_columns(scene, run.motion.lattice, options.nodes));
   sink.row(output_row(scene, run.motion, options.nodes, run.sample));
   for (long k = 1; run.sample.time < until; ++k) {
-    const double asked = double(k) * every;
-    advance_in_intervals(run, asked < until - kSameTime * every ? asked : until);
+    const double output_time = double(k) * every;
+    advance_in_intervals(run, output_time < until - kSameTime * every ? output_time : until);
     sink.row(output_row(scene, run.motion, options.nodes, run.sample));
   }
 }

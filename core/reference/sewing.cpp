@@ -36,9 +36,9 @@ void add_middle(const std::array<Point, 2>& pair, const Vector3d& force, VectorX
   for (const Point& point : pair) add_at(point, force / 2, F);
 }
 
-// Calls `hinge(pair, inner, kappa)` and `link(seam, pair, next)` for all that is sewn.
+// Calls hinge(pair, inner, kappa) and link(seam, pair, next) for all welded pairs.
 template <class Hinge, class Link>
-void each_bond(const Lattice& lattice, const Sewing& sewing, Hinge hinge, Link link) {
+void bonds_visit(const Lattice& lattice, const Sewing& sewing, Hinge hinge, Link link) {
   for (std::size_t s = 0; s < lattice.seams.size(); ++s) {
     const Seam& seam = lattice.seams[s];
     const std::size_t n = seam.pairs.size();
@@ -55,7 +55,7 @@ void each_bond(const Lattice& lattice, const Sewing& sewing, Hinge hinge, Link l
 }  // namespace
 
 void add_bonds(const Lattice& lattice, const Sewing& sewing, const VectorXd& r, VectorXd& F) {
-  each_bond(
+  bonds_visit(
       lattice, sewing,
       [&](const auto& pair, const auto& inner, double kappa) {
         const Vector3d x = middle_of(pair, r), a = x - point_value(inner[0], r),
@@ -80,7 +80,7 @@ void add_bonds(const Lattice& lattice, const Sewing& sewing, const VectorXd& r, 
 
 BondEnergy bond_energy(const Lattice& lattice, const Sewing& sewing, const VectorXd& r) {
   BondEnergy energy;
-  each_bond(
+  bonds_visit(
       lattice, sewing,
       [&](const auto& pair, const auto& inner, double kappa) {
         const Vector3d x = middle_of(pair, r);
@@ -101,16 +101,16 @@ Sewing sewing_start(const Lattice& lattice) {
   return sewing;
 }
 
-VectorXd hold_rates(const Motion& motion, double time, const VectorXd& r, const VectorXd& v) {
+VectorXd integral_rates(const Motion& motion, double time, const VectorXd& r, const VectorXd& v) {
   const Lattice& lattice = motion.lattice;
   const Layout at = layout_of(lattice);
-  VectorXd rates = VectorXd::Zero(at.time - at.hold);
+  VectorXd rates = VectorXd::Zero(at.time - at.integral);
   Eigen::Index k = 0;
   for (std::size_t s = 0; s < lattice.seams.size(); ++s) {
     const Seam& seam = lattice.seams[s];
     for (std::size_t p = 0; p < seam.pairs.size(); ++p, ++k) {
       const double w = seam.pull;
-      if (motion.sewing[s][p] != Stage::kPulled || time - motion.pulled_from[s][p] < 20 / w) continue;
+      if (motion.sewing[s][p] != Stage::kPulled || time - motion.closing_since[s][p] < 20 / w) continue;
       const Vector3d d = gap_of(seam.pairs[p], r), rate = gap_of(seam.pairs[p], v);
       const double length = d.norm();
       if (-rate.dot(d) < length * std::min(w * length, 2 * seam.speed) / 10)
@@ -120,8 +120,8 @@ VectorXd hold_rates(const Motion& motion, double time, const VectorXd& r, const 
   return rates;
 }
 
-double add_pulls(const Lattice& lattice, const Sewing& sewing, const VectorXd& hold, const VectorXd& r,
-                 const VectorXd& v, VectorXd& F) {
+double add_closing(const Lattice& lattice, const Sewing& sewing, const VectorXd& integral, const VectorXd& r,
+                   const VectorXd& v, VectorXd& F) {
   double power = 0;
   Eigen::Index number = -1;
   for (std::size_t s = 0; s < lattice.seams.size(); ++s) {
@@ -134,9 +134,9 @@ double add_pulls(const Lattice& lattice, const Sewing& sewing, const VectorXd& h
       const double length = d.norm(), w = seam.pull;
       if (length == 0) continue;
       const Vector3d n = d / length;
-      const double held =
-          std::min(hold[number], 4000 * seam.speed / w) * length / std::hypot(length, seam.gap_tolerance);
-      const double reach = std::min(length, 2 * seam.speed / w) + held;
+      const double added =
+          std::min(integral[number], 4000 * seam.speed / w) * length / std::hypot(length, seam.gap_tolerance);
+      const double reach = std::min(length, 2 * seam.speed / w) + added;
       const Vector3d on_a = closing_mass(lattice, pair) * (w * w * reach + 2 * w * rate.dot(n)) * n;
       for (std::size_t side = 0; side < 2; ++side)
         for (std::size_t k = 0; k < pair[side].node.size(); ++k)
@@ -159,7 +159,7 @@ bool motion_sew(Motion& motion, double time, const Outside& outside, VectorXd& y
       Stage& stage = motion.sewing[s][p];
       if (stage == Stage::kOpen && time >= seam.closed_at * (1 - 1e-12)) {
         stage = Stage::kPulled;
-        motion.pulled_from[s][p] = time;
+        motion.closing_since[s][p] = time;
       }
       if (stage != Stage::kPulled || gap_of(seam.pairs[p], r).norm() > seam.gap_tolerance) continue;
       stage = Stage::kWelded;
@@ -167,10 +167,10 @@ bool motion_sew(Motion& motion, double time, const Outside& outside, VectorXd& y
     }
   }
   if (!welds) return false;
-  const double before = motion_energy(motion, turns_of(outside), y).total(), given = y[at.given];
+  const double before = motion_energy(motion, turns_of(outside), y).total(), input = y[at.input];
   motion.held = held_make(lattice, motion.sewing);
   motion_begin(motion, course_make(lattice, outside, outside, 1), y);
-  y[at.given] = given + motion_energy(motion, turns_of(outside), y).total() - before;
+  y[at.input] = input + motion_energy(motion, turns_of(outside), y).total() - before;
   return true;
 }
 

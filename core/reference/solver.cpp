@@ -1,6 +1,6 @@
-// The only file that knows SUNDIALS: y' = motion_rate(y) by ARKODE's ERKStep with embedded error control,
-// each advance ending exactly at the asked time, where the inputs have a kink. Source: SUNDIALS 6.4.1, ARKODE
-// user guide, "Using ERKStep".
+// Integrates y' = motion_rate(y) by ARKODE's ERKStep with embedded error control. This is the only file that
+// uses SUNDIALS. Each advance ends exactly at the requested time, where the inputs have a kink. Source:
+// SUNDIALS 6.4.1, ARKODE user guide, "Using ERKStep".
 #include <arkode/arkode_erkstep.h>
 #include <nvector/nvector_serial.h>
 
@@ -21,7 +21,7 @@ struct Solver {
   double time = 0;
   Course course;        // of the present advance
   Outside outside;      // at its end
-  std::string message;  // ARKODE's last words
+  std::string message;  // ARKODE's last error message
 };
 
 namespace {
@@ -30,7 +30,7 @@ using Eigen::VectorXd;
 
 Eigen::Map<VectorXd> view(N_Vector v) { return {N_VGetArrayPointer(v), Eigen::Index(N_VGetLength(v))}; }
 
-// Numbers that are not finite are no state to go on from: ARKODE is told to stop.
+// Makes ARKODE stop where values are not finite.
 int rate(realtype, N_Vector y, N_Vector ydot, void* user) {
   const VectorXd state = view(y);
   const Solver& solver = *static_cast<const Solver*>(user);
@@ -38,7 +38,7 @@ int rate(realtype, N_Vector y, N_Vector ydot, void* user) {
   return view(ydot).allFinite() ? 0 : -1;
 }
 
-void hear(int, const char*, const char*, char* message, void* user) {
+void message_store(int, const char*, const char*, char* message, void* user) {
   static_cast<Solver*>(user)->message = message;
 }
 
@@ -54,10 +54,11 @@ void demand(const Solver& solver, int flag, const char* call) {
   throw std::runtime_error(text.str());
 }
 
-// ARKODE's own choice of method by order. SUNDIALS 6.4.1 takes a table whose last stage lies at c = 1 for one
-// whose last stage is the next step's first (LLNL/sundials issue 311), and then starts each step with a wrong
-// slope: Verner's 6 falls to order 3, Fehlberg's 8 to about 6. Our equations have the time among their
-// states, not as ARKODE's, so any c does, and 0 makes it evaluate anew.
+// Sets ARKODE's default method of an order. SUNDIALS 6.4.1 assumes of each table whose last stage is at c = 1
+// that this stage is the first of the next step (LLNL/sundials issue 311). It then starts each step with a
+// wrong slope: Verner's method of order 6 falls to order 3, Fehlberg's of order 8 to about 6. Our equations
+// do not use ARKODE's time, as time is one of their states. So any c is valid, and c = 0 makes ARKODE
+// evaluate the slope again.
 void set_method(Solver& solver, int order) {
   constexpr int kTables[] = {ERKSTEP_DEFAULT_2, ERKSTEP_DEFAULT_3, ERKSTEP_DEFAULT_4, ERKSTEP_DEFAULT_5,
                              ERKSTEP_DEFAULT_6, ERKSTEP_DEFAULT_8, ERKSTEP_DEFAULT_8};
@@ -75,11 +76,11 @@ void set_tolerance(Solver& solver, double rtol) {
   double mass = 0;
   for (double m : lattice.mass) mass += m;
   auto tolerance = view(solver.tolerance);
-  tolerance.setConstant(rtol * mass * 1.0);  // of impulses and work: the mass at 1 m/s
+  tolerance.setConstant(rtol * mass * 1.0);  // for impulses and work: the mass at 1 m/s
   tolerance.head(at.velocity).setConstant(rtol * lattice.cell);
   tolerance.segment(at.velocity, at.velocity).setConstant(rtol * 1.0);
-  tolerance.segment(at.angular, at.given - at.angular).setConstant(rtol * mass * 1.0 * lattice.cell);
-  tolerance.segment(at.hold, at.time - at.hold).setConstant(rtol * lattice.cell);
+  tolerance.segment(at.angular, at.input - at.angular).setConstant(rtol * mass * 1.0 * lattice.cell);
+  tolerance.segment(at.integral, at.time - at.integral).setConstant(rtol * lattice.cell);
   tolerance[at.time] = 1.0;  // exact by every method
   demand(solver, ERKStepSVtolerances(solver.arkode, rtol, solver.tolerance), "ERKStepSVtolerances");
 }
@@ -106,7 +107,7 @@ SolverHandle solver_open(Motion& motion, const VectorXd& y, const Accuracy& accu
   view(s.y) = y;
   s.arkode = ERKStepCreate(rate, 0, s.y, s.context);
   if (!s.arkode) throw std::runtime_error("SUNDIALS gives no ERKStep");
-  demand(s, ERKStepSetErrHandlerFn(s.arkode, hear, &s), "ERKStepSetErrHandlerFn");
+  demand(s, ERKStepSetErrHandlerFn(s.arkode, message_store, &s), "ERKStepSetErrHandlerFn");
   demand(s, ERKStepSetUserData(s.arkode, &s), "ERKStepSetUserData");
   set_method(s, accuracy.order);
   demand(s, ERKStepSetInterpolantDegree(s.arkode, 1), "ERKStepSetInterpolantDegree");

@@ -9,14 +9,14 @@ namespace drape::scene {
 
 namespace {
 
-// A message is one line, whatever the text that it quotes.
+// A message is one line, so control characters of a quoted text become spaces.
 std::string one_line(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
   return text;
 }
 
-Location place_find(const Faults& faults, std::string path) {
+Location location_find(const Faults& faults, std::string path) {
   while (!path.empty()) {
     if (const auto it = faults.locations.find(path); it != faults.locations.end()) return it->second;
     const std::size_t end = path.find_last_of(".[");
@@ -28,14 +28,14 @@ Location place_find(const Faults& faults, std::string path) {
 }  // namespace
 
 std::string fault_place(const Faults& faults, const std::string& path) {
-  const Location at = place_find(faults, path);
+  const Location at = location_find(faults, path);
   std::string place = at.file;
   if (at.line) place += ":" + std::to_string(at.line);
   return place + (path.empty() ? ":" : ": " + path);
 }
 
 void fault_add(Faults& faults, const std::string& path, const std::string& message) {
-  fault_add_at(faults, place_find(faults, path), fault_place(faults, path), message);
+  fault_add_at(faults, location_find(faults, path), fault_place(faults, path), message);
   faults.found.back().path = path;
 }
 
@@ -65,8 +65,8 @@ std::string number_text(double value) {
 }
 
 std::string in_quotes(const std::string& text) {
-  constexpr std::size_t kLongest = 80;
-  return '"' + text.substr(0, kLongest) + (text.size() > kLongest ? "...\"" : "\"");
+  constexpr std::size_t kMaxLength = 80;
+  return '"' + text.substr(0, kMaxLength) + (text.size() > kMaxLength ? "...\"" : "\"");
 }
 
 std::string entries_text(std::size_t count) {

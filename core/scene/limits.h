@@ -1,5 +1,5 @@
-// What each tunable quantity may be, in SI units. The keys of a scene, the checks of a commit and the ranges
-// of the variables are read from here.
+// The allowed range of each quantity that can be set, in SI units. The keys of a scene, the checks of new
+// parameter values and the ranges of the FMU variables all use this table.
 #pragma once
 
 namespace drape::scene {
@@ -7,12 +7,12 @@ namespace drape::scene {
 struct Quantity {
   const char* name;
   double low, high;
-  bool above;  // the low end itself is not allowed
+  bool above;  // `low` itself is not allowed
   const char* unit;
-  bool whole = false;  // a whole number only
+  bool whole = false;  // integers only
 };
 
-constexpr bool quantity_fits(const Quantity& q, double value) {  // false for what is no number
+constexpr bool quantity_fits(const Quantity& q, double value) {  // false for NaN
   const bool within = (q.above ? value > q.low : value >= q.low) && value <= q.high;
   return within && (!q.whole || value == double(long(value)));
 }
@@ -37,12 +37,12 @@ inline constexpr Quantity kPinVelocity{"velocity", -1e4, 1e4, false, "m/s"};
 inline constexpr Quantity kPinOrientation{"orientation", -1e6, 1e6, false, "1"};
 inline constexpr Quantity kPinAngularVelocity{"angular_velocity", -1e4, 1e4, false, "rad/s"};
 
-// EI of a bending specimen over the width of the specimen.
+// The bending rigidity of the fabric is EI of a specimen over the width of the specimen.
 inline constexpr Quantity kSpecimenRigidity{"bending.rigidity", 0, 0.1, false, "N.m2"};
 inline constexpr Quantity kSpecimenWidth{"bending.width", 1e-4, 10, false, "m"};
 inline constexpr Quantity kBending{"bending", 0, kSpecimenRigidity.high / kSpecimenWidth.low, false, "N.m"};
 
-// A step longer than the longest communication interval is as good as none.
+// A limit of the step above the longest communication interval has no effect.
 inline constexpr Quantity kCommunication{"communication", 1e-9, 1e3, false, "s"};
 inline constexpr Quantity kStepMax{"step.max", kCommunication.low, kCommunication.high, false, "s"};
 

@@ -6,11 +6,11 @@ namespace drape::scene {
 
 namespace {
 
-// Edits that turn a into b: insert, delete or replace a letter, or exchange two neighbours (optimal string
-// alignment). d(i, j) of the first i and j letters is the least of
+// The number of edits that turn a into b: insert, delete or replace a letter, or exchange two neighbours
+// (optimal string alignment). The distance d(i, j) of the first i and j letters is the minimum of
 //
-//   d(i-1, j) + 1,  d(i, j-1) + 1,  d(i-1, j-1) + [a_i != b_j],  d(i-2, j-2) + 1 where a_i a_{i-1} = b_{j-1}
-//   b_j.
+//   d(i-1, j) + 1,   d(i, j-1) + 1,   d(i-1, j-1) + [a_i != b_j],
+//   d(i-2, j-2) + 1   where a_i a_{i-1} = b_{j-1} b_j.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> last(b.size() + 1), row(b.size() + 1), next(b.size() + 1);  // d(i-2), d(i-1), d(i)
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -28,6 +28,14 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
+
+bool name_fits(const std::string& name) {
+  constexpr std::size_t kMaxLength = 64;
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto inner = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; };
+  return !name.empty() && name.size() <= kMaxLength && letter(name[0]) &&
+         std::all_of(name.begin(), name.end(), inner);
+}
 
 std::string spelling_nearest(std::string_view word, const std::vector<std::string>& known) {
   std::string nearest;

@@ -1,4 +1,4 @@
-// Which known name a word was meant to be.
+// Names: which are allowed, and suggestions for misspelled ones.
 #pragma once
 #include <string>
 #include <string_view>
@@ -6,7 +6,13 @@
 
 namespace drape::scene {
 
-// The nearest of the known names if no more than a third of its letters are wrong, else "".
+// Names of objects become part of the names of FMU variables.
+bool name_fits(const std::string& name);
+constexpr const char* kNameRule =
+    "is no name; wanted: a letter, then letters, digits or underscores, at most 64 characters in all";
+
+// The known name with the smallest edit distance to the word, if that is at most a third of the length of the
+// longer one; else "".
 std::string spelling_nearest(std::string_view word, const std::vector<std::string>& known);
 
 }  // namespace drape::scene

@@ -1,9 +1,10 @@
-// Both sides get the same number of particles, equally far apart along their outlines:
+// Both sides have the same number of particles, at equal distances along their outlines:
 //
 //   n = max(1, ceil(max(l1, l2)/min(b1, b2))),   R_p = l_p/n;   particle k of side p at the arc length k R_p
 //
-// [P, equations 1 and 2] place them R_p = l_p min(b1, b2)/max(l1, l2) apart, which is rarely l_p over a whole
-// number: the ends would not meet. Where both sides are closed, the last particle would be the first again.
+// [P, equations 1 and 2] use the spacing R_p = l_p min(b1, b2)/max(l1, l2). That is rarely l_p over an
+// integer, so the ends would not coincide. Where both sides are closed, the last particle would equal the
+// first and is omitted.
 #include "seam/layout.h"
 
 #include <algorithm>
@@ -14,11 +15,12 @@
 namespace drape::seam {
 namespace {
 
-constexpr double kWhole = 1e-9;  // of a spacing: what rounding makes of a whole number
+constexpr double kWhole = 1e-9;  // of a spacing: rounding error of an integer
 
 double distance(Vec2 p, Vec2 q) { return std::hypot(q[0] - p[0], q[1] - p[1]); }
 
-// Points at the arc lengths k length/n, k = 0 .. n, and the unit vectors to the left of the line there.
+// Appends the points at the arc lengths k length/n, k = 0 .. n, and the unit vectors to the left of the line
+// there.
 void points_along(const std::vector<Vec2>& line, double length, int n, std::vector<Vec2>& points,
                   std::vector<Vec2>& left) {
   std::size_t segment = 0;
@@ -29,7 +31,8 @@ void points_along(const std::vector<Vec2>& line, double length, int n, std::vect
   };
   points.push_back(line.front());
   left_of();
-  double before = 0, here = distance(line[0], line[1]);  // arc length at its start; its length
+  double before = 0,
+         here = distance(line[0], line[1]);  // of the segment: arc length at its start; its length
   for (int k = 1; k < n; ++k) {
     const double at = length * k / n;
     while (before + here < at && segment + 2 < line.size()) {
@@ -47,7 +50,8 @@ void points_along(const std::vector<Vec2>& line, double length, int n, std::vect
   left_of();
 }
 
-bool is_clockwise(const scene::PieceSpec& piece) {  // with its curves
+// True if the outline, with its curves, is clockwise.
+bool is_clockwise(const scene::PieceSpec& piece) {
   std::vector<Vec2> points;
   for (int e = 0; e < int(piece.outline.size()); ++e) {
     const std::vector<Vec2> edge = piece::outline_edge(piece, e);
@@ -65,7 +69,7 @@ std::vector<int> seam_chain(const scene::PieceSpec& piece, const scene::SeamSide
     if (e < 0 || e >= count || in[std::size_t(e)]) return {};
     in[std::size_t(e)] = 1;
   }
-  int first = -1;  // the edge whose predecessor is not in; the first given where all are
+  int first = -1;  // the edge whose predecessor is not in the side; the first edge given if all are
   for (int e : side.edges)
     if (!in[std::size_t((e + count - 1) % count)]) {
       if (first >= 0) return {};

@@ -8,9 +8,9 @@
 namespace drape::seam {
 namespace {
 
-constexpr double kReach = 1.5;   // cells, of a tie [P]
-constexpr std::size_t kMin = 3;  // ties of a particle that has fewer within reach: to the nearest
-constexpr double kSame = 1e-9;   // cells: particles nearer than that are one
+constexpr double kReach = 1.5;   // cells, largest length of a tie [P]
+constexpr std::size_t kMin = 3;  // smallest number of ties of a particle, if need be beyond kReach
+constexpr double kSame = 1e-9;   // cells: particles closer than this are the same
 
 double distance(Vec2 p, Vec2 q) { return std::hypot(q[0] - p[0], q[1] - p[1]); }
 
@@ -24,7 +24,7 @@ std::vector<int> edge_of(const piece::Grid& grid) {
   return edge;
 }
 
-// The edge nodes that a point is tied to, nearest first.
+// The edge nodes to which a point is tied, the closest first.
 std::vector<int> ties_of(const piece::Grid& grid, const std::vector<int>& edge, Vec2 point) {
   std::vector<std::pair<double, int>> near;
   for (int n : edge)
@@ -42,7 +42,7 @@ void tie_add(std::vector<GridTie>& ties, const piece::Grid& grid, int particle, 
   ties.push_back({{particle, edge}, pair, distance(grid.place(particle), grid.place(edge))});
 }
 
-// The particle at a point, a new one where there is none, and its ties.
+// Adds the ties of the particle at a point, and the particle itself where there is none yet.
 void particle_add(piece::Grid& grid, const std::vector<int>& edge, Vec2 point, int pair,
                   std::vector<GridTie>& ties) {
   int particle = seam_particle(grid, point);
@@ -57,7 +57,7 @@ void particle_add(piece::Grid& grid, const std::vector<int>& edge, Vec2 point, i
   for (int n : ties_of(grid, edge, point)) tie_add(ties, grid, particle, n, pair);
 }
 
-// The particles on the outline take their share of the areas of those that they are tied to.
+// Moves a share of the area of each tied edge node to the particles on the outline.
 void areas_share(piece::Grid& grid, const std::vector<GridTie>& ties) {
   const int first = grid.nodes() - int(grid.on_outline.size());
   std::vector<int> count(grid.area.size(), 0);

@@ -1,4 +1,4 @@
-// Four doubles: AVX2 with FMA.
+// The lane of four doubles: AVX2 with FMA.
 #pragma once
 #include <immintrin.h>
 

@@ -1,4 +1,4 @@
-// Eight doubles: AVX-512 F, DQ.
+// The lane of eight doubles: AVX-512 F and DQ.
 #pragma once
 #include <immintrin.h>
 
@@ -52,13 +52,13 @@ struct Avx512Lane {
     c5 = _mm512_shuffle_f64x2(odd15, odd15_on, k13);
   }
 
-  // Whole numbers, of which pick() looks at the last bits.
+  // Integers used as table indices; pick() reads their lowest bits.
   struct Places {
     __m512i v;
   };
-  // a, above -1/2 and below 2^51, rounded to the nearest whatever the processor's mode
+  // a rounded to the nearest integer, independent of the rounding mode; a is above -1/2 and below 2^51.
   static DRAPE_INLINE Places places(Avx512Lane a) {
-    constexpr double kWhole = 0x1.8p52;  // beyond it doubles have no fractions
+    constexpr double kWhole = 0x1.8p52;  // doubles this large have no fraction
     return {_mm512_castpd_si512(
         _mm512_add_round_pd(a.v, _mm512_set1_pd(kWhole), _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC))};
   }
@@ -66,7 +66,7 @@ struct Avx512Lane {
   static DRAPE_INLINE Places next(Places a, Mask m) {
     return {_mm512_mask_add_epi64(a.v, m.m, a.v, _mm512_set1_epi64(1))};
   }
-  // table[places] of 8 or 16 numbers
+  // table[at], for a table of 8 or 16 numbers
   template <int kSize>
   static DRAPE_INLINE Avx512Lane pick(const double (&table)[kSize], Places at) {
     if constexpr (kSize == 8) return _mm512_permutexvar_pd(at.v, _mm512_load_pd(table));

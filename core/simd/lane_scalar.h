@@ -1,5 +1,5 @@
-// One double as a lane: the portable path, and with kFused the yardstick that the vector lanes match bit for
-// bit.
+// The lane of one double. With kFused it is the reference that the vector lanes match bit for bit; without,
+// it is the portable path.
 #pragma once
 #include <bit>
 #include <cstdint>

@@ -1,7 +1,7 @@
-// Rows of a lattice as the laws see them, and vectors of lanes.
+// Rows of a lattice as the force laws read them, and 3-vectors of lanes.
 //
-// A row is a run of `n` doubles (a multiple of kRowUnit) for each coordinate, with kRowUnit readable doubles
-// on either side. What an outline leaves out has share 0: its links get width 0 and pull with nothing.
+// A row has `n` doubles (a multiple of kRowUnit) for each coordinate, with kRowUnit readable doubles before
+// and after them. Cells outside the outline have share 0, so their links have width 0 and exert no force.
 #pragma once
 #include "simd/lane.h"
 
@@ -16,7 +16,7 @@ struct Row {
   DRAPE_INLINE operator ConstRow() const { return {x, y, z}; }
 };
 
-// Coordinate k of three.
+// Coordinate k of a 3-vector or row: 0 x, 1 y, 2 z.
 template <class T>
 DRAPE_INLINE auto coordinate(const T& v, int k) {
   return k == 0 ? v.x : k == 1 ? v.y : v.z;
@@ -69,13 +69,14 @@ DRAPE_INLINE Vec<L> ahead(Vec<L> a, Vec<L> b) {
   return {ahead(a.x, b.x), ahead(a.y, b.y), ahead(a.z, b.z)};
 }
 
-// The lane to the right of that at i; at the end of a row the same again, of which nothing is asked.
+// The index of the lane to the right of that at i. At the end of a row it is i again, whose values are not
+// used.
 template <class L>
 DRAPE_INLINE int lane_after(int i, int end) {
   return i + L::kWidth < end ? i + L::kWidth : i;
 }
 
-// x, y and z of kRowUnit nodes one after another: one address for three coordinates.
+// A row stored as x, y and z of kRowUnit nodes in turn: one address serves all three coordinates.
 struct PackedRow {
   double* p;
   template <class L>

@@ -11,7 +11,7 @@ namespace drape::standards {
 namespace {
 
 constexpr double kRightAngle = 1.57079632679489661923;
-constexpr double kStep = 0.02;  // of z, order 4: up to f/l = 0.985 the error of beta is below 3e-8 of it
+constexpr double kStep = 0.02;  // of z; the relative error of beta is below 3e-8 up to f/l = 0.985
 
 struct Point {
   double phi, turn;    // turn = phi'
@@ -27,7 +27,7 @@ Point ahead(const Point& p, double h, const Point& d) {
   return {p.phi + h * d.phi, p.turn + h * d.turn, p.drop + h * d.drop, p.reach + h * d.reach};
 }
 
-// The classical scheme of Runge and Kutta.
+// One step of the classical Runge-Kutta method.
 Point step(double z, const Point& p, double h) {
   const Point a = slope(z, p), b = slope(z + h / 2, ahead(p, h / 2, a));
   const Point c = slope(z + h / 2, ahead(p, h / 2, b)), d = slope(z + h, ahead(p, h, c));
@@ -40,7 +40,7 @@ Cantilever cantilever_of(double end) {
   Point p{end, 0, 0, 0};
   double z = 0;
   for (Point next; (next = step(z, p, kStep)).phi < kRightAngle; z += kStep) p = next;
-  // The last step ends where phi is a right angle: Newton, phi' = turn.
+  // Newton's method finds the length of the last step, which ends where phi is a right angle; phi' = turn.
   double h = 0;
   Point last = p;
   for (int k = 0; k < 8; ++k) {
@@ -54,8 +54,9 @@ Cantilever cantilever_of(double end) {
 
 namespace {
 
-// The angle of the free end at which a quantity that rises as the end comes nearer to the vertical has a
-// value. It does so exponentially for soft cloth: phi(0) = (pi/2)/(1 + e^y).
+// The angle phi(0) of the free end at which `quantity` equals `value`. The quantity must increase as the free
+// end approaches the vertical. For soft cloth phi(0) is exponentially small, so the search is over y with
+// phi(0) = (pi/2)/(1 + e^y).
 template <class Quantity>
 double end_where(Quantity quantity, double value) {
   const auto end = [](double y) { return kRightAngle / (1 + std::exp(y)); };

@@ -10,7 +10,7 @@ namespace drape::standards {
 namespace {
 
 constexpr int kSegments = 10;
-constexpr double kBend = 12;  // of a; LT from 0.17 to 1.83
+constexpr double kBend = 12;  // bound of |a|; LT is then from 0.17 to 1.83
 
 // (exp(a x) - 1)/(exp(a) - 1)
 double share(double a, double x) { return a == 0 ? x : std::expm1(a * x) / std::expm1(a); }
@@ -24,7 +24,7 @@ Diagram diagram_of(double a, double emt, double force) {
   return d;
 }
 
-// The area under the curve through the points, N/m.
+// The area under the monotone curve through the points, N/m.
 double energy_of(const Diagram& d) {
   std::vector<double> e;
   for (const double percent : d.percent) e.push_back(percent / 100);
@@ -39,9 +39,9 @@ double kes_energy(double emt, double lt, double fm) { return lt * fm * emt / 100
 
 Diagram kes_tension(double emt, double wt, double fm) {
   const double force = fm * kGramForcePerCm, energy = wt * kGramForcePerCm;
-  // The area falls as a rises.
-  const auto less = [&](double minus_a) { return energy_of(diagram_of(-minus_a, emt, force)); };
-  return diagram_of(-math::bisect_rising(less, energy, -kBend, kBend), emt, force);
+  // The area decreases as a increases, so it increases with -a.
+  const auto energy_at = [&](double minus_a) { return energy_of(diagram_of(-minus_a, emt, force)); };
+  return diagram_of(-math::bisect_rising(energy_at, energy, -kBend, kBend), emt, force);
 }
 
 }  // namespace drape::standards

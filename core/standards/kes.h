@@ -1,5 +1,5 @@
 // KES-F (S. Kawabata, The Standardization and Analysis of Hand Evaluation, 2nd ed., Osaka 1980): figures of
-// the sheet -> SI.
+// the data sheet to SI units.
 //
 //   W    1 mg/cm^2      = 0.01 kg/m^2
 //   B    1 gf cm^2/cm   = 9.80665e-3 N (1e-2 m)^2/(1e-2 m) = 9.80665e-5 N m
@@ -7,19 +7,19 @@
 //   WT   1 gf cm/cm^2   = 9.80665e-3 N/(1e-2 m)            = 0.980665 N/m
 //
 // Tension. A specimen is pulled up to the force Fm per width (500 gf/cm), where its strain is EMT. WT is the
-// area under the curve, LT that area over the triangle's:
+// area under the curve. The linearity LT is that area over the area of the triangle:
 //
 //   WT = integral of F de from 0 to EMT,      LT = WT/(Fm EMT/2).
 //
-// Two figures leave one number free for the shape. The curve taken is the exponential,
+// These figures leave one parameter of the shape to determine. The curve is the exponential
 //
 //   F(e) = Fm (exp(a e/EMT) - 1)/(exp(a) - 1),      LT = 2 [1/a - 1/(exp(a) - 1)],
 //
-// since one formula then covers stiffening cloth (a > 0, LT < 1), the straight line (a = 0, LT = 1) and
-// softening cloth (a < 0, LT > 1), and its slope is positive and finite everywhere. A power of e would be
-// soft without limit at 0. The diagram is the curve of core/README.md, section 2, through eleven points of
-// it; a is such that the area under that curve, not under the exponential, is WT, so that Fm, EMT, WT and LT
-// come back to rounding.
+// One formula covers stiffening cloth (a > 0, LT < 1), the straight line (a = 0, LT = 1) and softening cloth
+// (a < 0, LT > 1). Its slope is positive and finite everywhere, whereas the slope of a power of e would
+// vanish at 0. The diagram is the curve of core/README.md, section 2, through eleven points of the
+// exponential. The parameter a is chosen so that the area under that curve, rather than under the
+// exponential, is WT. So the diagram reproduces Fm, EMT, WT and LT to rounding.
 #pragma once
 #include "standards/diagram.h"
 #include "standards/units.h"
@@ -31,7 +31,7 @@ inline constexpr double kKesBending = kGramForce * 1e-2;                  // N m
 inline constexpr double kKesShear = kGramForcePerCm / kRadiansPerDegree;  // N/m per rad per gf/(cm deg)
 inline constexpr double kKesLinearityLow = 0.2, kKesLinearityHigh = 1.8;  // of LT: |a| up to 10
 
-// EMT in percent, WT in gf cm/cm^2, Fm in gf/cm.
+// LT, WT and the tensile diagram. EMT in percent, WT in gf cm/cm^2, Fm in gf/cm.
 double kes_linearity(double emt, double wt, double fm);
 double kes_energy(double emt, double lt, double fm);
 Diagram kes_tension(double emt, double wt, double fm);

@@ -1,11 +1,11 @@
-// The tensile strips of the standards.
+// The strip specimens of the standards for tensile tests.
 #pragma once
 
 namespace drape::standards {
 
-// Width and distance between the jaws in m. GOST 3813: the small strip serves where cloth is scarce. ISO
-// 13934-1: 200 mm for cloth that breaks at up to 75 % of elongation, 100 mm beyond. ASTM D5035: 1 and 2 tell
-// the width in inches, R ravelled, C cut; the standard's own metric figures.
+// Width and distance between the jaws (gauge), m. GOST 3813: the small strip is for scarce cloth. ISO
+// 13934-1: 200 mm for cloth that breaks at up to 75 % of elongation, 100 mm beyond. ASTM D5035: 1 and 2 are
+// the width in inches, R is ravelled, C is cut; the figures are the standard's own metric ones.
 struct StripStandard {
   const char* name;
   double width, gauge;

@@ -4,7 +4,7 @@
 
 namespace drape::standards {
 
-// Up to 10 %, 12 degrees of shear.
+// The diagram extends to 10 % of elongation: 12 degrees of shear.
 Diagram trellis_bias(double shear) {
   Diagram d;
   for (int percent = 0; percent <= 10; ++percent) {

@@ -1,4 +1,4 @@
-// Units of laboratory sheets, in SI. The gram-force follows from the standard acceleration of
+// Units of laboratory data sheets, in SI units. The gram-force follows from the standard acceleration of
 // gravity, 9.80665 m/s^2 (3rd CGPM, 1901); the pound is 0.45359237 kg (international yard and pound, 1959).
 #pragma once
 

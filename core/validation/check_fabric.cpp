@@ -1,4 +1,4 @@
-// Diagrams as a whole.
+// Checks of diagrams as a whole.
 #include <algorithm>
 
 #include "scene/diagnostics.h"
@@ -8,7 +8,7 @@ namespace drape::validation {
 
 namespace {
 
-constexpr double kMinRise = 1e-8;     // of a diagram's elongation from point to point
+constexpr double kMinRise = 1e-8;     // smallest increase of the elongation from point to point
 constexpr double kLocking = 0.41421;  // below sqrt(2) - 1, where the trellis of a bias strip locks
 
 void diagram_check(const scene::DiagramSpec& d, const std::string& path, Problems& problems) {
@@ -66,8 +66,8 @@ void diagram_check(const scene::DiagramSpec& d, const std::string& path, Problem
                               " N after " + scene::rounded(last) + " N; force x correction does not fall"});
 }
 
-// A bias diagram without a stored correction is worked up from the strip's geometry, which sets limits of its
-// own.
+// Checks a bias diagram without a stored correction. Its law is computed from the geometry of the strip,
+// which has limits of its own.
 void bias_check(const Scene& scene, const scene::FabricSpec& f, const std::string& path, Problems& problems) {
   const std::vector<double>& force = f.bias.force;
   const bool off = std::all_of(force.begin(), force.end(), [](double v) { return v == 0; });

@@ -1,4 +1,4 @@
-// Pins and probes: on their pieces, and no point of the cloth held by two pins.
+// Checks that pins and probes are on their pieces, and that no point of the cloth belongs to two pins.
 #include <algorithm>
 #include <cmath>
 
@@ -14,10 +14,10 @@ struct Box {
   Vec2 low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
 };
 
-// A closed set of points: one point, a chain of segments, or all that loops enclose.
+// A closed set of points that a pin supports: one point, a chain of segments, or the area inside loops.
 struct Held {
   enum Kind { kPoint, kChain, kArea } kind;
-  std::vector<piece::OutlineLoop> loops;  // of a point and a chain: one, its points in order
+  std::vector<piece::OutlineLoop> loops;  // for a point or a chain: one loop, with its points in order
   Box box;
 };
 
@@ -33,13 +33,13 @@ Held held_make(Held::Kind kind, std::vector<Vec2> points) {
   return held_make(kind, std::vector<piece::OutlineLoop>{{std::move(points), {}}});
 }
 
-// Calls `take` with each segment until it is true.
-template <class Take>
-bool any_segment(const Held& h, Take take) {
+// True if `test` is true for a segment.
+template <class Test>
+bool any_segment(const Held& h, Test test) {
   for (const piece::OutlineLoop& loop : h.loops) {
     const std::size_t n = loop.points.size(), segments = h.kind == Held::kArea ? n : n - 1;
     for (std::size_t k = 0; k < segments; ++k)
-      if (take(loop.points[k], loop.points[(k + 1) % n])) return true;
+      if (test(loop.points[k], loop.points[(k + 1) % n])) return true;
   }
   return false;
 }
@@ -59,17 +59,18 @@ bool holds(const Held& h, Vec2 p, double contact) {
          any_segment(h, [&](Vec2 a, Vec2 b) { return segment_distance(a, b, p) <= contact; });
 }
 
-// Where the lines through a b and c d meet, if within both segments.
+// The intersection of the segments a b and c d, if there is one.
 bool crossing(Vec2 a, Vec2 b, Vec2 c, Vec2 d, Vec2& at) {
   const double x = b[0] - a[0], y = b[1] - a[1], u = d[0] - c[0], v = d[1] - c[1], det = x * v - y * u;
-  if (det == 0) return false;  // parallel: if they meet, an end of one lies on the other
+  if (det == 0) return false;  // parallel: if they touch, an end of one is on the other
   const double s = ((c[0] - a[0]) * v - (c[1] - a[1]) * u) / det;
   const double t = ((c[0] - a[0]) * y - (c[1] - a[1]) * x) / det;
   at = {a[0] + s * x, a[1] + s * y};
   return s >= 0 && s <= 1 && t >= 0 && t <= 1;
 }
 
-// A point common to all the sets. If there is one, then one that is a vertex of a set or a crossing of two.
+// Finds a point common to all sets. If there is one, then a vertex of a set or an intersection of two sets is
+// one.
 bool common_point(const std::vector<const Held*>& sets, double contact, Vec2& at) {
   const auto in_all = [&](Vec2 p) {
     const bool all =
@@ -102,7 +103,7 @@ std::vector<Held> pin_held(const scene::PieceSpec& piece, const scene::PinSpec& 
   return held;
 }
 
-// Two pins on one point could pull it two ways. One message for each pair of pins.
+// Two pins on one point could contradict each other. One message for each pair of pins.
 void clash_check(const Scene& scene, const scene::PinSpec& a, const scene::PinSpec& b, const Held& cloth,
                  Problems& problems) {
   const scene::PieceSpec& piece = scene.pieces[std::size_t(a.piece)];
@@ -148,7 +149,7 @@ void edges_check(const scene::PieceSpec& piece, const scene::PinSpec& pin, const
 }  // namespace
 
 void pins_check(const Scene& scene, const std::vector<bool>& valid, Problems& problems) {
-  std::vector<Held> cloths;  // of the pieces; empty where there is none to judge by
+  std::vector<Held> cloths;  // [pieces] empty where the outline has a fault
   for (std::size_t p = 0; p < scene.pieces.size(); ++p)
     cloths.push_back(valid[p] ? held_make(Held::kArea, piece::outline_flatten(scene.pieces[p])) : Held{});
   std::vector<const scene::PinSpec*> pins;

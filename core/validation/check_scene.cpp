@@ -1,5 +1,5 @@
-// What no single key can show. Values that the reader could not land are empty, 0 or -1; they have been
-// reported, and are passed over here.
+// Checks that involve several keys. Values that the reader could not store are empty, 0 or -1. They have been
+// reported already, and are skipped here.
 #include "validation/checks.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ void motion_check(const Scene& scene, Problems& problems) {
         {"scene.mode", "= \"fit\" does not go with integrator = \"paper\"; wanted: \"leapfrog\""});
 }
 
-// Steps of higher order go partly back in time, where what brakes the cloth would speed it up.
+// Schemes of higher order have substeps that go back in time, where damping would accelerate the cloth.
 void order_check(const Scene& scene, Problems& problems) {
   if (scene.order == 2) return;
   const std::string order = "= " + std::to_string(scene.order) + " does not go with ";
@@ -41,14 +41,15 @@ void order_check(const Scene& scene, Problems& problems) {
   if (!scene.bodies.empty())
     problems.push_back(
         {"scene.order", order + "bodies, whose contact is damped and rubs; wanted: order = 2, or no body"});
-  const auto braked = [&](const std::string& place, double value, const char* unit) {
+  const auto damping_check = [&](const std::string& place, double value, const char* unit) {
     if (value > 0)
       problems.push_back(
           {place, "= " + scene::number_text(value) + unit + "; allowed: " + order_allows(scene.order)});
   };
-  braked("air.normal", scene.air_normal, "");
-  braked("air.tangential", scene.air_tangential, "");
-  for (const scene::FabricSpec& f : scene.fabrics) braked("fabric." + f.name + ".damping", f.damping, " s");
+  damping_check("air.normal", scene.air_normal, "");
+  damping_check("air.tangential", scene.air_tangential, "");
+  for (const scene::FabricSpec& f : scene.fabrics)
+    damping_check("fabric." + f.name + ".damping", f.damping, " s");
 }
 
 }  // namespace
@@ -67,7 +68,7 @@ void scene_check(const Scene& scene, std::vector<Problem>& problems) {
     const std::string path = "piece." + piece.name;
     std::vector<Problem> found;
     piece::outline_problems(piece, path, found);
-    // A wrong cell leaves straight edges what they are.
+    // A faulty cell size does not affect straight edges.
     const bool of_cell =
         piece.curves.empty() &&
         std::all_of(found.begin(), found.end(), [&](const Problem& p) { return p.place == path + ".cell"; });

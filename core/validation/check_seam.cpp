@@ -1,4 +1,4 @@
-// Seams against the outlines of their pieces and each other.
+// Checks seams against the outlines of their pieces and each other.
 #include <algorithm>
 #include <map>
 
@@ -34,7 +34,7 @@ bool side_check(const scene::PieceSpec& piece, const scene::SeamSide& side, cons
 }  // namespace
 
 void seams_check(const Scene& scene, const std::vector<bool>& valid, Problems& problems) {
-  std::map<std::pair<int, int>, std::string> sewn;  // piece and edge -> the side that has it
+  std::map<std::pair<int, int>, std::string> sewn;  // piece and edge -> the side that uses it
   for (const scene::SeamSpec& seam : scene.seams) {
     for (std::size_t k = 0; k < 2; ++k) {
       const scene::SeamSide& side = seam.side[k];

@@ -1,4 +1,4 @@
-// Parts of scene_check, and what their messages share.
+// The parts of scene_check, and texts shared by messages.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,16 +10,17 @@ namespace drape::validation {
 
 using Problems = std::vector<Problem>;
 
-// Diagrams, and what they are worked up from.
+// Checks the diagrams of a fabric and the data from which they are computed.
 void fabric_check(const Scene& scene, const scene::FabricSpec& fabric, Problems& problems);
 
-// Seams against their pieces and each other; `sound` as below.
+// Checks seams against their pieces and each other. `valid` [pieces]: the piece has an outline without fault.
 void seams_check(const Scene& scene, const std::vector<bool>& valid, Problems& problems);
 
-// What is allowed of a force that depends on velocity, above order 2.
+// The text on what is allowed of a force that depends on velocity, in schemes of order above 2.
 std::string order_allows(int order);
 
-// Pins and probes against their pieces and each other; `sound[p]`: piece p has an outline without fault.
+// Checks pins and probes against their pieces and each other. `valid` [pieces]: the piece has an outline
+// without fault.
 void pins_check(const Scene& scene, const std::vector<bool>& valid, Problems& problems);
 
 }  // namespace drape::validation

@@ -1,21 +1,21 @@
-// Scene and fabric files, read and checked: every problem in one pass.
+// Reads and checks scene and fabric files. All problems are found in one pass.
 #pragma once
 #include "scene/reader/read.h"
 
 namespace drape::validation {
 
-// Reads a scene file and the fabric files it names, and checks what no single key can show. Appends one
-// Problem for each fault, in the order of the text; the scene is usable only when none was appended.
+// Reads a scene file and the fabric files that it names, and checks the scene as a whole. Appends one Problem
+// for each fault, in the order of the text. The scene is usable only if none was appended.
 Scene scene_load(const std::filesystem::path& file, std::vector<Problem>& problems);
 
-// The same for a fabric file by itself.
+// Reads and checks a fabric file by itself.
 scene::FabricSpec fabric_load(const std::filesystem::path& file, std::vector<Problem>& problems,
                               scene::Corrections corrections = scene::Corrections::kKept);
 
-// Checks that no single key can show: geometry, pins and probes against their pieces, diagrams.
+// The checks that involve several keys: geometry, pins and probes against their pieces, diagrams.
 void scene_check(const Scene& scene, std::vector<Problem>& problems);
 
-// What only the grids of a scene that is otherwise without fault show.
+// The checks that need the grids of the pieces. The scene must have no other fault.
 void scene_check_layout(const Scene& scene, std::vector<Problem>& problems);
 
 }  // namespace drape::validation

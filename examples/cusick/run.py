@@ -1,8 +1,8 @@
-"""The drape coefficient of a fabric, as Cusick's drape meter tells it: the shadow of a disc of 30 cm over a plate of 18 cm.
+"""The drape coefficient of a fabric, as Cusick's drape meter measures it: the shadow of a disc of 30 cm over a plate of 18 cm.
 
     DC = (S - 254.5 cm2)/(706.9 cm2 - 254.5 cm2),      S the area of the shadow
 
-A perfectly flat disc would never fold, so each run starts from a cloth with small bumps of its own; the result is the mean over
+A perfectly flat disc would never fold, so each run starts from a cloth with small random imperfections; the result is the mean over
 them.
 
     .venv/bin/python examples/cusick/run.py [FOLDER] [--quick]      results go to FOLDER, default build/cusick

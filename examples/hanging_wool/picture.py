@@ -56,7 +56,7 @@ def photograph(position, picture, peg):
 def draw(times, positions, tensions, peg, file):
     """The cloth at several times side by side, coloured by the tension of its warp."""
     largest = max(tension.max() for tension in tensions)
-    norm = colors.PowerNorm(0.5, 0, largest)  # a square root: small tensions are seen beside those at the peg
+    norm = colors.PowerNorm(0.5, 0, largest)  # a square root: small tensions stay visible next to those at the peg
     colours = colors.LinearSegmentedColormap.from_list("wool", ["#f4ead2", "#ecc07c", "#d8622f", "#961522", "#3c0512"])
 
     pyplot.rcParams.update({"font.size": 16})

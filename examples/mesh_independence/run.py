@@ -1,6 +1,6 @@
 """One cloth on four meshes, the paper's Figure 5: the free sag and the overhang of the bending test.
 
-Runs sag.toml and overhang.toml on cells of 10, 5, 2.5 and 1.25 mm with forces scaled by width and, beside it, by the area of
+Runs sag.toml and overhang.toml on cells of 10, 5, 2.5 and 1.25 mm with forces scaled by width and, for comparison, by the area of
 a cell as the paper has it; prints where the tip comes to rest, draws it, and checks it against the heavy elastica and from mesh
 to mesh.
 

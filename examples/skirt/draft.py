@@ -22,7 +22,7 @@ DART = 0.02  # m, width
 
 
 def panel(waist, hip, darts, measures, length):
-    """Half a panel: hem, side, and the waist from the side to the middle, with darts (share of the way from the middle, length).
+    """Half a panel: hem, side, and the waist from the side to the middle, with darts (share of the distance from the middle, length).
     And the lengths of the stretches of its waist, from the side."""
     half = Half((0, -length)).line("hem", (hip, -length)).line("side", (hip, -measures.waist_to_hip))
     x, y = (waist + hip) / 2, (RISE - measures.waist_to_hip) / 2

@@ -1,13 +1,11 @@
 // The commands of `drape`. Each function adds a command to the command line. When the command has run, its
 // exit code is in `exit_code`.
 #pragma once
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "command/arguments.h"
 #include "drape/drape.h"
 #include "variables.h"
 

@@ -19,7 +19,9 @@ int run_bench(std::vector<std::string> arguments) {
   const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
   const std::string program = here / "drape_bench";
   if (!std::filesystem::exists(program, error))
-    return fail(kBadInput, "this build has no benchmark; configure with -DDRAPE_REFERENCE=ON -DDRAPE_BENCH=ON");
+    return fail(kBadInput,
+                "this build has no benchmark; it comes with `bash tests/run.sh`, or with "
+                "-DDRAPE_REFERENCE=ON -DDRAPE_BENCH=ON for CMake");
   arguments.insert(arguments.begin(), program);
   std::vector<char*> words;
   for (std::string& argument : arguments) words.push_back(argument.data());
@@ -32,10 +34,9 @@ int run_bench(std::vector<std::string> arguments) {
 }  // namespace
 
 void command_bench(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("bench", "measure particle-steps per second; pin it to one core");
-  command->allow_extras();  // the benchmark reads the arguments,
-  command->set_help_flag();  // --help among them
-  command->callback([command, &exit_code] { exit_code = run_bench(command->remaining()); });
+  CLI::App* command = command_add(app, "bench", "measure particle-steps per second; pin it to one core");
+  command_accept_all(*command);  // the benchmark reads the words
+  command_on_run(*command, [command, &exit_code] { exit_code = run_bench(command_words(*command)); });
 }
 
 }  // namespace drape::command

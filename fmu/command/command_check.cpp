@@ -84,7 +84,7 @@ void print_jaws(const Scene& scene) {
   const fabric::LawOptions options{scene.scaling, scene.bias_model, scene.clamp_correction};
   for (const scene::FabricSpec& f : scene.fabrics)
     if (const double r = f.strip_gauge / f.strip_width; !f.bias.elongation.empty() &&
-                                                        fabric::law_takes_jaws_out(f, options) &&
+                                                        fabric::law_corrects_for_jaws(f, options) &&
                                                         r < fabric::kMinJawRatio * (1 - 1e-9))
       std::printf(
           "fabric %s: strip has gauge/width = %.4g; the clamp correction of bias holds from %.4g on: "
@@ -111,7 +111,8 @@ bool print_cost(drape_cloth* cloth) {
   const Clock::time_point began = Clock::now();
   // An interval may have a million steps: start with one step and double until the interval is full.
   const double interval = drape_communication(cloth);
-  double length = std::min(drape_outputs_at(cloth, 0)->step_size, interval), simulated = 0, spent = 0;
+  double length = std::min(drape_get_outputs(cloth, DRAPE_OUT_SCALARS)->step_size, interval), simulated = 0,
+         spent = 0;
   drape_status status = DRAPE_OK;
   while (status == DRAPE_OK && spent < 0.25 && simulated < 1) {
     status = drape_advance(cloth, length);
@@ -119,7 +120,7 @@ bool print_cost(drape_cloth* cloth) {
     length = std::min(2 * length, interval);
     spent = std::chrono::duration<double>(Clock::now() - began).count();
   }
-  const drape_outputs& o = *drape_outputs_at(cloth, 0);
+  const drape_outputs& o = *drape_get_outputs(cloth, DRAPE_OUT_SCALARS);
   if (status == DRAPE_OK) {
     std::printf(
         "cost: %.3g s per simulated second, %.0f steps of %d particles (measured over the first %.3g s)\n",
@@ -141,11 +142,11 @@ int check(const Options& options) {
   std::printf("scene %s: %.6g s, communication interval %.6g s\n", drape_scene_name(cloth.get()),
               drape_duration(cloth.get()), drape_communication(cloth.get()));
   print_pieces(cloth.get());
-  print_seams(*drape_outputs_at(cloth.get(), 0));
+  print_seams(*drape_get_outputs(cloth.get(), DRAPE_OUT_SCALARS));
   const char* set_by = nullptr;
   const double limit = drape_step_limit(cloth.get(), &set_by);
   std::printf("step limit: %.6g us, set by %s\n", 1e6 * limit, set_by ? set_by : "nothing");
-  std::printf("step: %.6g us\n", 1e6 * drape_outputs_at(cloth.get(), 0)->step_size);
+  std::printf("step: %.6g us\n", 1e6 * drape_get_outputs(cloth.get(), DRAPE_OUT_SCALARS)->step_size);
   std::vector<Problem> problems;  // stays empty: the cloth has just been opened from the same file
   const Scene scene = validation::scene_load(options.scene_file, problems);
   print_jaws(scene);
@@ -157,11 +158,11 @@ int check(const Options& options) {
 
 void command_check(CLI::App& app, int& exit_code) {
   CLI::App* command =
-      app.add_subcommand("check", "read and validate a scene; print its size, step limit and cost");
+      command_add(app, "check", "read and validate a scene; print its size, step limit and cost");
   auto options = std::make_shared<Options>();
   option_scene(*command, options->scene_file);
-  command->add_option("--picture", options->picture, "draw the pieces on their grids")->type_name("FILE.svg");
-  command->callback([options, &exit_code] { exit_code = check(*options); });
+  option_add(*command, "--picture", options->picture, "draw the pieces on their grids", {.type = "FILE.svg"});
+  command_on_run(*command, [options, &exit_code] { exit_code = check(*options); });
 }
 
 }  // namespace drape::command

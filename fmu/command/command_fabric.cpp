@@ -282,45 +282,41 @@ int calibrate_fabric(const Options& options) {
 }
 
 void options_add(CLI::App& command, Options& options) {
-  command.add_option("FABRIC", options.fabric_file, "fabric file (TOML)")->required();
-  const auto positive = [](const std::string& text) {
-    double value = 0;
-    const bool number = CLI::detail::lexical_cast(text, value);
-    return number && value > 0 && std::isfinite(value) ? "" : "'" + text + "' m; allowed: above 0 m";
+  option_add(command, "FABRIC", options.fabric_file, "fabric file (TOML)", {.required = true});
+  const auto problem = [](const std::string& text) {
+    return is_positive_number(text) ? "" : "'" + text + "' m; allowed: above 0 m";
   };
-  command.add_option("--cell", options.cell, "edge of the cells; default: a sixteenth of the strip's width")
-      ->check(positive)
-      ->type_name("METRES");
+  option_add(command, "--cell", options.cell, "edge of the cells; default: a sixteenth of the strip's width",
+             {.type = "METRES", .problem = problem});
 }
 
 }  // namespace
 
 void command_fabric(CLI::App& app, int& exit_code) {
-  CLI::App* fabric = app.add_subcommand("fabric", "the virtual laboratory: strips pulled and bent");
-  fabric->require_subcommand(1);
+  CLI::App* fabric = command_add(app, "fabric", "the virtual laboratory: strips pulled and bent");
+  command_require_one(*fabric);
 
   auto tested = std::make_shared<Options>();
   CLI::App* command =
-      fabric->add_subcommand("test", "pull and bend strips of a fabric; print input and simulated");
+      command_add(*fabric, "test", "pull and bend strips of a fabric; print input and simulated");
   options_add(*command, *tested);
-  command->add_option("--pull", tested->pull, "elongation to pull to; default: the end of each diagram")
-      ->check(CLI::Range(0.0, 1e3))
-      ->type_name("PERCENT");
-  command->add_option("--along", tested->along, "strips to test; default: all")
-      ->check(CLI::IsMember({"warp", "weft", "bias"}))
-      ->type_name("warp|weft|bias ...");
-  command->add_option("--picture", tested->picture, "draw the diagrams")->type_name("FILE.svg");
-  command->callback([tested, &exit_code] { exit_code = test(*tested); });
+  CLI::Option* pull =
+      option_add(*command, "--pull", tested->pull, "elongation to pull to; default: the end of each diagram",
+                 {.type = "PERCENT"});
+  option_require_range(*pull, 0, 1e3);
+  option_add(*command, "--along", tested->along, "strips to test; default: all",
+             {.type = "warp|weft|bias ...", .choices = {"warp", "weft", "bias"}});
+  option_add(*command, "--picture", tested->picture, "draw the diagrams", {.type = "FILE.svg"});
+  command_on_run(*command, [tested, &exit_code] { exit_code = test(*tested); });
 
   auto calibrated = std::make_shared<Options>();
-  command = fabric->add_subcommand(
-      "calibrate", "find the corrections with which strips return the diagrams; store them in the file");
+  command = command_add(*fabric, "calibrate",
+                        "find the corrections with which strips return the diagrams; store them in the file");
   options_add(*command, *calibrated);
-  CLI::Option* output = command->add_option("-o,--output", calibrated->output,
-                                            "file to write; default: the fabric file itself");
-  output->type_name("FILE.toml");
-  command->callback([calibrated, output, &exit_code] {
-    calibrated->has_output = output->count() > 0;
+  CLI::Option* output = option_add(*command, "-o,--output", calibrated->output,
+                                   "file to write; default: the fabric file itself", {.type = "FILE.toml"});
+  command_on_run(*command, [calibrated, output, &exit_code] {
+    calibrated->has_output = option_given(*output);
     exit_code = calibrate_fabric(*calibrated);
   });
 }

@@ -31,21 +31,22 @@ int form_write(const Measures& m, const std::string& file) {
 }  // namespace
 
 void command_form(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("form", "make a dress form of body measures (OBJ)");
+  CLI::App* command = command_add(app, "form", "make a dress form of body measures (OBJ)");
   struct Options {
     Measures measures;
     std::string file;
   };
   auto options = std::make_shared<Options>();
-  command->add_option("-o,--output", options->file, "the mesh")->required()->type_name("BODY.obj");
+  option_add(*command, "-o,--output", options->file, "the mesh", {.type = "BODY.obj", .required = true});
   const auto measure = [&](const char* name, double& value, const char* text) {
-    command->add_option(name, value, text)->capture_default_str()->type_name("METRES");
+    option_add(*command, name, value, text, {.type = "METRES", .default_shown = true});
   };
   measure("--bust", options->measures.bust, "girth at the fullest part of the bust");
   measure("--waist", options->measures.waist, "girth of the waist");
   measure("--hips", options->measures.hips, "girth at the fullest part of the hips");
   measure("--height", options->measures.height, "from the floor to the top of the head");
-  command->callback([options, &exit_code] { exit_code = form_write(options->measures, options->file); });
+  command_on_run(*command,
+                 [options, &exit_code] { exit_code = form_write(options->measures, options->file); });
 }
 
 }  // namespace drape::command

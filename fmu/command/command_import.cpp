@@ -107,23 +107,20 @@ int import_pattern(const Options& o) {
 }  // namespace
 
 void command_import(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("import", "make a scene of a sewing pattern (GarmentCode JSON)");
+  CLI::App* command = command_add(app, "import", "make a scene of a sewing pattern (GarmentCode JSON)");
   auto options = std::make_shared<Options>();
-  command->add_option("PATTERN", options->pattern, "pattern (JSON)")->required();
-  CLI::Option* body =
-      command->add_option("--body", options->body, "who wears it; without, it is sewn weightless")
-          ->type_name("BODY.obj");
-  command->add_option("-o,--output", options->output, "the scene")->required()->type_name("SCENE");
-  command->add_option("--cell", options->cell, "cells of the pieces, m")
-      ->capture_default_str()
-      ->type_name("METRES");
-  CLI::Option* fabric = command
-                            ->add_option("--fabric", options->fabric,
-                                         "fabric file; without, a measured wool is put beside the scene")
-                            ->type_name("FILE");
-  command->callback([=, &exit_code] {
-    options->has_body = body->count() > 0;
-    options->has_fabric = fabric->count() > 0;
+  option_add(*command, "PATTERN", options->pattern, "pattern (JSON)", {.required = true});
+  CLI::Option* body = option_add(*command, "--body", options->body,
+                                 "who wears it; without, it is sewn weightless", {.type = "BODY.obj"});
+  option_add(*command, "-o,--output", options->output, "the scene", {.type = "SCENE", .required = true});
+  option_add(*command, "--cell", options->cell, "cells of the pieces, m",
+             {.type = "METRES", .default_shown = true});
+  CLI::Option* fabric =
+      option_add(*command, "--fabric", options->fabric,
+                 "fabric file; without, a measured wool is put beside the scene", {.type = "FILE"});
+  command_on_run(*command, [=, &exit_code] {
+    options->has_body = option_given(*body);
+    options->has_fabric = option_given(*fabric);
     exit_code = import_pattern(*options);
   });
 }

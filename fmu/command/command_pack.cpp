@@ -30,15 +30,14 @@ int pack(const Options& options) {
 }  // namespace
 
 void command_pack(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("pack", "make the FMU of a scene");
+  CLI::App* command = command_add(app, "pack", "make the FMU of a scene");
   auto options = std::make_shared<Options>();
   option_scene(*command, options->scene_file);
-  command->add_option("-o,--output", options->file, "the FMU")->required()->type_name("OUT.fmu");
-  command->add_option("--fmi", options->fmi, "version of the standard")
-      ->capture_default_str()
-      ->type_name("2");
+  option_add(*command, "-o,--output", options->file, "the FMU", {.type = "OUT.fmu", .required = true});
+  option_add(*command, "--fmi", options->fmi, "version of the standard",
+             {.type = "2", .default_shown = true});
   option_nodes(*command, options->nodes);
-  command->callback([options, &exit_code] { exit_code = pack(*options); });
+  command_on_run(*command, [options, &exit_code] { exit_code = pack(*options); });
 }
 
 }  // namespace drape::command

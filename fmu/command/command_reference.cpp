@@ -55,30 +55,26 @@ int run_reference(const Options& options) {
 }  // namespace
 
 void command_reference(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand(
-      "reference",
+  CLI::App* command = command_add(
+      app, "reference",
       "integrate the same equations by ARKODE, to a tolerance; columns as of `run`, without step.stability");
   auto options = std::make_shared<Options>();
   option_scene(*command, options->scene_file);
-  command->add_option("-o,--output", options->folder, "folder for outputs.csv")->required()->type_name("DIR");
-  command->add_option("--rtol", options->run.rtol, "relative tolerance")
-      ->capture_default_str()
-      ->type_name("R");
-  command->add_option("--order", options->run.order, "order of the method")
-      ->capture_default_str()
-      ->type_name("P");
-  command->add_option("--inputs", options->inputs_file, "inputs over time: a column 'time' and any inputs")
-      ->type_name("FILE.csv");
+  option_add(*command, "-o,--output", options->folder, "folder for outputs.csv",
+             {.type = "DIR", .required = true});
+  option_add(*command, "--rtol", options->run.rtol, "relative tolerance",
+             {.type = "R", .default_shown = true});
+  option_add(*command, "--order", options->run.order, "order of the method",
+             {.type = "P", .default_shown = true});
+  option_add(*command, "--inputs", options->inputs_file, "inputs over time: a column 'time' and any inputs",
+             {.type = "FILE.csv"});
   option_seconds(*command, "--until", options->run.until, "end time; default: the scene's duration");
   option_seconds(*command, "--every", options->run.every,
                  "time between rows; default: a hundredth of the duration");
-  command
-      ->add_option_function<std::string>(
-          "--nodes", [options](const std::string& which) { options->run.nodes = which == "all"; },
-          "particles with variables of their own")
-      ->check(CLI::IsMember({"none", "all"}))
-      ->type_name("none|all");
-  command->callback([options, &exit_code] { exit_code = run_reference(*options); });
+  option_add(*command, "--nodes",
+             [options](const std::string& which) { options->run.nodes = which == "all"; },
+             "particles with variables of their own", {.type = "none|all", .choices = {"none", "all"}});
+  command_on_run(*command, [options, &exit_code] { exit_code = run_reference(*options); });
 }
 
 }  // namespace drape::command

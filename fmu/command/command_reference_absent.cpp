@@ -4,11 +4,12 @@
 namespace drape::command {
 
 void command_reference(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("reference", "not in this build: configure with -DDRAPE_REFERENCE=ON");
-  command->allow_extras();
-  command->set_help_flag();
-  command->callback([&exit_code] {
-    exit_code = fail(kBadInput, "this build has no reference; configure with -DDRAPE_REFERENCE=ON");
+  CLI::App* command = command_add(app, "reference", "not in this build: comes with tests/run.sh");
+  command_accept_all(*command);
+  command_on_run(*command, [&exit_code] {
+    exit_code = fail(kBadInput,
+                     "this build has no reference; it comes with `bash tests/run.sh`, or with "
+                     "-DDRAPE_REFERENCE=ON for CMake");
   });
 }
 

@@ -82,7 +82,7 @@ struct Driven {
 };
 
 bool record(Recorder& r, double time) {
-  drape_outputs_at(r.cloth, r.nodes);
+  drape_get_outputs(r.cloth, r.nodes ? DRAPE_OUT_ALL : DRAPE_OUT_SCALARS);
   std::vector<double> row{time};
   for (const double* value : r.columns) row.push_back(*value);
   csv_row(r.csv, row);
@@ -192,31 +192,29 @@ int run(const Options& options) {
 }  // namespace
 
 void command_run(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("run", "run a scene and write outputs.csv");
+  CLI::App* command = command_add(app, "run", "run a scene and write outputs.csv");
   auto options = std::make_shared<Options>();
   option_scene(*command, options->scene_file);
-  command->add_option("-o,--output", options->folder, "folder for the results")->required()->type_name("DIR");
+  option_add(*command, "-o,--output", options->folder, "folder for the results",
+             {.type = "DIR", .required = true});
   option_seconds(*command, "--until", options->until, "end time; default: the scene's duration");
   option_seconds(*command, "--every", options->every,
                  "time between rows; default: a hundredth of the duration");
-  command->add_option("--set", options->settings, "the start value of a parameter or an input")
-      ->type_name("NAME=VALUE ...")
-      ->allow_extra_args(false);
-  command->add_option("--inputs", options->inputs_file, "inputs over time: a column 'time' and any inputs")
-      ->type_name("FILE.csv");
-  command->add_flag("--frames", options->frames,
-                    "write a .vtp for every row: frames.pvd, and seams.pvd, bodies.pvd where there are any");
-  command
-      ->add_option("--report", options->report,
-                   "write elongations, seams and contact at the end; with the ending .csv one value a line")
-      ->type_name("FILE");
-  command
-      ->add_option("--limit", options->limit,
-                   "elongation beyond which the report counts area; default: the tested range")
-      ->type_name("PERCENT");
+  option_add(*command, "--set", options->settings, "the start value of a parameter or an input",
+             {.type = "NAME=VALUE ...", .one_each = true});
+  option_add(*command, "--inputs", options->inputs_file, "inputs over time: a column 'time' and any inputs",
+             {.type = "FILE.csv"});
+  flag_add(*command, "--frames", options->frames,
+           "write a .vtp for every row: frames.pvd, and seams.pvd, bodies.pvd where there are any");
+  option_add(*command, "--report", options->report,
+             "write elongations, seams and contact at the end; with the ending .csv one value a line",
+             {.type = "FILE"});
+  option_add(*command, "--limit", options->limit,
+             "elongation beyond which the report counts area; default: the tested range",
+             {.type = "PERCENT"});
   option_nodes(*command, options->nodes);
-  command->add_flag("-v,--verbose", options->verbose, "print events and changes of the step");
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  flag_add(*command, "-v,--verbose", options->verbose, "print events and changes of the step");
+  command_on_run(*command, [options, &exit_code] { exit_code = run(*options); });
 }
 
 }  // namespace drape::command

@@ -26,12 +26,12 @@ int variables(const Options& options) {
 
 void command_variables(CLI::App& app, int& exit_code) {
   CLI::App* command =
-      app.add_subcommand("variables", "print the variables of a scene's FMU as a Markdown table");
+      command_add(app, "variables", "print the variables of a scene's FMU as a Markdown table");
   auto options = std::make_shared<Options>();
   option_scene(*command, options->scene_file);
   option_nodes(*command, options->nodes);
-  command->add_flag("--xml", options->xml, "print modelDescription.xml instead");
-  command->callback([options, &exit_code] { exit_code = variables(*options); });
+  flag_add(*command, "--xml", options->xml, "print modelDescription.xml instead");
+  command_on_run(*command, [options, &exit_code] { exit_code = variables(*options); });
 }
 
 }  // namespace drape::command

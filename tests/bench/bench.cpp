@@ -152,7 +152,7 @@ void scene_rows_add(const std::string& file, const Patience& patience, std::vect
   };
   advance(10);
   State still = r.state;
-  const dynamics::StepCoefficients at_rest{1, 0, 0, {0, 0, 0}, 0};
+  const model::Scheme at_rest{};
   const auto pass = [&](long n) {
     for (long k = 0; k < n; ++k)
       dynamics::kernel_step(*r.motion.kernel, r.system, at_rest, r.motion.workspace, still);

@@ -10,12 +10,12 @@
 #include "bench/bench.h"
 #include "bench/precision/precision.h"
 #include "bench/seams.h"
-#include "drape/drape.h"
+#include "command/command.h"
 
 namespace drape::bench {
 namespace {
 
-enum ExitCode { kDone = 0, kBadInput = 1, kFailedRun = 2 };  // the exit codes of `drape`
+using command::fail, command::kDone, command::kBadInput, command::kFailedRun;
 
 constexpr const char *kPrecision = "precision", *kSeams = "seams";  // groups with tables of their own
 
@@ -24,22 +24,6 @@ struct Options {
   std::string csv_file;
   bool quick = false;
 };
-
-int fail(ExitCode code, const std::string& sentence) {
-  std::fprintf(stderr, "error: %s\n", sentence.c_str());
-  return code;
-}
-
-// Returns false and reports the problems on standard error if a scene cannot be opened.
-bool scene_opens(const std::string& file) {
-  const auto log = [](void*, drape_log_kind kind, const char* message) {
-    if (kind == DRAPE_LOG_ERROR) std::fprintf(stderr, "error: %s\n", message);
-    if (kind == DRAPE_LOG_WARNING) std::fprintf(stderr, "warning: %s\n", message);
-  };
-  drape_cloth* cloth = drape_open(file.c_str(), log, nullptr);
-  drape_close(cloth);
-  return cloth != nullptr;
-}
 
 void row_print(const Row& row) {
   std::printf("%-34s %9zu  %-9s %9.1f  %7.3f x %s\n", row.name.c_str(), row.particles, row.contender.c_str(),
@@ -80,7 +64,7 @@ int run_bench(const Options& options) {
   if (options.quick) patience = {1, 0.002, {}};
   patience.scenes = options.scenes;
   bool valid = true;
-  for (const std::string& file : options.scenes) valid = scene_opens(file) && valid;
+  for (const std::string& file : options.scenes) valid = command::cloth_open(file) && valid;
   if (!valid) return kBadInput;
   std::vector<Row> rows;
   for (const Group& group : groups()) {

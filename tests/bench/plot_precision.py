@@ -9,7 +9,7 @@ import sys
 os.environ.setdefault("MPLBACKEND", "Agg")
 from matplotlib import pyplot  # noqa: E402
 
-# Colour by family; the darker, the higher the order. The judge's forces are dotted.
+# Colour by family; the darker, the higher the order. The forces of the reference are dotted.
 FAMILIES = {
     "Drape": ("#c05a1c", "o"),
     "paper": ("#8a8a8a", "s"),

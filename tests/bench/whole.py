@@ -1,4 +1,4 @@
-"""The whole, from files to outputs: start-up, packing, and what FMI costs beside `drape run`.
+"""The whole, from files to outputs: start-up, packing, and what FMI costs compared with `drape run`.
 
     .venv/bin/python tests/bench/whole.py [--quick] [--csv FILE]
 

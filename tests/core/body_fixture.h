@@ -129,7 +129,7 @@ inline Vec3 body_force(Assembled& a) {
   std::vector<math::Wrench> pins;
   Array v[3];
   for (Array& of : v) of.assign(a.system.nodes, 0.0);
-  dynamics::leapfrog_synchronous(a.system, a.motion, a.state, v[0].data(), v[1].data(), v[2].data(), pins);
+  dynamics::leapfrog_synchronous(a.system, a.motion, a.state, {v[0].data(), v[1].data(), v[2].data()}, pins);
   return a.motion.contact.load[0].force;
 }
 

@@ -88,14 +88,31 @@ inline drape_energy energies_after(Assembled& a, double length) {
   advance(a, length);
   outputs::Outputs outputs;
   outputs::outputs_make(outputs, a.scene, a.system);
-  outputs::outputs_fill(outputs, a.system, a.motion, a.state, DRAPE_ENERGY);
+  outputs::outputs_fill(outputs, a.system, a.motion, a.state, DRAPE_OUT_ENERGY);
   return outputs.c_view.energy;
 }
 
 inline Eigen::VectorXd forces_by(const dynamics::Kernel& kernel, Assembled& a) {
   Array fx(a.system.nodes), fy(a.system.nodes), fz(a.system.nodes);
-  dynamics::kernel_forces(kernel, a.system, a.state, a.motion.workspace, fx.data(), fy.data(), fz.data());
+  dynamics::kernel_forces(kernel, a.system, a.state, a.motion.workspace, {fx.data(), fy.data(), fz.data()});
   return gathered(a.system, fx, fy, fz);
+}
+
+// F = -dE/dr for every particle, by central differences at `eps` (m).
+template <class Energy>
+void expect_minus_gradient(Assembled& a, const Eigen::VectorXd& force, const Energy& energy, double eps) {
+  const double scale = force.lpNorm<Eigen::Infinity>();
+  Eigen::Index k = 0;
+  for (std::size_t n : a.system.particle)
+    for (Array* r : {&a.state.x, &a.state.y, &a.state.z}) {
+      const double at = (*r)[n];
+      (*r)[n] = at + eps;
+      const double above = energy();
+      (*r)[n] = at - eps;
+      const double below = energy();
+      (*r)[n] = at;
+      EXPECT_NEAR(force[k++], -(above - below) / (2 * eps), 1e-6 * scale);
+    }
 }
 
 }  // namespace drape::tests

@@ -1,4 +1,5 @@
-/* A co-simulation master that needs nothing but libc: loads an FMU's library, does some steps, prints one output.
+/* A co-simulation master that needs nothing but libc: loads an FMU's library, does some steps, prints one
+ * output.
  *
  *   bare_master LIBRARY GUID RESOURCES VALUE_REFERENCE STEPS LENGTH
  */
@@ -20,7 +21,7 @@ static void print_log(fmi2ComponentEnvironment env, fmi2String name, fmi2Status 
   va_end(arguments);
 }
 
-#define LOAD(function)                                                 \
+#define LOAD(function)                                                   \
   function##TYPE* function = (function##TYPE*)dlsym(library, #function); \
   if (!function) return fprintf(stderr, "no " #function "\n"), 1
 #define CALL(call) \
@@ -40,7 +41,8 @@ int main(int argc, char** argv) {
   LOAD(fmi2FreeInstance);
 
   const fmi2CallbackFunctions callbacks = {print_log, calloc, free, NULL, NULL};
-  fmi2Component cloth = fmi2Instantiate("bare", fmi2CoSimulation, argv[2], argv[3], &callbacks, fmi2False, fmi2False);
+  fmi2Component cloth =
+      fmi2Instantiate("bare", fmi2CoSimulation, argv[2], argv[3], &callbacks, fmi2False, fmi2False);
   if (!cloth) return 1;
   CALL(fmi2SetupExperiment(cloth, fmi2False, 0, 0, fmi2False, 0));
   CALL(fmi2EnterInitializationMode(cloth));

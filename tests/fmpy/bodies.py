@@ -1,4 +1,4 @@
-"""Meshes of bodies as OBJ text, and a sheet that meets one."""
+"""Meshes of bodies as OBJ text, and a sheet that touches one."""
 import math
 
 from scenes import HORIZONTAL, sheet

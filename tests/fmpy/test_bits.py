@@ -79,7 +79,7 @@ def test_run_and_fmu(drape, write, pack, tmp_path, q):
 
 
 def test_outputs_alone(pack):
-    """An output read alone is the one read with all others: what it needs is computed."""
+    """An output read alone equals the same output read with all others: what it needs is computed."""
     fmu = pack(swinging_sheet(energy=True), nodes="outline")
     names = [n for n in fmu.outputs() if not n.startswith("node")]
     names += ["node.position[1,3]", "node.velocity[1,3]", *names]  # again, after the others
@@ -115,7 +115,7 @@ def test_two_runs(drape, write, tmp_path):
 
 
 def test_instances_in_one_process(pack):
-    """Three cloths with different damping, stepped in turns, move as each does alone."""
+    """Three cloths with different damping, stepped in turns, move as each does by itself."""
     fmu = pack(swinging_sheet(), nodes="all")
     dampings = (0.0, 5.0, 50.0)
     alone = []

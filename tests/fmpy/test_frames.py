@@ -17,7 +17,7 @@ PULL = 0.02  # strain
 
 
 def cloth(**more):
-    """0.1 m x 0.06 m without weight or shear: threads along x and y do not know of each other."""
+    """0.1 m x 0.06 m without weight or shear: threads along x and y do not act on each other."""
     return {
         "scene": {"name": "sheet", "mode": "fit", "gravity": [0, 0, 0], "duration": 5.0},
         "fabric": {"linen": {

@@ -81,7 +81,7 @@ def test_check_tells_where_the_clamp_correction_does_not_hold(drape, write, fabr
 
 
 def test_calibration_starts_afresh(drape, fabric):
-    """Corrections of a diagram that has other points by now are no fault, and leave no trace."""
+    """Corrections of a diagram whose points have changed since are no error, and have no effect."""
     file = fabric()
     sweeps = drape("fabric", "calibrate", file, "--cell", 0.0125).stdout
     first = file.read_text()
@@ -137,7 +137,7 @@ def test_bad_input(drape, fabric, tmp_path, fault):
 
 
 def test_calibration_that_does_not_converge_keeps_the_old_figures(drape, fabric):
-    """The diagonals of this cloth pull harder than its warp is said to."""
+    """The diagonals of this cloth pull harder than its stated warp."""
     text = FABRIC.replace(WARP, "force = [0, 0.05, 0.1]")
     file = fabric(text)
     done = drape("fabric", "calibrate", file, "--cell", 0.0125, check=False)

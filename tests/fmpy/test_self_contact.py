@@ -1,4 +1,4 @@
-"""Cloth against cloth through FMI: a sheet falls onto a held one and stays there; the same bits; what refuses it."""
+"""Cloth against cloth through FMI: a sheet falls onto a held one and stays there; the same bits; scenes that are refused."""
 import subprocess
 
 import pytest
@@ -9,7 +9,7 @@ DRAPE = ROOT / "build" / "drape"
 
 
 def stack(height=1e-3, **scene_keys):
-    """A held square of wool, and a smaller one above it that lies askew."""
+    """A held square of wool, and a smaller one above it, off the threads of the first."""
     scene = sheet(0.08, 0.08, 0.01, HORIZONTAL, self_contact=True, damping=10.0, **scene_keys)
     scene["pin"].append(
         {"name": "hold", "piece": "sheet", "region": [[-0.01, -0.01], [0.09, -0.01], [0.09, 0.09], [-0.01, 0.09]]}
@@ -33,7 +33,7 @@ def thickness():
 
 
 def test_rests_on_the_sheet_below(pack):
-    """It does not fall through: its middle stays the thickness above the sheet's, less what the weight presses in."""
+    """It does not fall through: its middle stays the thickness above the sheet's, less the depth that its weight causes."""
     with Instance(pack(stack())) as cloth:
         cloth.initialize().run(0.3, 0.001)
         height = cloth.get("probe.middle.position[3]")[0] - 1
@@ -45,7 +45,7 @@ def test_rests_on_the_sheet_below(pack):
 
 
 def test_grouping_of_steps_and_states(pack):
-    """60 intervals in 1 or 60 calls; and a state taken up again while the sheets touch."""
+    """60 intervals in 1 or 60 calls; and a state restored while the sheets touch."""
     fmu = pack(stack(), nodes="all")
     ends = []
     for calls in (1, 60):

@@ -39,7 +39,7 @@ def test_grouping_of_steps(pack, ease):
 
 
 def test_states_before_and_after_the_weld(pack):
-    """A state saved while the seam is open is taken up again after it has closed, and the other way round."""
+    """A state saved while the seam is open is restored after it has closed, and the reverse."""
     fmu = pack(two_strips(), nodes="all")
     with Instance(fmu) as cloth:
         cloth.initialize().run(0.004, 0.001)
@@ -133,7 +133,7 @@ def test_energy_of_a_weld_at_the_start(drape, write, tmp_path):
     fallen = column["energy.gravity"][0] - column["energy.gravity"][-1]
     assert fallen > 0
     assert np.abs(column["energy.balance_error"]).max() < 1e-3 * fallen
-    assert np.abs(column["energy.input"]).max() < 1e-9 * fallen  # a peg that stays gives nothing, and the seam has given
+    assert np.abs(column["energy.input"]).max() < 1e-9 * fallen  # a peg that stays does no work, and the seam has done some
 
 
 def test_paper_ties(drape, write, tmp_path):
@@ -172,6 +172,6 @@ def test_example(example, tmp_path):
 
 
 def test_random_pairs():
-    """Three of the hundred of the stress run."""
+    """Three of the hundred pairs of the stress run."""
     done = subprocess.run([sys.executable, ROOT / "tests" / "stress" / "sewing.py", "--pairs", "3"], capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr

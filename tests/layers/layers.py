@@ -3,6 +3,7 @@
     python3 tests/layers/layers.py                what is wrong, a line each; exit code 1 if anything is
     python3 tests/layers/layers.py --self-test    plants faults in memory and checks that each is found
 """
+import posixpath
 import re
 import sys
 import tomllib
@@ -35,14 +36,9 @@ def resolve(name, quoted, file, files, roots):
     if file.startswith("tests/"):  # tests see their own rooms first
         folders = sorted(folders, key=lambda folder: folder in roots and not folder.startswith("tests"))
     for folder in folders:
-        parts = []
-        for part in f"{folder}/{name}".split("/"):
-            if part == ".." and parts:
-                parts.pop()
-            elif part != ".":
-                parts.append(part)
-        if "/".join(parts) in files:
-            return "/".join(parts)
+        path = posixpath.normpath(f"{folder}/{name}")
+        if path in files:
+            return path
     return None
 
 
@@ -99,7 +95,7 @@ def text_of(file):
 
 
 def self_test(rooms):
-    """Every kind of fault, planted in a house of a few files; and what is allowed, found without fault."""
+    """Every kind of fault, planted in a project of a few files; and what is allowed, found without fault."""
     house = {
         "core/include/drape/drape.h": "", "core/math/vector3.h": "", "core/scene/scene.h": '#include "math/vector3.h"\n',
         "core/forces/air.h": '#include "scene/scene.h"\n', "core/dynamics/kernel/kernel.h": '#include "forces/air.h"\n',
@@ -107,7 +103,7 @@ def self_test(rooms):
         "fmu/instance/instance.h": '#include "drape/drape.h"\n#include "fmi2Functions.h"\n', "tests/core/fixture.h": "",
         "tests/core/step_test.cpp": '#include "fixture.h"\n#include "dynamics/kernel/kernel.h"\n',
     }
-    planted = {  # file, include, and what is to be said of it
+    planted = {  # file, include, expected report
         "up": ("core/math/vector3.h", '"scene/scene.h"', "room core/math is below room core/scene"),
         "up by a path": ("core/math/vector3.h", '"../scene/scene.h"', "room core/math is below room core/scene"),
         "up in angle brackets": ("core/math/vector3.h", "<scene/scene.h>", "room core/math is below room core/scene"),

@@ -125,7 +125,7 @@ TEST(Description, NodeVariablesPointAtTheirParticle) {
   const Cloth cloth = open_swatch();
   ASSERT_TRUE(cloth);
   const std::vector<Variable> table = variables_of(cloth.get(), Nodes::kAll);
-  drape_outputs_at(cloth.get(), 1);
+  drape_get_outputs(cloth.get(), DRAPE_OUT_ALL);
   for (int n = 0; n < 6 * 9; ++n) {
     const auto at = [&](int k) {
       return *variable_find(table, "node.position[" + std::to_string(n + 1) + "," + std::to_string(k) + "]")

@@ -1,4 +1,4 @@
-"""Random pairs of outlines sewn together: every seam closes and the cloth stays calm.
+"""Random pairs of outlines sewn together: every seam closes and the cloth stays stable.
 
     .venv/bin/python tests/stress/sewing.py [--pairs 100] [--seed 1]
 

@@ -126,7 +126,8 @@ struct Energy {
   double total;   // and of the weight
 };
 Energy energy_of(Run& r) {
-  dynamics::leapfrog_synchronous(r.system, r.motion, r.state, r.vx.data(), r.vy.data(), r.vz.data(), r.load);
+  dynamics::leapfrog_synchronous(r.system, r.motion, r.state, {r.vx.data(), r.vy.data(), r.vz.data()},
+                                 r.load);
   const drape_energy e = outputs::energy_potential(r.system, r.state);
   const double moving = outputs::energy_kinetic(r.system, r.vx, r.vy, r.vz) + e.stretch + e.shear + e.bending;
   return {moving, moving + e.gravity};

@@ -1,10 +1,10 @@
-// What ridges do to links and cells: the law of particles (contact/particle/response.h) on the gap of a pair.
-// With K = sum W_k^2/m_k, an impulse J on the gap's velocity sum W_k v_k gives the nodes W_k J/m_k and the
-// gap K J.
+// Response of links and cells to sharp features: the contact law of particles (contact/particle/response.h)
+// on the gap of a pair. With K = sum W_k^2/m_k, an impulse J on the velocity of the gap, sum W_k v_k, changes
+// the velocities of the nodes by W_k J/m_k and that of the gap by K J.
 //
-// The stiffness k = min(m_k) W^2/2 (in a fit, which has no balance of energy, W^2/(2 K)) does not change as
-// the foot slides along a link, so that the penalty has an energy. With S = sum |W_k|, 1 on a link and up to
-// 2 beyond its end, it is k/S^2: k K/S^2 <= W^2/2.
+// The stiffness is k = min(m_k) W^2/2. It does not change as the closest point slides along a link, so that
+// the penalty has an energy. (A fit has no energy balance; there it is W^2/(2 K).) S = sum |W_k| is 1 on a
+// link and up to 2 beyond its end; the penalty is divided by S^2, so that k K/S^2 <= W^2/2.
 #include "contact/edge/edge_contact.h"
 
 #include <algorithm>
@@ -21,74 +21,70 @@
 namespace drape::contact {
 namespace {
 
-using math::vector3::cross;
-using math::vector3::dot;
-using math::vector3::norm;
-using math::vector3::operator*;
-using math::vector3::operator+;
-using math::vector3::operator-;
-using math::vector3::operator+=;
+using namespace math::vector3;
 using Lane = simd::ScalarLane<false>;
 
 constexpr double kSoft = 0.5;        // of W^2 of a particle
-constexpr double kConverged = 1e-3;  // of the first change of a velocity: sweeps end
-constexpr int kSweeps = 10;
-constexpr double kAsleep = 1e-9;  // m
+constexpr double kConverged = 1e-3;  // of the first change of a velocity: sweeps end below it
+constexpr int kSweeps = 10;          // maximum
+constexpr double kRounding = 1e-9;   // m, of travel
 
 simd::Vec<Lane> lanes(const Vec3& v) { return {v[0], v[1], v[2]}; }
 Vec3 vector(const simd::Vec<Lane>& v) { return {v.x.v, v.y.v, v.z.v}; }
 
-// What is past a ridge is cut by it where it is in the solid; else it is beyond, as below a plate. Of a sheet
-// only what was out of it before: the rest is in the groove behind a fold.
+// Whether a pair belongs outside the body. An element past a feature is cut by it where it is in the solid;
+// else it is beyond the body, as below a plate. At a sheet only pairs that were outside before belong there:
+// others are in the groove behind a fold.
 bool belongs_out(const model::Body& body, const model::EdgePair& pair, const EdgeGap& gap) {
   if (!gap.over) return false;
   if (gap.distance > 0) return true;
   return body.mesh.surface.solid ? -gap.distance < gap.inside : pair.outside;
 }
 
-EdgeContactPair touch_of(const System& system, const State& s, std::size_t b, std::size_t pair,
-                         const model::EdgeElement& part, const EdgeGap& gap) {
+EdgeContactPair pair_of(const System& system, const State& s, std::size_t b, std::size_t pair,
+                        const model::EdgeElement& element, const EdgeGap& gap) {
   const model::Body& body = system.bodies[b];
-  EdgeContactPair t{b, pair, &part, gap, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0};
-  double smallest = INFINITY, inverse_mass_scale = 0;  // kg, 1/kg, of inertia
-  for (int k = 0; k < part.weights(); ++k) {
-    const std::size_t n = part.node[k];
+  EdgeContactPair t{b, pair, &element, gap, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0};
+  double smallest = INFINITY, inverse_effective_mass = 0;  // kg, 1/kg, of inertia
+  for (int k = 0; k < element.weights(); ++k) {
+    const std::size_t n = element.node[k];
     const double w = gap.weight[k];
     t.at += w * Vec3{s.x[n], s.y[n], s.z[n]};
     t.old += w * Vec3{s.vx[n], s.vy[n], s.vz[n]};
     const double inertia = model::inertia_of(system, s, n);
     smallest = std::min(smallest, inertia);
-    inverse_mass_scale += w * w / inertia;
+    inverse_effective_mass += w * w / inertia;
   }
   t.gap.n = model::pose_outward(body, s.body[b], gap.n);
   t.body_velocity = model::pose_velocity(body, s.body[b], t.at);
-  t.stiffness = gap.share * kSoft * system.lattices[std::size_t(part.lattice)].contact_law.omega2 *
-                (system.fit ? 1 / inverse_mass_scale : smallest);
+  t.stiffness = gap.share * kSoft * system.lattices[std::size_t(element.lattice)].contact_law.omega2 *
+                (system.fit ? 1 / inverse_effective_mass : smallest);
   return t;
 }
 
-// J that a pair stores.
+// Energy (J) that the penalty of a pair stores.
 double energy_of(const System& system, const EdgeContactPair& t) {
   const double contact_distance = system.lattices[std::size_t(t.element->lattice)].contact_law.distance;
   const double depth = std::min(contact_distance - t.gap.distance, contact_distance);
   return depth > 0 ? t.stiffness * math::smooth_ramp_integral(kContactBlend * contact_distance, depth) : 0;
 }
 
-// Finds what touches or may within the reach of the step. With `moves`, notes what that tells of each pair.
-// J that pairs have lost since the last step because their share fell, or they are none any more.
+// Finds the pairs that touch, or may within the reach of the step. With `moves`, records in it the side and
+// energy of each pair. Returns the energy (J) that pairs have lost since the last step because their share
+// fell, or because they do not touch any more.
 double find(const System& system, const State& s, State* moves, std::vector<EdgeContactPair>& touches) {
   double lost = 0;
   touches.clear();
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     const model::EdgeContact& c = s.body[b].edges;
     for (std::size_t p = 0; p < c.pair.size(); ++p) {
-      if (c.active_after_travel[p] > c.travel + c.reach + kAsleep) continue;
+      if (c.active_after_travel[p] > c.travel + c.reach + kRounding) continue;
       const model::EdgePair& pair = c.pair[p];
-      const model::EdgeElement& part = system.edge_elements.element[pair.element];
-      const model::Lattice& l = system.lattices[std::size_t(part.lattice)];
+      const model::EdgeElement& element = system.edge_elements.element[pair.element];
+      const model::Lattice& l = system.lattices[std::size_t(element.lattice)];
       Vec3 x[6];
-      edge_element_places(system, s, b, part, x);
-      const EdgeGap gap = edge_gap(part, system.bodies[b].sharp.feature[pair.feature], x, edge_sine(l));
+      edge_element_places(system, s, b, element, x);
+      const EdgeGap gap = edge_gap(element, system.bodies[b].sharp.feature[pair.feature], x, edge_sine(l));
       const double left = gap.clearance - l.contact_law.distance;
       const bool asleep = left > c.reach;
       const bool out = !asleep && belongs_out(system.bodies[b], pair, gap);
@@ -98,9 +94,9 @@ double find(const System& system, const State& s, State* moves, std::vector<Edge
         to.pair[p].outside = out;
         if (!out) to.pair[p].sticking = 0, to.pair[p].warm_start = {0, 0, 0};
       }
-      double stored = 0, kept = pair.stored;  // J: now; and now with the share of before
+      double stored = 0, kept = pair.stored;  // J: now; and now with the last share
       if (out) {
-        touches.push_back(touch_of(system, s, b, p, part, gap));
+        touches.push_back(pair_of(system, s, b, p, element, gap));
         stored = energy_of(system, touches.back());
         if (gap.share > 0) kept = pair.share / gap.share * stored;
       }
@@ -114,9 +110,9 @@ double find(const System& system, const State& s, State* moves, std::vector<Edge
   return lost;
 }
 
-// A pair within a pass over all: what a node's velocity gains over J, K, and the law of the gap.
+// The law of a pair, constant within a pass.
 struct PairLaw {
-  std::array<double, 4> over;     // W_k/m_k, 1/kg, of inertia
+  std::array<double, 4> over;     // W_k/m_k, 1/kg of inertia: change of a node's velocity per impulse
   double inverse_effective_mass;  // K
   ContactLanes<Lane> lanes;
 };
@@ -134,15 +130,15 @@ std::array<double, 4> pair_over(const System& system, const EdgeContactPair& t, 
 PairLaw pair_law(const System& system, const State& s, const EdgeContactPair& t, const ContactCoefficients& c,
                  const EdgeField& f) {
   const std::array<double, 4> over = pair_over(system, t, f);
-  double inverse_mass_scale = 0;
-  for (std::size_t k = 0; k < 4; ++k) inverse_mass_scale += t.gap.weight[k] * over[k];
+  double inverse_effective_mass = 0;
+  for (std::size_t k = 0; k < 4; ++k) inverse_effective_mass += t.gap.weight[k] * over[k];
   const model::Body& body = system.bodies[t.body];
   model::ContactLaw law = current_law(system, s, body, system.lattices[std::size_t(t.element->lattice)]);
-  law.omega2 = t.stiffness * inverse_mass_scale;
-  return {over, inverse_mass_scale, ContactLanes<Lane>(law, c, body.damping)};
+  law.omega2 = t.stiffness * inverse_effective_mass;
+  return {over, inverse_effective_mass, ContactLanes<Lane>(law, c, body.damping)};
 }
 
-// Adds what an impulse J on the gap does.
+// Adds an impulse J on the gap to the field.
 void push(const EdgeContactPair& t, const std::array<double, 4>& over, const ContactCoefficients& c,
           const EdgeField& f, const Vec3& j) {
   for (int k = 0; k < t.element->weights(); ++k) {
@@ -168,43 +164,57 @@ double edge_store_velocities(const System& system, State& s, std::vector<EdgeCon
   return find(system, s, &s, touches);
 }
 
-double edge_record_sides(const System& system, State& s, double moved) {
-  static thread_local std::vector<EdgeContactPair> touches;
+double edge_record_sides(const System& system, EdgeScratch& scratch, State& s, double moved) {
   for (model::BodyContact& body : s.body) body.edges.reach = std::max(body.edges.reach, moved);
-  return find(system, s, &s, touches);
+  return find(system, s, &s, scratch.touches);
 }
 
 double edge_narrow_phase(const System& system, const State& s, std::vector<EdgeContactPair>& touches) {
   return find(system, s, nullptr, touches);
 }
 
-void edge_warm_start(const System& system, const State& s, const std::vector<EdgeContactPair>& touches,
-                     const ContactCoefficients& c, const EdgeField& f) {
-  for (const EdgeContactPair& t : touches)
-    push(t, pair_over(system, t, f), c, f, c.kick * s.body[t.body].edges.pair[t.pair].warm_start);
+void edge_warm_start(const System& system, const State& s, const EdgePass& pass) {
+  for (const EdgeContactPair& t : pass.touches)
+    push(t, pair_over(system, t, pass.field), pass.c, pass.field,
+         pass.c.kick * s.body[t.body].edges.pair[t.pair].warm_start);
+}
+
+// The impulse of a pair in a pass.
+namespace {
+struct Given {
+  Vec3 impulse{0, 0, 0};  // J, N s per what damping takes out of v after the kick
+  double stored = 0;      // the part of it along n that the potential of the penalty gives
+  double stop = 0;        // likewise, of the stop
+  double sticking = 0;
+};
+}  // namespace
+
+struct EdgeResponse {
+  std::vector<Given> given;   // [touches]
+  std::vector<PairLaw> laws;  // [touches]
+};
+
+void EdgeResponseEnd::operator()(EdgeResponse* response) const { delete response; }
+
+EdgeScratch edge_scratch_make() {
+  EdgeScratch scratch;
+  scratch.response.reset(new EdgeResponse);
+  return scratch;
 }
 
 namespace {
 
-// What a pair gives in a pass.
-struct Given {
-  Vec3 impulse{0, 0, 0};  // J, N s over what is taken out of v after the kick
-  double stored = 0;      // of it along n, what the penalty's potential gives
-  double stop = 0;        // likewise the stop
-  double sticking = 0;
-};
-
-// J of a pair, given what all others do; how much it changes the gap's velocity. What is past the ridge is
-// pushed as from the ridge itself, by 1/50 of the layer a step: faster, it would be thrown.
+// Updates J of a pair, with the impulses of all others fixed. Returns the change of the gap's velocity, m/s.
+// An element past the feature is pushed as if it were at the feature itself, by 1/50 of the contact distance
+// a step: faster, it would be thrown off.
 double pair_respond(const State& s, const EdgeContactPair& t, const PairLaw& law,
                     const ContactCoefficients& c, const EdgeField& f, Given& given) {
   const double k = law.inverse_effective_mass;
   push(t, law.over, c, f, -1.0 * given.impulse);
   const Vec3 free = gap_velocity(t, f), old = c.old_time > 0 || c.new_time > 0 ? t.old : free;
-  const ContactHit<Lane> hit =
-      contact_hit(law.lanes, lanes(t.gap.n), Lane(std::max(t.gap.distance, 0.0)),
-                  lanes(free - t.body_velocity), lanes(old - t.body_velocity),
-                  Lane(s.body[t.body].edges.pair[t.pair].sticking), Lane(1.0));
+  const ContactHit<Lane> hit = contact_hit(law.lanes, lanes(t.gap.n), Lane(std::max(t.gap.distance, 0.0)),
+                                           lanes(free - t.body_velocity), lanes(old - t.body_velocity),
+                                           Lane(s.body[t.body].edges.pair[t.pair].sticking), Lane(1.0));
   const Vec3 impulse = (1 / k) * vector(hit.dv);
   const double change = k * norm(impulse - given.impulse);
   given = {impulse, hit.stored.v / k, hit.stop.v / k, hit.sticking.v};
@@ -225,10 +235,11 @@ void sums_add(const State& s, const EdgeContactPair& t, const ContactCoefficient
 
 }  // namespace
 
-void edge_respond(const System& system, const State& s, const std::vector<EdgeContactPair>& touches,
-                  const ContactCoefficients& c, const EdgeField& f, State* moves, EdgeSums& sums) {
-  static thread_local std::vector<Given> given;
-  static thread_local std::vector<PairLaw> laws;
+void edge_respond(const System& system, const State& s, const EdgePass& pass, EdgeScratch& scratch,
+                  EdgeSums& sums) {
+  const auto& [touches, c, f, moves] = pass;
+  std::vector<Given>& given = scratch.response->given;
+  std::vector<PairLaw>& laws = scratch.response->laws;
   sums.load.assign(s.body.size(), math::Wrench{});
   sums.dissipated = sums.input = 0;
   given.assign(touches.size(), Given{});
@@ -253,7 +264,7 @@ void edge_respond(const System& system, const State& s, const std::vector<EdgeCo
     if (!moves) continue;
     model::EdgePair& to = moves->body[t.body].edges.pair[t.pair];
     to.sticking = given[k].sticking;
-    to.warm_start = 1 / c.kick * (given[k].impulse - given[k].stop * t.gap.n);  // stops would swing
+    to.warm_start = 1 / c.kick * (given[k].impulse - given[k].stop * t.gap.n);  // stops would oscillate
   }
 }
 

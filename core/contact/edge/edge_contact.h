@@ -1,6 +1,9 @@
-// Links and cells of cloth on ridges and tips of bodies within a step. core/README.md, section 7.
+// Contact of links and cells of the cloth with sharp edges and tips of bodies within a step. core/README.md,
+// section 7.
 #pragma once
 #include <algorithm>
+#include <memory>
+#include <vector>
 
 #include "body/distance_grid.h"
 #include "contact/edge/gap.h"
@@ -10,78 +13,105 @@
 
 namespace drape::contact {
 
-// What a pair does at t_n.
+// A cloth element and a sharp feature of a body that touch, or may, at t_n.
 struct EdgeContactPair {
-  std::size_t body, pair;
+  std::size_t body, pair;  // pair: of EdgeContact::pair
   const model::EdgeElement* element;
-  EdgeGap gap;         // n in space
-  Vec3 at;             // m, of the cloth: sum W_k r_k
-  Vec3 body_velocity;  // m/s, of the body there
-  Vec3 old{0, 0, 0};   // m/s, of the cloth there at t_{n-1/2}
+  EdgeGap gap;         // n in the frame of space
+  Vec3 at;             // m, point of the cloth: sum W_k r_k
+  Vec3 body_velocity;  // m/s, of the body at that point
+  Vec3 old{0, 0, 0};   // m/s, of that point of the cloth at t_{n-1/2}
   double stiffness;    // N/m
 };
 
-inline bool edge_any(const State& s) {  // a pair is near
+// Scratch vectors of the functions below. Made once per System, so that a step allocates nothing once they
+// have grown.
+struct EdgeResponse;
+struct EdgeResponseEnd {
+  void operator()(EdgeResponse* response) const;
+};
+struct EdgeScratch {
+  std::vector<std::uint32_t> features, elements, nodes, joined;
+  std::vector<Vec3> from;
+  std::vector<model::EdgePair> found, pairs;
+  std::vector<double> active_after_travel;
+  std::vector<EdgeContactPair> touches;
+  std::unique_ptr<EdgeResponse, EdgeResponseEnd> response;  // of edge_respond
+};
+EdgeScratch edge_scratch_make();
+
+inline bool edge_any(const State& s) {  // an element is near a sharp feature
   for (const model::BodyContact& c : s.body)
     if (!c.edges.pair.empty()) return true;
   return false;
 }
 
-// For a new state, before its surroundings are looked at, and after: what is at rest sticks.
+// Begins a new state, before its neighbours are found; edge_stick, after that, makes pairs at rest stick.
 void edge_begin(const System& system, State& state);
 void edge_stick(const System& system, State& state);
 
-// After particles and bodies have moved, and their surroundings were looked at: which pairs may touch in the
-// next step, of `ahead` s.
-void edge_update_proximity(const System& system, State& state, std::size_t body, double ahead);
+// After particles and bodies have moved and their neighbours are up to date: lists the pairs that may touch
+// in the next step, of `ahead` s.
+void edge_update_proximity(const System& system, EdgeScratch& scratch, State& state, std::size_t body,
+                           double ahead);
 
-// Before places change otherwise than in a step, by as much as `moved` (m): notes which pairs are out of the
-// bodies, since a jump may take them through. Gives J as ridge_keep.
-double edge_record_sides(const System& system, State& state, double moved);
+// Before positions change otherwise than in a step, by up to `moved` (m): records which pairs are outside the
+// bodies, since a jump may take them through. Returns J as edge_store_velocities.
+double edge_record_sides(const System& system, EdgeScratch& scratch, State& state, double moved);
 
-// The longest step (s) in which nodes near a ridge move by no more than a quarter of the layer.
+// The longest step (s) in which nodes near a sharp feature move by no more than a quarter of the contact
+// distance.
 double edge_max_step(const System& system, const State& state);
 
-// Before a step: finds what touches at t_n, and keeps its velocities. Gives J that penalties have lost since
-// the step before otherwise than by their work: as their share fell, or as pairs opened.
+// Before a step: finds the pairs at t_n and stores their velocities. Returns the energy (J) that penalties
+// have lost since the last step otherwise than by work: as their share fell, or as pairs opened.
 double edge_store_velocities(const System& system, State& state, std::vector<EdgeContactPair>& touches);
 
-// The same of a state that does not change.
+// The same, without a change of the state.
 double edge_narrow_phase(const System& system, const State& state, std::vector<EdgeContactPair>& touches);
 
-// Velocities, and in a step places, that touching changes. Inertia is mass over lightness.
+// Velocities, and in a step positions, that contact changes. The inertia of a node is its mass over its
+// inverse mass scale.
 struct EdgeField {
-  double* v[3];
-  double* r[3];                      // null: nothing moves
-  const double* inverse_mass_scale;  // or null
+  double* v[3];                      // [nodes] m/s, or accelerations
+  double* r[3];                      // [nodes] m; null: nothing moves
+  const double* inverse_mass_scale;  // [nodes]; null: 1 everywhere
 };
 
-// Gives in advance what pairs got in the step before.
-void edge_warm_start(const System& system, const State& state, const std::vector<EdgeContactPair>& touches,
-                     const ContactCoefficients& c, const EdgeField& field);
+// The pairs of a pass, its coefficients, and what it changes.
+struct EdgePass {
+  const std::vector<EdgeContactPair>& touches;
+  ContactCoefficients c;
+  EdgeField field;
+  State* moves = nullptr;  // the state that receives sticking and warm starts; null: none does
+};
 
-// What touching does to a free motion. `moves`: writes into it what goes on with it, or null. Adds the
-// impulses to load [bodies], J to dissipated and input.
+// Warm start: gives pairs their impulse of the last step.
+void edge_warm_start(const System& system, const State& state, const EdgePass& pass);
+
+// Results of edge_respond.
 struct EdgeSums {
-  std::vector<math::Wrench> load;
-  std::vector<double> stop;  // [touches] N s along n
-  double dissipated, input;
+  std::vector<math::Wrench> load;  // [bodies] N s, N m s on the bodies
+  std::vector<double> stop;        // [pairs of the pass] N s along n
+  double dissipated, input;        // J
 };
-void edge_respond(const System& system, const State& state, const std::vector<EdgeContactPair>& touches,
-                  const ContactCoefficients& c, const EdgeField& field, State* moves, EdgeSums& sums);
 
-// Links and cells of a lattice that are cut by a ridge of a body, or deeper in its layer than anything is to
-// be.
+// Adds contact to a free motion; needs the warm start. Gauss-Seidel sweeps over the pairs, until velocities
+// change no more.
+void edge_respond(const System& system, const State& state, const EdgePass& pass, EdgeScratch& scratch,
+                  EdgeSums& sums);
+
+// Links and cells of a lattice that a sharp edge of a body cuts, or that are deeper than contact allows.
 struct EdgeDepth {
   std::size_t count = 0;
-  double depth = 0;  // m, of the deepest, and where it is
-  Vec3 at{0, 0, 0};
+  double depth = 0;  // m, of the deepest
+  Vec3 at{0, 0, 0};  // m, where the deepest is
 };
 EdgeDepth edge_deepest(const System& system, const State& state, std::size_t body,
-                       const model::Lattice& lattice, body::DistanceGrid& voxels);
+                       const model::Lattice& lattice, body::DistanceGrid& grid);
 
-// Visits (touch, its place in ridge_look, depth in m, force of the penalty in N) where links and cells are
-// within their layer.
+// Visits (pair, its index in edge_narrow_phase, depth in m, force of the penalty in N) of links and cells
+// within their contact distance.
 template <class Visit>
 void edge_pairs_visit(const System& system, const State& s, Visit visit) {
   if (!edge_any(s)) return;
@@ -90,8 +120,8 @@ void edge_pairs_visit(const System& system, const State& s, Visit visit) {
   for (const EdgeContactPair& t : touches) {
     const double contact_distance = system.lattices[std::size_t(t.element->lattice)].contact_law.distance;
     const double depth = contact_distance - t.gap.distance;
-    const double pressed =
-        std::min(depth, contact_distance);  // past the ridge it is pushed as from the ridge itself
+    // past the feature, the force is that at the feature itself
+    const double pressed = std::min(depth, contact_distance);
     if (depth > 0)
       visit(t, std::size_t(&t - touches.data()), depth,
             t.stiffness* math::smooth_ramp(kContactBlend * contact_distance, pressed));

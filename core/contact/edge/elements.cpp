@@ -1,8 +1,9 @@
-// A straight link between two particles at the layer's distance L from both faces of a ridge is
-// d = L cos a - x sin a from it, x from the ridge to its end along it, a its angle with the face there. Where
-// sin a <= s for one of the faces, it sinks by no more than b s: with s = L/(8 b), by L/8, and is left to its
-// particles. So is a ridge of turn T where not even the symmetric link, a = T/2, x = b/2, sinks by more than
-// that: (b/2) sin(T/2) <= L/8.
+// Where the contact of particles is enough. A straight link between two particles at the contact distance L
+// from both faces of a sharp edge is at d = L cos a - x sin a from the edge. x is the distance along the link
+// from the edge to its end, and a the angle of the link with the face there. Where sin a <= s for one of the
+// faces, the link sinks in by no more than b s. With s = L/(8 b) that is L/8, and the link is left to its
+// particles. So is an edge of turn T at which not even the symmetric link, a = T/2, x = b/2, sinks in by more
+// than that: (b/2) sin(T/2) <= L/8.
 #include "contact/edge/elements.h"
 
 #include <algorithm>
@@ -13,14 +14,15 @@
 namespace drape::contact {
 namespace {
 
-constexpr double kSink = 0.125;   // of the layer
+constexpr double kSink = 0.125;   // of the contact distance
 constexpr double kMargin = 0.25;  // of a cell
-constexpr double kStretched = 1;  // of a cell: how far the nearer end of a link may be from what it meets
-constexpr double kBucket = 2;     // of what is near
+constexpr double kStretched = 1;  // of a cell: how far the nearer end of a link may be from what it touches
+constexpr double kBucket = 2;     // of edge_near
 
 void cell_add(const std::size_t* corner, int lattice,
               std::map<std::array<std::uint32_t, 2>, std::size_t>& links, model::EdgeElements& cloth) {
-  constexpr int kSide[4][4] = {{0, 1, 2, 3}, {2, 3, 0, 1}, {0, 2, 1, 3}, {1, 3, 0, 2}};  // and across
+  constexpr int kSide[4][4] = {
+      {0, 1, 2, 3}, {2, 3, 0, 1}, {0, 2, 1, 3}, {1, 3, 0, 2}};  // ends, and nodes across
   model::EdgeElement cell{{}, 4, true, lattice};
   for (int k = 0; k < 4; ++k) cell.node[k] = std::uint32_t(corner[k]);
   cloth.element.push_back(cell);
@@ -34,7 +36,7 @@ void cell_add(const std::size_t* corner, int lattice,
       continue;
     }
     model::EdgeElement& link = cloth.element[at->second];
-    if (link.nodes == 6) continue;  // of cells in three leaves
+    if (link.nodes == 6) continue;  // a third cell shares it
     link.node[4] = n[2], link.node[5] = n[3];
     link.nodes = 6;
   }

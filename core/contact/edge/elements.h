@@ -1,14 +1,14 @@
-// Which links and cells of the cloth meet the ridges of bodies. core/README.md, section 7.
+// Which links and cells of the cloth may touch the sharp features of bodies. core/README.md, section 7.
 #pragma once
 #include "model/system.h"
 
 namespace drape::contact {
 
-// Finds the ridges of all bodies, and lays the parts where there are any.
+// Finds the sharp features of all bodies; where there are any, makes the elements of the cloth.
 void edge_elements_make(System& system);
 
-double edge_sine(const model::Lattice& lattice);    // from which a ridge counts for a lattice
-double edge_margin(const model::Lattice& lattice);  // m, that a listing is good for
-double edge_near(const model::Lattice& lattice);    // m, from a ridge: nodes whose parts may come near it
+double edge_sine(const model::Lattice& lattice);    // sine between cloth and face from which a feature counts
+double edge_margin(const model::Lattice& lattice);  // m, of motion that a list of pairs is good for
+double edge_near(const model::Lattice& lattice);  // m, from a feature: nodes whose elements may come near it
 
 }  // namespace drape::contact

@@ -11,15 +11,15 @@ namespace {
 
 using namespace math::vector3;
 
-constexpr double kThin = 1e-12;       // of the square of a length: no direction is left
-constexpr double kBeyond = 1e-9;      // of a ridge: what meets two of them where they join counts
-constexpr double kPast = 0.5;         // of a side of the cloth: how far beyond it a foot may be
-constexpr double kSteep = 0.01;       // sine between a cell and the way out of a tip
-constexpr int kNewton = 12;           // iterations, at most
-constexpr double kConverged = 1e-13;  // of a cell's side
+constexpr double kThin = 1e-12;       // of a squared length: below it a direction is undefined
+constexpr double kBeyond = 1e-9;      // of an edge: a link over the joint of two edges counts
+constexpr double kPast = 0.5;         // of a link: how far beyond its end the closest point may be
+constexpr double kSteep = 0.01;       // sine between a cell and the outward axis of a tip
+constexpr int kNewton = 12;           // maximum of iterations
+constexpr double kConverged = 1e-13;  // of the side of a cell
 
-// Turns n, of length 1, to the side from which the body falls away in all directions; the least sine of
-// these, or 0 where there is none.
+// Turns the unit vector n to the side from which the body falls away in all directions. Returns the smallest
+// sine of these, or 0 where there is no such side.
 double side_set(const body::SharpFeature& r, Vec3& n) {
   double low = INFINITY, high = -INFINITY;
   for (const Vec3& f : r.fall) {
@@ -33,7 +33,7 @@ double side_set(const body::SharpFeature& r, Vec3& n) {
   return -high;
 }
 
-// Over the ridge where `sines`, the least that counts, is above `sine`.
+// Sets the gap of an element over the feature: where `sines`, the smallest of its sines, is above `sine`.
 void over_set(const body::SharpFeature& r, double sines, double sine, const Vec3& n, double distance,
               EdgeGap& gap) {
   if (!(sines > sine)) return;
@@ -50,10 +50,11 @@ void over_set(const body::SharpFeature& r, double sines, double sine, const Vec3
 
 }  // namespace
 
-// The link passes over (or under) the ridge where its ends are on both sides of the plane through the ridge
-// and its way out. On a ridge of more than 90 degrees of turn, the foot on the link's line may then lie a
-// little beyond its end, by half a link at most. There the weights are up to 3/2 and sum |W_k| up to 2: the
-// penalty is over (sum |W_k|)^2, so that it stiffens the nodes as one on the link with |W_k|/sum |W_j|.
+// The link passes over (or under) the edge where its ends are on both sides of the plane through the edge and
+// its outward direction. At an edge that turns by more than 90 degrees, the closest point on the line of the
+// link may then lie beyond its end, by half a link at most. There the weights are up to 3/2 and sum |W_k| up
+// to 2. The penalty is divided by (sum |W_k|)^2, so that it stiffens the nodes like a point on the link with
+// weights |W_k|/sum |W_j|.
 EdgeGap gap_link_edge(const body::SharpFeature& edge, const Vec3* end, double sine) {
   EdgeGap gap;
   const Vec3 e = end[1] - end[0], f = edge.to - edge.from, r = end[0] - edge.from, across = cross(e, f);
@@ -81,7 +82,8 @@ EdgeGap gap_link_edge(const body::SharpFeature& edge, const Vec3* end, double si
   return gap;
 }
 
-// A minimum also along the cloth: n.m >= sine |m| for the ways m from the link into its cells.
+// The distance is also a minimum along the cloth: n.m >= sine |m| for the directions m from the link into its
+// cells.
 EdgeGap gap_link_tip(const body::SharpFeature& tip, const Vec3* end, const Vec3 (*beyond)[2], int cells,
                      double sine) {
   EdgeGap gap;
@@ -106,16 +108,16 @@ EdgeGap gap_link_tip(const body::SharpFeature& tip, const Vec3* end, const Vec3 
 
 namespace {
 
-// The foot (u, v) of p on the bilinear surface, by Gauss-Newton from its middle: (x - p).x_u = (x - p).x_v =
-// 0.
-struct BilinearFoot {
+// The closest point (u, v) to p on the bilinear surface, by Gauss-Newton from its middle:
+// (x - p).x_u = (x - p).x_v = 0.
+struct BilinearClosest {
   double u, v;
   Vec3 arm, along_u, along_v;
   bool inside;
 };
-BilinearFoot bilinear_foot(const Vec3& p, const Vec3* c) {
+BilinearClosest bilinear_closest(const Vec3& p, const Vec3* c) {
   const Vec3 twist = (c[3] - c[2]) - (c[1] - c[0]);
-  BilinearFoot f{0.5, 0.5, {}, {}, {}, false};
+  BilinearClosest f{0.5, 0.5, {}, {}, {}, false};
   for (int k = 0; k < kNewton; ++k) {
     f.along_u = (c[1] - c[0]) + f.v * twist;
     f.along_v = (c[2] - c[0]) + f.u * twist;
@@ -133,8 +135,8 @@ BilinearFoot bilinear_foot(const Vec3& p, const Vec3* c) {
   return f;
 }
 
-// Whether the line through p along `out` meets the cell, and where: Newton in the plane across it.
-bool axis_meets(const Vec3& p, const Vec3& out, const Vec3* c, double& u, double& v) {
+// Whether the line through p along `out` intersects the cell, and where: Newton in the plane normal to it.
+bool axis_intersects(const Vec3& p, const Vec3& out, const Vec3* c, double& u, double& v) {
   const Vec3 other = std::abs(out[0]) < 0.6 * norm(out) ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
   const Vec3 a = cross(out, other), b = cross(out, a), twist = (c[3] - c[2]) - (c[1] - c[0]);
   u = v = 0.5;
@@ -161,16 +163,17 @@ void weights_set(double u, double v, EdgeGap& gap) {
 
 }  // namespace
 
-// The cell passes over (or under) the tip where its foot is on the cell, or the way out of the tip meets it.
-// Where it is steeper than the tip, or the foot is beyond its sides, the height along the way out counts, and
-// is only stopped: it does not jump as the tip slides from cell to cell.
+// The cell passes over (or under) the tip where its closest point is on the cell, or the outward axis of the
+// tip intersects it. Where the cell is steeper than the tip, or the closest point is beyond its sides, the
+// height along the axis counts. Only the stop acts on it, so that nothing jumps as the tip slides from cell
+// to cell.
 EdgeGap gap_cell_tip(const body::SharpFeature& tip, const Vec3* c, double sine) {
   EdgeGap gap;
   const Vec3& p = tip.from;
   const double sides2 =
       std::min(std::min(math::segment_distance2(p, c[0], c[1]), math::segment_distance2(p, c[2], c[3])),
                std::min(math::segment_distance2(p, c[0], c[2]), math::segment_distance2(p, c[1], c[3])));
-  const BilinearFoot f = bilinear_foot(p, c);
+  const BilinearClosest f = bilinear_closest(p, c);
   gap.clearance = std::sqrt(f.inside ? std::min(sides2, dot(f.arm, f.arm)) : sides2);
   if (f.inside) {
     const Vec3 across = cross(f.along_u, f.along_v);
@@ -181,7 +184,7 @@ EdgeGap gap_cell_tip(const body::SharpFeature& tip, const Vec3* c, double sine) 
   }
   double u = 0, v = 0;
   const Vec3& out = tip.out;
-  if (gap.over || !axis_meets(p, out, c, u, v)) return gap;
+  if (gap.over || !axis_intersects(p, out, c, u, v)) return gap;
   weights_set(u, v, gap);
   Vec3 at{0, 0, 0},
       n = cross((1 - v) * (c[1] - c[0]) + v * (c[3] - c[2]), (1 - u) * (c[2] - c[0]) + u * (c[3] - c[1]));

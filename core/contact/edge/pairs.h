@@ -1,4 +1,4 @@
-// A part of the cloth and a ridge of a body at the places of a state.
+// The gap between an element of the cloth and a sharp feature of a body, at the positions of a state.
 #pragma once
 #include "contact/edge/edge_contact.h"
 #include "math/vector3.h"
@@ -6,21 +6,21 @@
 
 namespace drape::contact {
 
-// The nodes of a part in the frame of body b.
+// Positions x [element.nodes] of the nodes of an element, m, in the frame of body b.
 inline void edge_element_places(const System& system, const State& s, std::size_t b,
-                                const model::EdgeElement& part, Vec3* x) {
-  for (int k = 0; k < part.nodes; ++k) {
-    const std::size_t n = part.node[k];
+                                const model::EdgeElement& element, Vec3* x) {
+  for (int k = 0; k < element.nodes; ++k) {
+    const std::size_t n = element.node[k];
     x[k] = model::pose_inward(system.bodies[b], s.body[b], {s.x[n], s.y[n], s.z[n]});
   }
 }
 
-inline EdgeGap edge_gap(const model::EdgeElement& part, const body::SharpFeature& feature, const Vec3* x,
+inline EdgeGap edge_gap(const model::EdgeElement& element, const body::SharpFeature& feature, const Vec3* x,
                         double sine) {
-  if (part.cell) return gap_cell_tip(feature, x, sine);
+  if (element.cell) return gap_cell_tip(feature, x, sine);
   if (!feature.tip) return gap_link_edge(feature, x, sine);
   const Vec3 beyond[2][2] = {{x[2], x[3]}, {x[4], x[5]}};
-  return gap_link_tip(feature, x, beyond, part.nodes == 6 ? 2 : 1, sine);
+  return gap_link_tip(feature, x, beyond, element.nodes == 6 ? 2 : 1, sine);
 }
 
 }  // namespace drape::contact

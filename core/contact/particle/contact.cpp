@@ -12,36 +12,7 @@
 namespace drape::contact {
 namespace {
 
-using math::vector3::cross;
-using math::vector3::dot;
-using math::vector3::operator*;
-using math::vector3::operator+;
-using math::vector3::operator-;
-using math::vector3::operator+=;
-
-double max_contact_distance(const System& system) {
-  double largest = 0;
-  for (const model::Lattice& l : system.lattices) largest = std::max(largest, l.contact_law.distance);
-  return largest;
-}
-
-void block_update(const System& system, ContactWorkspace& workspace, State& s, std::size_t b,
-                  std::size_t node, double ahead) {
-  const model::Body& body = system.bodies[b];
-  const model::Lattice& l = model::system_lattice_of(system, node);
-  const math::RigidMotion& frame = s.body[b].motion;
-  Vec3 x[math::kRowUnit], step[math::kRowUnit];
-  for (std::size_t i = 0; i < std::size_t(math::kRowUnit); ++i) {
-    const std::size_t n = node + i;
-    const Vec3 at{s.x[n], s.y[n], s.z[n]}, arm = at - frame.position;
-    Vec3 v{s.vx[n], s.vy[n], s.vz[n]};
-    if (body.moves) v = v - frame.velocity - cross(frame.angular_velocity, arm);
-    x[i] = model::pose_inward(body, s.body[b], at);
-    step[i] = model::pose_inward(body, s.body[b], at + ahead * v) - x[i];
-  }
-  update_neighbours(body.mesh.surface, workspace.distance_grids[b], s.body[b], node, l.piece,
-                    l.contact_law.distance, {body.sharp, edge_near(l), edge_margin(l)}, x, step);
-}
+using namespace math::vector3;
 
 ContactPass contact_pass_of(const System& system, ContactWorkspace& workspace, const State& s, std::size_t b,
                             double* sum) {
@@ -49,10 +20,11 @@ ContactPass contact_pass_of(const System& system, ContactWorkspace& workspace, c
   workspace.law.clear();
   for (const model::Lattice& l : system.lattices)
     workspace.law.push_back(current_law(system, s, system.bodies[b], l));
-  pass.body = const_cast<model::BodyContact*>(&s.body[b]);  // its grips are written by passes that move
+  pass.body = &s.body[b];
+  pass.r[0] = s.x.data(), pass.r[1] = s.y.data(), pass.r[2] = s.z.data();
   pass.old = workspace.old[b].data();
   pass.mass = system.mass.data();
-  if (!workspace.tied.empty()) pass.tied = workspace.tied.data(), pass.hit = workspace.touched.data();
+  if (!workspace.tied.empty()) pass.tied = workspace.tied.data(), pass.touched = workspace.touched.data();
   pass.law = workspace.law.data();
   pass.damping = system.bodies[b].damping;
   pass.energy = system.energy;
@@ -61,6 +33,14 @@ ContactPass contact_pass_of(const System& system, ContactWorkspace& workspace, c
 }
 
 math::Wrench load_of(const double* sum) { return {{sum[0], sum[1], sum[2]}, {sum[3], sum[4], sum[5]}}; }
+
+EdgeField field_of(State& s) {
+  return {{s.vx.data(), s.vy.data(), s.vz.data()},
+          {s.x.data(), s.y.data(), s.z.data()},
+          s.inverse_mass_scale.empty() ? nullptr : s.inverse_mass_scale.data()};
+}
+
+EdgeField field_of(const SynchronousPass& of) { return {{of.field.x, of.field.y, of.field.z}, {}, nullptr}; }
 
 double rate_of(double time) { return time > 0 ? 1 / time : kContactUnbound; }
 
@@ -74,39 +54,55 @@ model::ContactLaw current_law(const System& system, const State& s, const model:
   return law;
 }
 
-ContactCoefficients kick_coefficients(const ContactStep& step) {
+namespace {
+
+ContactCoefficients step_coefficients(const model::Scheme& scheme) {
   ContactCoefficients c;
-  c.drift = step.drift;
-  c.kick = step.kick;
-  c.old_time = step.half_old / step.centred;
-  c.new_time = step.half_new / step.centred;
-  c.stop_rate = rate_of(step.drift);
+  c.drift = scheme.drift;
+  c.kick = scheme.kick;
+  c.old_time = scheme.half / scheme.impulse;
+  c.new_time = scheme.half_new / scheme.impulse;
+  c.stop_rate = rate_of(scheme.drift);
   c.push_rate = kContactPush * c.stop_rate;
-  c.reach_time = step.drift;
-  c.impulse = step.centred;
-  c.keep = step.keep;
-  c.reported_share = step.half_old / step.kick;
-  c.reported_centred = step.reported_centred;
+  c.reach_time = scheme.drift;
+  c.impulse = scheme.impulse;
+  c.decay = scheme.decay;
+  c.reported_share = scheme.half / scheme.kick;
+  c.reported_centred = scheme.centred;
   return c;
 }
 
-ContactCoefficients last_kick_coefficients(double half, double centred) {
+ContactCoefficients last_kick_coefficients(const model::Scheme& scheme) {
   ContactCoefficients c;
-  c.kick = half / centred;
-  c.new_time = half / centred;
-  c.stop_rate = rate_of(2 * half);
+  c.kick = scheme.half / scheme.centred;
+  c.new_time = scheme.half / scheme.centred;
+  c.stop_rate = rate_of(2 * scheme.half);
   c.push_rate = kContactPush * c.stop_rate;
-  c.reach_time = 2 * half;
-  c.impulse = centred;
+  c.reach_time = 2 * scheme.half;
+  c.impulse = scheme.centred;
   return c;
 }
 
-ContactCoefficients force_coefficients(const System& system, const State& s) {
+ContactCoefficients acceleration_coefficients(const System& system, const State& s) {
   const double h = s.h_old > 0 ? s.h_old : model::step_next(system, s);
   ContactCoefficients c;
   c.kick = 1;
   c.stop_rate = rate_of(h * h);
   return c;
+}
+
+}  // namespace
+
+ContactCoefficients coefficients_of(const System& system, const State& s, const model::Scheme& scheme) {
+  switch (scheme.pass) {
+    case model::Pass::kStep:
+      return step_coefficients(scheme);
+    case model::Pass::kSynchronous:
+      return last_kick_coefficients(scheme);
+    case model::Pass::kAcceleration:
+      break;
+  }
+  return acceleration_coefficients(system, s);
 }
 
 ContactWorkspace workspace_make(const System& system) {
@@ -118,6 +114,7 @@ ContactWorkspace workspace_make(const System& system) {
                                  search_reach(body.mesh.surface, contact_distance)));
   workspace.old.resize(system.bodies.size());
   workspace.load.resize(system.bodies.size());
+  workspace.edge_scratch = edge_scratch_make();
   if (!system.bodies.empty()) workspace.stale.resize(system.nodes / math::kRowUnit);
   return workspace;
 }
@@ -132,7 +129,7 @@ void begin(const System& system, const ContactKernel& kernel, ContactWorkspace& 
     c.group_clearance.assign(system.nodes / math::kRowUnit, 0.0);
   }
   update_proximity(system, kernel, workspace, s, 0, model::step_next(system, s));
-  for (std::size_t b = 0; b < s.body.size(); ++b) {  // what is at rest on a body sticks to it
+  for (std::size_t b = 0; b < s.body.size(); ++b) {  // particles at rest on a body at rest stick to it
     if (system.bodies[b].moves) continue;
     for (model::ContactBlock& block : s.body[b].blocks.pool)
       for (std::size_t i = 0; i < std::size_t(math::kRowUnit); ++i) {
@@ -179,20 +176,19 @@ void mark_tied(const System& system, const constraint::Constraints& constraints,
 
 namespace {
 
-// Gives particles that are not alone in advance what they got in the step before.
-void warm_start_apply(const State& s, double kick, const double* inverse_mass_scale, double* v[3],
-                      double* r[3], double drift) {
+// Gives particles that several constraints act on their impulse of the last step.
+void warm_start_apply(const State& s, const ContactCoefficients& c, const EdgeField& f) {
   for (const model::BodyContact& body : s.body)
     for (const model::ContactPlace& place : body.blocks.order) {
       const model::ContactBlock& b = body.blocks.pool[place.block];
       if (!b.has_warm_start) continue;
       for (std::size_t i = 0; i < std::size_t(math::kRowUnit); ++i) {
         const std::size_t n = b.node + i;
-        const double given = kick * (inverse_mass_scale ? inverse_mass_scale[n] : 1);
+        const double given = c.kick * (f.inverse_mass_scale ? f.inverse_mass_scale[n] : 1);
         for (std::size_t k = 0; k < 3; ++k) {
           const double dv = b.warm_start[k][i] * given;
-          v[k][n] += dv;
-          if (r) r[k][n] += dv * drift;
+          f.v[k][n] += dv;
+          if (f.r[k]) f.r[k][n] += dv * c.drift;
         }
       }
     }
@@ -200,40 +196,38 @@ void warm_start_apply(const State& s, double kick, const double* inverse_mass_sc
 
 }  // namespace
 
-void warm_start(const System& system, const ContactWorkspace& workspace, const ContactStep& step, State& s) {
-  double* v[] = {s.vx.data(), s.vy.data(), s.vz.data()};
-  double* r[] = {s.x.data(), s.y.data(), s.z.data()};
-  const double* inverse_mass_scale = s.inverse_mass_scale.empty() ? nullptr : s.inverse_mass_scale.data();
-  warm_start_apply(s, step.kick, inverse_mass_scale, v, r, step.drift);
-  edge_warm_start(system, s, workspace.edge_pairs, kick_coefficients(step),
-                  {{v[0], v[1], v[2]}, {r[0], r[1], r[2]}, inverse_mass_scale});
+void warm_start(const System& system, const ContactWorkspace& workspace, const model::Scheme& scheme,
+                State& s) {
+  const EdgePass pass{workspace.edge_pairs, coefficients_of(system, s, scheme), field_of(s)};
+  warm_start_apply(s, pass.c, pass.field);
+  edge_warm_start(system, s, pass);
 }
 
-void warm_start_synchronous(const System& system, ContactWorkspace& workspace, const State& s, double half,
-                            double centred, double* vx, double* vy, double* vz) {
-  double* v[] = {vx, vy, vz};
-  ContactCoefficients c;
-  c.kick = half > 0 ? half / centred : 1;
-  warm_start_apply(s, c.kick, nullptr, v, nullptr, 0);
+void warm_start_synchronous(const System& system, ContactWorkspace& workspace, const State& s,
+                            const SynchronousPass& of) {
+  EdgePass pass{workspace.edge_pairs, {}, field_of(of)};
+  pass.c.kick = coefficients_of(system, s, of.scheme).kick;
+  warm_start_apply(s, pass.c, pass.field);
   workspace.edge_lost = edge_narrow_phase(system, s, workspace.edge_pairs);
-  edge_warm_start(system, s, workspace.edge_pairs, c, {{vx, vy, vz}, {}, nullptr});
+  edge_warm_start(system, s, pass);
 }
 
 void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
-           const ContactStep& step, State& s) {
+           const model::Scheme& scheme, State& s) {
+  const ContactCoefficients c = coefficients_of(system, s, scheme);
   std::fill(workspace.touched.begin(), workspace.touched.end(), char(0));
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     model::BodyContact& body = s.body[b];
     if (body.blocks.order.empty()) continue;
     double sum[8]{};
     ContactPass pass = contact_pass_of(system, workspace, s, b, sum);
-    pass.r[0] = s.x.data(), pass.r[1] = s.y.data(), pass.r[2] = s.z.data();
+    const ContactMoves moves{body.blocks.pool.data(), {s.x.data(), s.y.data(), s.z.data()}};
+    pass.moves = &moves;
     pass.v[0] = s.vx.data(), pass.v[1] = s.vy.data(), pass.v[2] = s.vz.data();
     if (!s.inverse_mass_scale.empty()) pass.inverse_mass_scale = s.inverse_mass_scale.data();
-    pass.c = kick_coefficients(step);
-    pass.reported = last_kick_coefficients(step.half_old, step.reported_centred);
-    pass.begins = step.begins && step.half_old > 0;
-    pass.moves = true;
+    pass.c = c;
+    pass.reported = last_kick_coefficients(scheme);
+    pass.begins = scheme.begins_advance && !workspace.half_kick_reported && scheme.half > 0;
     kernel.run[system.bodies[b].moves](pass);
     body.impulse.force += load_of(sum).force;
     body.impulse.torque += load_of(sum).torque;
@@ -244,11 +238,8 @@ void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& 
   for (const EdgeContactPair& t : workspace.edge_pairs)
     for (int k = 0; !workspace.touched.empty() && k < t.element->weights(); ++k)
       workspace.touched[t.element->node[k] / math::kRowUnit] = 1;
-  edge_respond(system, s, workspace.edge_pairs, kick_coefficients(step),
-               {{s.vx.data(), s.vy.data(), s.vz.data()},
-                {s.x.data(), s.y.data(), s.z.data()},
-                s.inverse_mass_scale.empty() ? nullptr : s.inverse_mass_scale.data()},
-               &s, workspace.edge_sums);
+  edge_respond(system, s, {workspace.edge_pairs, c, field_of(s), &s}, workspace.edge_scratch,
+               workspace.edge_sums);
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     s.body[b].impulse.force += workspace.edge_sums.load[b].force;
     s.body[b].impulse.torque += workspace.edge_sums.load[b].torque;
@@ -258,94 +249,22 @@ void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& 
   s.input += workspace.edge_sums.input;
 }
 
-namespace {
-
-constexpr double kWay = 0.5;    // of what triangles are listed for beyond the layer
-constexpr double kLeft = 0.25;  // of a budget
-
-// What a step may move a particle by, whatever its budget (m), and the speed of a body's fastest point (m/s).
-struct StepBound {
-  double listed, body_speed;
-};
-StepBound step_bound(const System& system, const State& s, std::size_t b) {
-  const body::BodySurface& surface = system.bodies[b].mesh.surface;
-  const double contact_distance = max_contact_distance(system);
-  const math::RigidMotion& frame = s.body[b].motion;
-  return {kWay * (search_reach(surface, contact_distance) - contact_distance),
-          math::vector3::norm(frame.velocity) + math::vector3::norm(frame.angular_velocity) * surface.size};
-}
-
-double free_way2_of(const StepBound& bound, const model::BodyContact& c, std::size_t n) {
-  return std::max(bound.listed * bound.listed,
-                  c.free_distance2.empty() ? 0 : kLeft * kLeft * c.free_distance2[n]);
-}
-
-double speed2_of(const State& s, std::size_t n) {
-  return s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n];
-}
-
-// Whether a particle of the block, looked at anew, would go farther in a step than the last look at the step
-// limit could know.
-bool outruns(const System& system, const State& s, std::size_t b, const StepBound& bound, std::size_t node,
-             double step) {
-  for (std::size_t n = node; n < node + std::size_t(math::kRowUnit); ++n)
-    if (system.mass[n] > 0 &&
-        step * (std::sqrt(speed2_of(s, n)) + bound.body_speed) > std::sqrt(free_way2_of(bound, s.body[b], n)))
-      return true;
-  return false;
-}
-
-}  // namespace
-
-void invalidate_proximity(State& s) {
-  for (model::BodyContact& c : s.body) std::fill(c.group_clearance.begin(), c.group_clearance.end(), 0.0);
-}
-
-void update_proximity(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
-                      State& s, double drift, double ahead) {
-  for (std::size_t b = 0; b < s.body.size(); ++b) {
-    std::size_t count = 0;
-    for (const model::Lattice& l : system.lattices) {
-      ProximityPass watch{&s.body[b],
-                          {s.x.data(), s.y.data(), s.z.data()},
-                          {s.vx.data(), s.vy.data(), s.vz.data()},
-                          drift,
-                          ahead,
-                          l.first,
-                          l.first + std::size_t(l.rows) * std::size_t(l.stride)};
-      count += kernel.update_proximity[system.bodies[b].moves](watch, workspace.stale.data() + count);
-      watch.begin = l.twin_first, watch.end = l.end();
-      count += kernel.update_proximity[system.bodies[b].moves](watch, workspace.stale.data() + count);
-    }
-    const bool chosen = count > 0 && system.step_given == 0 && !system.fit;
-    const StepBound bound = chosen ? step_bound(system, s, b) : StepBound{};
-    for (std::size_t k = 0; k < count; ++k) {
-      block_update(system, workspace, s, b, workspace.stale[k], ahead);
-      if (chosen &&
-          outruns(system, s, b, bound, workspace.stale[k], std::max(ahead, model::step_next(system, s))))
-        s.steps_to_limit_check = 0;
-    }
-    edge_update_proximity(system, s, b, ahead);
-  }
-}
-
 void apply_synchronous(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
-                       const State& s, double half, double centred, double* vx, double* vy, double* vz) {
-  workspace.dissipated = half > 0 && system.energy ? workspace.edge_lost : 0;
+                       const State& s, const SynchronousPass& of) {
+  const bool kicks = of.scheme.pass == model::Pass::kSynchronous;
+  const ContactCoefficients c = coefficients_of(system, s, of.scheme);
+  workspace.dissipated = kicks && system.energy ? workspace.edge_lost : 0;
   workspace.input = 0;
-  if (half > 0) particle_store_velocities(workspace, s);
+  if (kicks) particle_store_velocities(workspace, s);
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     workspace.load[b] = math::Wrench{};
     if (s.body[b].blocks.order.empty()) continue;
     double sum[8]{};
     ContactPass pass = contact_pass_of(system, workspace, s, b, sum);
-    const Array* r[] = {&s.x, &s.y, &s.z};
-    for (std::size_t k = 0; k < 3; ++k)
-      pass.r[k] = const_cast<double*>(r[k]->data());  // read only: nothing moves
-    pass.v[0] = vx, pass.v[1] = vy, pass.v[2] = vz;
-    pass.c = half > 0 ? last_kick_coefficients(half, centred) : force_coefficients(system, s);
-    if (half == 0) {
-      if (!s.inverse_mass_scale.empty()) pass.stiff = s.inverse_mass_scale.data();
+    pass.v[0] = of.field.x, pass.v[1] = of.field.y, pass.v[2] = of.field.z;
+    pass.c = c;
+    if (!kicks) {
+      if (!s.inverse_mass_scale.empty()) pass.inverse_penalty_scale = s.inverse_mass_scale.data();
       pass.old = nullptr;
       pass.energy = false;
     }
@@ -355,32 +274,15 @@ void apply_synchronous(const System& system, const ContactKernel& kernel, Contac
     workspace.input += sum[7];
   }
   if (workspace.edge_pairs.empty()) return;
-  edge_respond(system, s, workspace.edge_pairs,
-               half > 0 ? last_kick_coefficients(half, centred) : force_coefficients(system, s),
-               {{vx, vy, vz}, {}, nullptr}, nullptr, workspace.edge_sums);
+  edge_respond(system, s, {workspace.edge_pairs, c, field_of(of)}, workspace.edge_scratch,
+               workspace.edge_sums);
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     workspace.load[b].force += workspace.edge_sums.load[b].force;
     workspace.load[b].torque += workspace.edge_sums.load[b].torque;
   }
-  if (half == 0 || !system.energy) return;
+  if (!kicks || !system.energy) return;
   workspace.dissipated += workspace.edge_sums.dissipated;
   workspace.input += workspace.edge_sums.input;
-}
-
-double max_step(const System& system, const State& s) {
-  double longest = INFINITY;
-  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-    const StepBound bound = step_bound(system, s, b);
-    double least2 = INFINITY;  // s^2, of bodies that stay
-    for (std::size_t n : system.particle) {
-      const double way2 = free_way2_of(bound, s.body[b], n), speed2 = speed2_of(s, n);
-      if (bound.body_speed > 0)
-        longest = std::min(longest, std::sqrt(way2) / (std::sqrt(speed2) + bound.body_speed));
-      else least2 = std::min(least2, way2 / speed2);
-    }
-    longest = std::min(longest, std::sqrt(least2));
-  }
-  return std::min(longest, edge_max_step(system, s));
 }
 
 bool any_near(const State& s) {

@@ -1,113 +1,121 @@
-// Contact within a step: what keeps the cloth out of bodies. core/README.md, section 7.
+// Contact of particles with bodies within a step. It keeps the cloth out of the bodies. core/README.md,
+// section 7.
 #pragma once
 #include "body/distance_grid.h"
 #include "contact/edge/edge_contact.h"
 #include "contact/particle/contact_pass.h"
+#include "contact/particle/update_neighbours.h"
+#include "model/field.h"
+#include "model/scheme.h"
 #include "model/system.h"
 
 namespace drape::contact {
 
-// Room for contact; made once per System.
+// Workspace of contact with bodies; made once per System.
 struct ContactWorkspace {
   std::vector<body::DistanceGrid> distance_grids;  // [bodies]
-  std::vector<Array> old;                          // [bodies][blocks x 3 x kRowUnit] v_{n-1/2}
-  std::vector<std::size_t> stale;                  // [nodes / kRowUnit] first nodes of blocks to look at anew
+  std::vector<Array> old;                          // [bodies][blocks x 3 x kRowUnit] m/s, v_{n-1/2}
+  std::vector<std::size_t>
+      stale;                  // [nodes / kRowUnit] first nodes of blocks whose neighbours are out of date
   Array tied;                 // [nodes] 1 where pins and welds tie a particle to others; empty: nowhere
-  std::vector<char> touched;  // [nodes / kRowUnit] where tied nodes have been touched in the present step
+  std::vector<char> touched;  // [nodes / kRowUnit] 1 where contact changed tied nodes in the present step
   std::vector<model::ContactLaw> law;       // [lattices] of the present body
-  std::vector<EdgeContactPair> edge_pairs;  // links and cells on ridges, of the present pass
+  std::vector<EdgeContactPair> edge_pairs;  // links and cells on sharp features, of the present pass
   EdgeSums edge_sums;
-  double edge_lost = 0;  // J, of ridge_look
-  bool half_kick_reported =
-      false;  // what bodies were told of the half step before this advance is taken out already
-  std::vector<math::Wrench> load;    // [bodies] of the last synchronous pass
+  EdgeScratch edge_scratch;
+  NeighbourScratch neighbours;
+  double edge_lost = 0;  // J, result of edge_narrow_phase
+  // The half kick that the advance before has reported to the bodies is already subtracted.
+  bool half_kick_reported = false;
+  std::vector<math::Wrench> load;    // [bodies] N s, N m s (N, N m of accelerations), last synchronous pass
   double dissipated = 0, input = 0;  // J, likewise
 };
 ContactWorkspace workspace_make(const System& system);
 
-// Looks at all surroundings; for a new state.
+double max_contact_distance(const System& system);  // m, of all lattices
+
+// Finds all neighbours of a new state. What is at rest on a body that stays, sticks.
 void begin(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace, State& state);
 
-// Pieces that start inside a body, or nearer to one than the cloth's thickness lets them.
+// Adds a problem for each piece that starts inside a body, or nearer to one than the thickness of the cloth
+// allows.
 void check_start(const System& system, const Scene& scene, ContactWorkspace& workspace, const State& state,
                  std::vector<Problem>& problems);
 
-// What is on ridges, and the velocities of all that is near, before a step changes them.
+// Before a step changes them: stores the velocities of particles near bodies, and finds the pairs on sharp
+// features.
 void store_velocities(const System& system, ContactWorkspace& workspace, State& state);
 
-// What a step is to contact.
-struct ContactStep {
-  double drift, keep, kick;   // of the step
-  double half_old, half_new;  // s, h_o/2 and h/2
-  double centred;             // 1 + c h/2
-  bool begins;                // an advance, of which the half h_o/2 has been told already
-  double reported_centred;    // 1 + c h_o/2
-};
+// What the kick of a scheme does: of a step; of the last half kick, which turns v_{n-1/2} into v_n; or of
+// accelerations, with stops as in the last step, before the first and at the rest of a fit as in the next.
+ContactCoefficients coefficients_of(const System& system, const State& state, const model::Scheme& scheme);
 
-// What the kick of a step, and the last half kick of `half` s, which turns v_{n-1/2} into v_n, do.
-ContactCoefficients kick_coefficients(const ContactStep& step);
-ContactCoefficients last_kick_coefficients(double half, double centred);
-
-// The same of accelerations, with stops as in the last step; before the first and at the rest of a fit, in
-// the next.
-ContactCoefficients force_coefficients(const System& system, const State& state);
-
-// How a lattice touches a body now: in a fit nothing rubs while seams are to be closed, and until what has
-// been sewn has settled.
+// The present contact law of a lattice on a body. In a fit friction is off until all seams are closed and
+// what has been sewn has come to rest.
 model::ContactLaw current_law(const System& system, const State& state, const model::Body& body,
                               const model::Lattice& lattice);
 
-// Notes which particles are tied to others; for new constraints.
+// Marks the particles that pins and welds tie to others; call it for new constraints.
 void mark_tied(const System& system, const constraint::Constraints& constraints, ContactWorkspace& workspace);
 
-// Before pins and welds: gives particles that are not alone what the bodies did to them in the step before.
-void warm_start(const System& system, const ContactWorkspace& workspace, const ContactStep& step,
+// A field of synchronous velocities or of accelerations, by scheme.pass.
+struct SynchronousPass {
+  const model::Scheme& scheme;
+  model::Field field;  // m/s or m/s^2
+};
+
+// Warm start, before pins and welds: gives particles that several constraints act on the bodies' impulse of
+// the last step.
+void warm_start(const System& system, const ContactWorkspace& workspace, const model::Scheme& scheme,
                 State& state);
 void warm_start_synchronous(const System& system, ContactWorkspace& workspace, const State& state,
-                            double half, double centred, double* vx, double* vy, double* vz);
+                            const SynchronousPass& of);
 
-// Adds to a free step what the bodies do. Needs touch_keep.
+// Adds the contact of bodies to a free step. Needs store_velocities.
 void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
-           const ContactStep& step, State& state);
+           const model::Scheme& scheme, State& state);
 
-// After the particles and bodies have moved, or velocities have jumped: looks at the surroundings of those
-// that may have come near something else, or will. `drift`: how long they moved since the last watch, s;
-// `ahead`: the next step.
+// After particles and bodies have moved, or velocities have jumped: updates the neighbours of particles that
+// may touch something else by the end of the next step. `drift`: s, how long they have moved since the last
+// call; `ahead`: s, the next step.
 void update_proximity(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
                       State& state, double drift, double ahead);
 
-// After particles have been put elsewhere: all are compared with their budgets at the next watch.
+// After particles have been moved otherwise than by a step: the next update_proximity compares each with its
+// free distance.
 void invalidate_proximity(State& state);
 
-// What contact does to synchronous velocities [nodes] in the last half kick of `half` s, which is what
-// room.load then holds, as impulses; or to accelerations (half = 0), as forces.
+// Adds contact to the field of a pass. workspace.load, dissipated and input are then those of this half kick,
+// as impulses; for accelerations, workspace.load is a force.
 void apply_synchronous(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
-                       const State& state, double half, double centred, double* vx, double* vy, double* vz);
+                       const State& state, const SynchronousPass& of);
 
-// The longest step (s) in which no particle goes past what its surroundings were searched for.
+// The longest step (s) in which no particle leaves the region that its neighbours were searched in.
 double max_step(const System& system, const State& state);
 
-bool any_near(const State& state);  // a particle is near a body, or a link near a ridge
+bool any_near(const State& state);  // a particle is near a body, or a link near a sharp feature
 
-// omega^2 that contact adds to that of a lattice, 1/s^2.
+// What contact adds to omega^2 of a lattice, 1/s^2.
 double added_omega2(const System& system, const State& state, int lattice);
 
-// What stops hold now beyond the penalties, N along the normals: of particles that touch and of the pairs of
-// ridge_look, in their order. Empty where nothing is so deep.
+// Forces of the stops beyond the penalties, N along the normals. `particle` is in the order of the particles
+// that touch, `pair` in that of edge_narrow_phase. Both are empty where nothing is so deep.
 struct ContactStops {
   std::vector<double> particle, pair;
 };
-bool any_stopped(const System& system, const State& state);  // something is, nearly
+bool any_stopped(const System& system, const State& state);  // something is at its stop, or nearly
 
-// Of the accelerations a [nodes] that all else leaves, carry given.
-ContactStops stop_forces(const System& system, const State& state, const std::vector<EdgeContactPair>& pairs,
-                         double* const a[3]);
+// Stop forces at the accelerations [nodes] (m/s^2) that all other forces leave, after the warm start;
+// adds contact to them.
+ContactStops stop_forces(const System& system, EdgeScratch& scratch, const State& state,
+                         const std::vector<EdgeContactPair>& pairs, model::Field acceleration);
 
-// What touches now, and the energy of the penalties, J.
+// Count, largest depth (m) and largest pressure (Pa) of the present contact; and the energy of the penalties,
+// J.
 model::ContactSummary contact_summary(const System& system, const State& state, const ContactStops& stops);
 double contact_energy(const System& system, const State& state);
 
-// The pressure of bodies on each node, Pa, summed over the surfaces that it touches.
+// The pressure of bodies on each node, Pa, [nodes], summed over the surfaces that it touches.
 std::vector<double> contact_pressure(const System& system, const State& state, const ContactStops& stops);
 
 }  // namespace drape::contact

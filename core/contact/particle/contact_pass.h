@@ -1,57 +1,72 @@
-// One pass over the particles near a body, as the kernels see it: response.h.
+// One pass over the particles near a body, as the kernels see it. The law is in response.h.
 #pragma once
 #include "model/contact.h"
 
 namespace drape::contact {
 
-inline constexpr double kContactBlend = 0.125;   // of the layer: where the penalty reaches its slope
-inline constexpr double kContactDeepest = 0.9;   // of the layer: no particle is pressed deeper
-inline constexpr double kContactPush = 0.2;      // of what is deeper all the same, a step
-inline constexpr double kContactUnbound = 1e30;  // 1/s, as a stop_rate: nothing stops
+inline constexpr double kContactBlend = 0.125;   // of the contact distance: depth where phi' reaches 1
+inline constexpr double kContactDeepest = 0.9;   // of the contact distance: the largest depth allowed
+inline constexpr double kContactPush = 0.2;      // of an excess depth, which one step removes
+inline constexpr double kContactUnbound = 1e30;  // 1/s: a stop_rate that stops nothing
 
-// What a kick does with the free velocity. Times are over mass and what is taken out of v after the kick.
+// What a kick does to the free velocity. Times are per mass, and per what damping takes out of v after the
+// kick.
 struct ContactCoefficients {
   double drift = 0;                   // s, of r = r_n + drift v
   double kick = 0;                    // s, of the penalty
   double old_time = 0, new_time = 0;  // s, of the normal damping at v_{n-1/2} and at v_{n+1/2}
-  double stop_rate = 0;   // 1/s, 1 over the time after which a particle is not nearer than it may be
-  double push_rate = 0;   // 1/s, likewise of those that are
-  double reach_time = 0;  // s, for which a particle may come nearer before it counts
-  double impulse = 1;     // over mass and what is taken out of v after the kick
-  double keep = 1;        // v <- keep v + kick a
+  double stop_rate = 0;   // 1/s: after 1/stop_rate s a particle is not nearer than the stop allows
+  double push_rate = 0;   // 1/s, the same of a particle that is nearer now
+  double reach_time = 0;  // s, for which a particle is extrapolated to see whether it may touch
+  double impulse = 1;     // factor from a change of velocity to an impulse, besides the mass
+  double decay = 1;       // v <- decay v + kick a
   double reported_share = 0,
-         reported_centred = 1;  // v_n = (v_{n-1/2} + told_share (v - keep v_{n-1/2}))/told_centred
+         reported_centred = 1;  // v_n = (v_{n-1/2} + reported_share (v - decay v_{n-1/2}))/reported_centred
 };
 
+// What a pass writes if it moves the particles. Sticking and warm starts in the blocks become the present
+// ones.
+struct ContactMoves {
+  model::ContactBlock* pool;  // of the body, as ContactBlocks::pool
+  double* r[3];               // [nodes] m
+};
+
+// Input and output of one pass. Every pass changes v; only one with `moves` changes positions and blocks.
 struct ContactPass {
-  model::BodyContact* body;
-  double *r[3], *v[3];  // [nodes]
-  const double* old;    // [blocks in order x 3 x kRowUnit] v_{n-1/2}; null: v stands for it
-  const double *mass, *inverse_mass_scale;  // [nodes]; lightness: or null
-  const double* stiff;  // [nodes] accelerations of a fit: the lightness, as its penalties go; or null
-  const double* tied;   // [nodes] 1 where pins or welds tie a particle to others, else 0; or null
-  char* hit;  // [nodes / kRowUnit] set where tied nodes have been touched by a pass that moves; or null
+  const model::BodyContact* body;
+  const double* r[3];         // [nodes] m
+  double* v[3];               // [nodes] m/s; or accelerations, m/s^2
+  const ContactMoves* moves;  // null: the pass only reports
+  const double* old;          // [blocks in order x 3 x kRowUnit] m/s, v_{n-1/2}; null: v stands for it
+  const double *mass, *inverse_mass_scale;  // [nodes] kg; 1, or null for 1 everywhere
+  const double* inverse_penalty_scale;  // [nodes] of the accelerations in a fit, whose penalties scale with
+                                        // the inertia: the inverse mass scale; null: 1 everywhere
+  const double* tied;  // [nodes] 1 where pins or welds tie a particle to others, else 0; or null
+  char* touched;       // [nodes / kRowUnit] a pass that moves sets it where it changes tied nodes; or null
   const model::ContactLaw* law;  // [lattices]
-  double damping;                // of the body
+  double damping;                // of the body, over the critical one
   ContactCoefficients c, reported;
-  bool begins, energy, moves;  // moves: grips and carries become those of now
-  double* sum;                 // [8] force, torque on the body (impulses), dissipated, input
+  bool begins;  // first step of an advance: subtracts the half kick that the advance before has reported
+  bool energy;  // sums work and dissipation
+  double* sum;  // [8] force and torque on the body (as impulses, N s and N m s), dissipated and input (J)
 };
 
-inline constexpr std::size_t kProximityGroup = 64;  // nodes that are watched together
+inline constexpr std::size_t kProximityGroup = 64;  // nodes that share one group clearance
+
+// Finds nodes whose neighbours have to be updated.
 struct ProximityPass {
-  model::BodyContact* body;   // its ease is written
-  const double *r[3], *v[3];  // [nodes]
-  double drift, ahead;     // s, how long they have moved with v since they were watched last (below 0: back);
-                           // the next step
-  std::size_t begin, end;  // nodes, multiples of kRowUnit
+  model::BodyContact* body;   // its group_clearance is written
+  const double *r[3], *v[3];  // [nodes] m, m/s
+  double drift;               // s, for which the nodes have moved with v since the last pass; below 0: back
+  double ahead;               // s, the next step
+  std::size_t begin, end;     // nodes, multiples of kRowUnit
 };
 
-// Each of bodies that stay and of bodies that move.
+// One kernel for bodies that stay [0] and one for bodies that move [1].
 struct ContactKernel {
   void (*run[2])(const ContactPass&);
-  // The first nodes of the blocks to look at anew, into `due`; their number.
-  std::size_t (*update_proximity[2])(const ProximityPass&, std::size_t* due);
+  // Writes the first nodes of stale blocks to `stale` [nodes / kRowUnit] and returns their number.
+  std::size_t (*update_proximity[2])(const ProximityPass&, std::size_t* stale);
 };
 
 }  // namespace drape::contact

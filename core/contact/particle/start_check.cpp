@@ -1,4 +1,4 @@
-// What starts in a body.
+// Finds particles, links and cells that start in a body.
 #include "body/closest_features.h"
 #include "contact/particle/contact.h"
 #include "model/body_pose.h"
@@ -11,14 +11,16 @@ double depth_at(const System& system, ContactWorkspace& workspace, const State& 
                 const model::Lattice& l, std::size_t n) {
   const model::Body& body = system.bodies[b];
   const Vec3 x = model::pose_inward(body, s.body[b], {s.x[n], s.y[n], s.z[n]});
-  body::DistanceGrid& voxels = workspace.distance_grids[b];
-  if (const body::Neighbourhood near = body::distance_grid_at(voxels, x); near.triangle) {
+  body::DistanceGrid& grid = workspace.distance_grids[b];
+  if (const body::Neighbourhood near = body::distance_grid_at(grid, x); near.triangle) {
     body::ClosestFeatures found;
-    body::closest_features_find(body.mesh.surface, *near.triangle, x, l.contact_law.distance, voxels.reach,
-                                voxels.reach, near.listed, nullptr, found);
+    body::ClosestFeaturesScratch scratch;
+    body::closest_features_find(body.mesh.surface, *near.triangle,
+                                {x, l.contact_law.distance, grid.reach, grid.reach, near.listed, nullptr},
+                                scratch, found);
     if (!found.feature.empty()) return l.contact_law.distance - found.feature[0].distance;
   }
-  const double inside = body::distance_grid_depth(voxels, x);
+  const double inside = body::distance_grid_depth(grid, x);
   return inside > 0 ? l.contact_law.distance + inside : 0;
 }
 

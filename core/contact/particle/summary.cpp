@@ -1,4 +1,4 @@
-// What touches bodies now: depths, pressures, energy.
+// Present contact with bodies: depths, pressures, energy.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@ namespace {
 
 using Lane = simd::ScalarLane<false>;
 
-constexpr double kNearStop = 0.999;  // of how deep what a stop holds is
+constexpr double kNearStop = 0.999;  // of the depth at which a stop acts
 
 struct Touching {
   std::size_t body, node;
@@ -24,7 +24,7 @@ struct Touching {
   double depth() const { return law->distance - gap.distance.v; }
 };
 
-// Visits each particle within its layer, by each surface.
+// Visits each particle within its contact distance, once for each surface.
 template <class Visit>
 void each_touching(const System& system, const State& s, Visit visit) {
   for (std::size_t k = 0; k < s.body.size(); ++k)
@@ -43,7 +43,7 @@ void each_touching(const System& system, const State& s, Visit visit) {
     }
 }
 
-// Of a particle, by one surface: (m/a) W^2 phi(e) and what the stop holds, Pa.
+// Pressure (Pa) of one surface on a particle: (m/a) W^2 phi(e), and the stop force over the area.
 double pressure_of(const System& system, const State& s, const Touching& t, double stop) {
   return (model::inertia_of(system, s, t.node) * t.law->omega2 *
               math::smooth_ramp(kContactBlend * t.law->distance, t.depth()) +
@@ -72,33 +72,35 @@ bool any_stopped(const System& system, const State& s) {
   return deep;
 }
 
-ContactStops stop_forces(const System& system, const State& s, const std::vector<EdgeContactPair>& pairs,
-                         double* const a[3]) {
+ContactStops stop_forces(const System& system, EdgeScratch& scratch, const State& s,
+                         const std::vector<EdgeContactPair>& pairs, model::Field acceleration) {
   ContactStops stops;
-  const ContactCoefficients c = force_coefficients(system, s);
+  double* const a[] = {acceleration.x, acceleration.y, acceleration.z};
+  const ContactCoefficients c = coefficients_of(system, s, {.pass = model::Pass::kAcceleration});
   each_touching(system, s, [&](const Touching& t) {
     const model::Body& body = system.bodies[t.body];
     const std::size_t n = t.node;
-    const ContactLanes<Lane> law(
-        current_law(system, s, body, system.lattices[std::size_t(t.block->lattice)]), c, body.damping);
+    const ContactLanes<Lane> law(current_law(system, s, body, system.lattices[std::size_t(t.block->lattice)]),
+                                 c, body.damping);
     const Vec3 out = model::pose_outward(body, s.body[t.body], {t.gap.n.x.v, t.gap.n.y.v, t.gap.n.z.v});
-    const Vec3 carried = model::pose_acceleration(body, s.body[t.body], {s.x[n], s.y[n], s.z[n]});
-    simd::Vec<Lane> free;  // against the body
+    const Vec3 body_acceleration = model::pose_acceleration(body, s.body[t.body], {s.x[n], s.y[n], s.z[n]});
+    simd::Vec<Lane> free;  // acceleration relative to the body
     Lane* to[] = {&free.x, &free.y, &free.z};
-    for (std::size_t k = 0; k < 3; ++k) *to[k] = a[k][n] - t.block->warm_start[k][t.lane] - carried[k];
+    for (std::size_t k = 0; k < 3; ++k)
+      *to[k] = a[k][n] - t.block->warm_start[k][t.lane] - body_acceleration[k];
     const ContactHit<Lane> hit =
         contact_hit(law, simd::Vec<Lane>{out[0], out[1], out[2]}, t.gap.distance, free, free,
                     Lane(t.block->sticking[t.lane]),
                     Lane(s.inverse_mass_scale.empty() ? 1 : 1 / s.inverse_mass_scale[n]));
     const Lane dv[] = {hit.dv.x, hit.dv.y, hit.dv.z};
-    for (std::size_t k = 0; k < 3; ++k) a[k][n] = (*to[k] + dv[k]).v + carried[k];
+    for (std::size_t k = 0; k < 3; ++k) a[k][n] = (*to[k] + dv[k]).v + body_acceleration[k];
     stops.particle.push_back(system.mass[n] * hit.stop.v);
   });
   std::vector<EdgeContactPair> accelerated = pairs;
   for (EdgeContactPair& t : accelerated)
     t.body_velocity = model::pose_acceleration(system.bodies[t.body], s.body[t.body], t.at);
   EdgeSums sums;
-  edge_respond(system, s, accelerated, c, {{a[0], a[1], a[2]}, {}, nullptr}, nullptr, sums);
+  edge_respond(system, s, {accelerated, c, {{a[0], a[1], a[2]}, {}, nullptr}}, scratch, sums);
   stops.pair = sums.stop;
   return stops;
 }
@@ -115,7 +117,7 @@ model::ContactSummary contact_summary(const System& system, const State& s, cons
   });
   edge_pairs_visit(system, s, [&](const EdgeContactPair& t, std::size_t pair, double depth, double force) {
     if (t.gap.share == 0 && !is_deep(contact_distance_of(system, t), depth))
-      return;  // only a stop would touch it
+      return;  // only a stop would act on it
     double area = INFINITY;
     for (int i = 0; i < t.element->weights(); ++i) area = std::min(area, system.area[t.element->node[i]]);
     ++sum.count;

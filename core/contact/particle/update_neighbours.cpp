@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "body/closest_features.h"
 #include "math/vector3.h"
 
 namespace drape::contact {
@@ -11,10 +10,10 @@ namespace {
 
 using namespace math::vector3;
 
-constexpr double kMin = 0.02;        // of the layer: a particle may always move so far
-constexpr double kUsed = 0.7;        // of the budget: what has used more is looked at with its neighbours
-constexpr double kAhead = 1.5;       // steps that a particle is looked ahead
-constexpr double kSeenEdges = 0.15;  // of the mean edge, likewise of kSeen
+constexpr double kMin = 0.02;          // of the contact distance: the smallest free distance
+constexpr double kUsed = 0.7;          // of the free distance: a particle that has used more is updated too
+constexpr double kAhead = 1.5;         // steps that a particle is extrapolated by
+constexpr double kListedEdges = 0.15;  // of the mean edge, beyond contact: how far triangles are listed
 
 model::ContactBlock block_make(std::size_t node, int lattice) {
   model::ContactBlock b{};
@@ -32,14 +31,14 @@ void lane_clear(model::ContactBlock& b, std::size_t i) {
   b.shared[i] = 0;
 }
 
-void lane_set(model::ContactBlock& b, std::size_t i, const body::ClosestFeature& contact, double grip) {
+void lane_set(model::ContactBlock& b, std::size_t i, const body::ClosestFeature& contact, double sticking) {
   for (std::size_t k = 0; k < 3; ++k) {
     b.side[k][i] = contact.side[k];
     b.point[k][i] = contact.point[k];
   }
   for (std::size_t k = 0; k < 6; ++k) b.shape[k][i] = contact.shape[k];
   b.offset[i] = dot(contact.side, contact.point);
-  b.sticking[i] = grip;
+  b.sticking[i] = sticking;
 }
 
 bool is_flat(const model::ContactBlock& b) {
@@ -77,17 +76,18 @@ void block_insert(model::ContactBlocks& blocks, std::size_t at, std::uint32_t no
   blocks.order.insert(blocks.order.begin() + std::ptrdiff_t(at), {node, k});
 }
 
-// Puts what one particle touches into the blocks of its node. `shared`: its links may meet ridges as well.
+// Puts what one particle may touch into the blocks of its node. `shared`: its links may touch sharp features
+// as well.
 void lane_write(model::ContactBlocks& blocks, std::uint32_t node, int lattice, std::size_t lane,
                 const std::vector<body::ClosestFeature>& contact, bool shared) {
   const std::size_t first = place_first(blocks, node), count = places_of(blocks, first, node);
-  const double grip = count > 0 ? blocks.pool[blocks.order[first].block].sticking[lane] : 0;
+  const double sticking = count > 0 ? blocks.pool[blocks.order[first].block].sticking[lane] : 0;
   for (std::size_t k = contact.size(); k < count; ++k)
     lane_clear(blocks.pool[blocks.order[first + k].block], lane);
   for (std::size_t k = 0; k < contact.size(); ++k) {
     if (k >= count) block_insert(blocks, first + k, node, lattice);
     model::ContactBlock& b = blocks.pool[blocks.order[first + k].block];
-    lane_set(b, lane, contact[k], k == 0 ? grip : 0);
+    lane_set(b, lane, contact[k], k == 0 ? sticking : 0);
     b.shared[lane] = contact.size() > 1 || shared ? 1 : 0;
   }
   for (std::size_t k = 0; k < std::max(count, contact.size()); ++k) {
@@ -107,7 +107,7 @@ void blocks_prune(model::ContactBlocks& blocks, std::uint32_t node) {
   }
 }
 
-// The side of the nearest surface that a particle was near so far.
+// The side of the nearest surface in the blocks so far; false where there is none.
 bool side_known(const model::ContactBlocks& blocks, std::uint32_t node, std::size_t lane, Vec3& side) {
   const std::size_t first = place_first(blocks, node);
   if (places_of(blocks, first, node) == 0) return false;
@@ -120,19 +120,26 @@ bool side_known(const model::ContactBlocks& blocks, std::uint32_t node, std::siz
 }  // namespace
 
 double search_reach(const body::BodySurface& surface, double contact_distance) {
-  return std::max(kListedDistances * contact_distance, contact_distance + kSeenEdges * surface.edge_mean);
+  return std::max(kListedDistances * contact_distance, contact_distance + kListedEdges * surface.edge_mean);
 }
 
 namespace {
 
-// How far a node may go until it must be looked at for ridges again; notes whether one is near.
-double edge_travel(const SharpRange& of, model::EdgeContact& c, std::size_t n, const Vec3& x,
-                   double clearance, double step) {
+// How far (m) a node may move until its distance to sharp features must be found again; marks whether one is
+// near. Infinite where it is marked, or the body has none.
+struct MovingNode {
+  std::size_t n;
+  const Vec3& x;           // m, in the body's frame
+  double clearance, step;  // m: at least to the surface; of the next step
+};
+double edge_travel(const SharpRange& of, model::EdgeContact& c, const MovingNode& node,
+                   std::vector<std::uint32_t>& scratch) {
   if (of.sharp.feature.empty()) return INFINITY;
+  const auto& [n, x, clearance, step] = node;
   const double within = of.within + 2 * kAhead * step;
   double distance = clearance;
   if (distance <= within + of.margin)
-    distance = body::sharp_features_distance(of.sharp, x, within + 2 * of.margin);
+    distance = body::sharp_features_distance(of.sharp, x, within + 2 * of.margin, scratch);
   const bool near = distance <= within + of.margin;
   if (near && !c.near[n]) c.fresh.push_back(std::uint32_t(n));
   c.near[n] = near;
@@ -141,29 +148,33 @@ double edge_travel(const SharpRange& of, model::EdgeContact& c, std::size_t n, c
 
 }  // namespace
 
-void update_neighbours(const body::BodySurface& surface, body::DistanceGrid& voxels, model::BodyContact& c,
-                       std::size_t node, int lattice, double contact_distance, const SharpRange& features,
-                       const Vec3* x, const Vec3* step) {
-  static thread_local body::ClosestFeatures found;
+void update_neighbours(const NeighbourBody& body, const NeighbourNodes& nodes, NeighbourScratch& scratch,
+                       model::BodyContact& c) {
+  body::ClosestFeatures& found = scratch.found;
+  const auto& [surface, grid, features] = body;
+  const auto& [node, lattice, contact_distance, x, step] = nodes;
   const auto name = std::uint32_t(node / math::kRowUnit);
   for (std::size_t i = 0; i < std::size_t(math::kRowUnit); ++i) {
     const std::size_t n = node + i;
     const Vec3 moved = x[i] + step[i] - Vec3{c.x[n], c.y[n], c.z[n]};
     if (!(dot(moved, moved) >= kUsed * kUsed * c.free_distance2[n])) continue;
-    const body::Neighbourhood near = body::distance_grid_at(voxels, x[i]);
+    const body::Neighbourhood near = body::distance_grid_at(grid, x[i]);
     found.feature.clear();
     found.free_distance = near.clearance - contact_distance;
     Vec3 side{};
     if (near.triangle)
       body::closest_features_find(
-          surface, *near.triangle, x[i], contact_distance,
-          std::min(std::max(kKeptDistances * contact_distance, contact_distance + kAhead * norm(step[i])),
-                   voxels.reach),
-          voxels.reach, near.listed, side_known(c.blocks, name, i, side) ? &side : nullptr, found);
-    const double way = edge_travel(features, c.edges, n, x[i], near.clearance, norm(step[i]));
-    const double budget = std::max(std::min(found.free_distance, way), kMin * contact_distance);
+          surface, *near.triangle,
+          {x[i], contact_distance,
+           std::min(std::max(kKeptDistances * contact_distance, contact_distance + kAhead * norm(step[i])),
+                    grid.reach),
+           grid.reach, near.listed, side_known(c.blocks, name, i, side) ? &side : nullptr},
+          scratch.features, found);
+    const double edge_free =
+        edge_travel(features, c.edges, {n, x[i], near.clearance, norm(step[i])}, scratch.sharp);
+    const double free_distance = std::max(std::min(found.free_distance, edge_free), kMin * contact_distance);
     c.x[n] = x[i][0], c.y[n] = x[i][1], c.z[n] = x[i][2];
-    c.free_distance2[n] = budget * budget;
+    c.free_distance2[n] = free_distance * free_distance;
     lane_write(c.blocks, name, lattice, i, found.feature, !c.edges.near.empty() && c.edges.near[n]);
   }
   blocks_prune(c.blocks, name);

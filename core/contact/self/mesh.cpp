@@ -12,12 +12,12 @@
 namespace drape::contact {
 namespace {
 
-constexpr int kExclusionCells = 1;         // cells along the cloth, at least
-constexpr double kExclusionThickness = 2;  // thicknesses along the cloth, at least
-constexpr double kSamePlace = 1e-3;        // cells: sewn points nearer than that are one
+constexpr int kExclusionCells = 1;         // minimum, in cells along the cloth
+constexpr double kExclusionThickness = 2;  // minimum, in thicknesses along the cloth
+constexpr double kSamePlace = 1e-3;        // of a cell: sewn points nearer than that are one
 constexpr double kTooNear = 1e-3;          // of the thickness: what starts nearer never touches
 
-void cells_lay(const System& system, model::SelfMesh& mesh) {
+void cells_add(const System& system, model::SelfMesh& mesh) {
   for (const model::Lattice& l : system.lattices)
     model::cells_visit(system, l, [&](const std::size_t* corner, double) {
       model::SelfCell cell{};
@@ -28,8 +28,8 @@ void cells_lay(const System& system, model::SelfMesh& mesh) {
     });
 }
 
-// Each particle and each edge belongs to the first cell that has it.
-void parts_own(const System& system, model::SelfMesh& mesh) {
+// Assigns each particle and each edge to the first cell that has it.
+void owners_assign(const System& system, model::SelfMesh& mesh) {
   constexpr int kEdges[5][2] = {{0, 1}, {0, 2}, {1, 3}, {2, 3}, {0, 3}};
   constexpr int kAcross[5][2] = {{3, -1}, {3, -1}, {0, -1}, {0, -1}, {1, 2}};
   std::vector<char> owned(system.nodes, 0);
@@ -55,20 +55,21 @@ void parts_own(const System& system, model::SelfMesh& mesh) {
   }
 }
 
-void spans_lay(const System& system, model::SelfMesh& mesh) {
+void spans_add(const System& system, model::SelfMesh& mesh) {
   for (std::size_t n : system.particle) {
     if (mesh.span.empty() || mesh.span.back().end != n) mesh.span.push_back({n, n});
     mesh.span.back().end = n + 1;
   }
 }
 
-// A sewn point on the flat cloth, m.
+// A sewn point; x, y in m on the flat cloth.
 struct SewnPoint {
   int lattice, place;
   double x, y;
 };
 
-// Points of pairs that meet in one point of the cloth are one place, with all that is sewn there.
+// All sewn points. Pairs that share a point of the cloth have the same place, and so has all that is sewn
+// there.
 std::vector<SewnPoint> sewn_points(const System& system) {
   std::vector<SewnPoint> points;
   for (std::size_t p = 0; p < system.seams.pair.size(); ++p)
@@ -82,7 +83,7 @@ std::vector<SewnPoint> sewn_points(const System& system) {
       }
       points.push_back(at);
     }
-  const auto rename = [&](int from, int to) {
+  const auto replace = [&](int from, int to) {
     for (SewnPoint& p : points)
       if (p.place == from) p.place = to;
   };
@@ -91,7 +92,7 @@ std::vector<SewnPoint> sewn_points(const System& system) {
       if (points[a].lattice != points[b].lattice || points[a].place == points[b].place) continue;
       const double near = kSamePlace * system.lattices[std::size_t(points[a].lattice)].cell;
       if (std::hypot(points[a].x - points[b].x, points[a].y - points[b].y) <= near)
-        rename(points[b].place, points[a].place);
+        replace(points[b].place, points[a].place);
     }
   return points;
 }
@@ -113,12 +114,13 @@ void seams_near(const System& system, model::SelfMesh& mesh) {
   }
 }
 
-// Where layers start too near to each other their distance then is their layer.
+// Where layers start nearer to each other than their contact distance, that start is their largest contact
+// distance.
 void contact_distances_relax(const System& system, const State& start, model::SelfMesh& mesh) {
   mesh.max_contact_distance.assign(system.nodes, INFINITY);
   const model::SelfPairs pairs = self_search(system, mesh, start, 0);
   Array largest = mesh.max_contact_distance;
-  const auto ease = [&](model::NodeIndex n, double distance, double contact_distance) {
+  const auto limit = [&](model::NodeIndex n, double distance, double contact_distance) {
     largest[n] = std::min(largest[n], distance > kTooNear * contact_distance ? distance : 0);
   };
   const auto at = [&](model::NodeIndex n) { return Vec3{start.x[n], start.y[n], start.z[n]}; };
@@ -127,15 +129,15 @@ void contact_distances_relax(const System& system, const State& start, model::Se
         math::triangle_closest(at(p.node[0]), at(p.node[1]), at(p.node[2]), at(p.node[3])).distance2);
     const double contact_distance =
         self_contact_distance(system, mesh.lattice_of[p.node[0]], mesh.lattice_of[p.node[1]]);
-    if (d < contact_distance) ease(p.node[0], d, contact_distance);
+    if (d < contact_distance) limit(p.node[0], d, contact_distance);
   }
   for (const model::SelfCross& c : pairs.cross) {
-    const math::EdgesClosest foot =
+    const math::EdgesClosest closest =
         math::edges_closest(at(c.node[0]), at(c.node[1]), at(c.node[2]), at(c.node[3]));
     const double contact_distance =
         self_contact_distance(system, mesh.lattice_of[c.node[0]], mesh.lattice_of[c.node[2]]);
-    if (foot.distance2 < contact_distance * contact_distance)
-      for (model::NodeIndex n : c.node) ease(n, std::sqrt(foot.distance2), contact_distance);
+    if (closest.distance2 < contact_distance * contact_distance)
+      for (model::NodeIndex n : c.node) limit(n, std::sqrt(closest.distance2), contact_distance);
   }
   mesh.max_contact_distance = largest;
 }
@@ -144,9 +146,9 @@ void contact_distances_relax(const System& system, const State& start, model::Se
 
 model::SelfMesh self_mesh_make(const System& system, const State& start) {
   model::SelfMesh mesh;
-  cells_lay(system, mesh);
-  parts_own(system, mesh);
-  spans_lay(system, mesh);
+  cells_add(system, mesh);
+  owners_assign(system, mesh);
+  spans_add(system, mesh);
   mesh.lattice_of.assign(system.nodes, 0);
   for (std::size_t n : system.particle) mesh.lattice_of[n] = model::system_lattice_of(system, n).piece;
   mesh.fixed.assign(system.nodes, 0);
@@ -165,8 +167,9 @@ model::SelfMesh self_mesh_make(const System& system, const State& start) {
 }
 
 bool self_cells_adjoin(const model::SelfMesh& mesh, const model::SelfCell& a, const model::SelfCell& b) {
-  const int apart = mesh.exclusion_cells[std::size_t(a.lattice)];
-  if (a.lattice == b.lattice && std::abs(a.i - b.i) <= apart && std::abs(a.j - b.j) <= apart) return true;
+  const int exclusion = mesh.exclusion_cells[std::size_t(a.lattice)];
+  if (a.lattice == b.lattice && std::abs(a.i - b.i) <= exclusion && std::abs(a.j - b.j) <= exclusion)
+    return true;
   for (int s = a.seam_first; s < a.seam_end; ++s)
     for (int t = b.seam_first; t < b.seam_end; ++t) {
       const model::NearSeam &from = mesh.near_seam[std::size_t(s)], &to = mesh.near_seam[std::size_t(t)];

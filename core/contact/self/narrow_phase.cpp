@@ -1,6 +1,6 @@
-// Which pairs touch. A particle may be nearest to a side or corner that several triangles share: it is one
-// place, and counts once, where none of these triangles is nearer still. Two edges count where both stand out
-// of their cloth, for elsewhere a particle is as near: with m from an edge into either of its triangles,
+// Which pairs touch. A particle may be nearest to a side or corner that several triangles share. That is one
+// point, and counts once, where none of these triangles is nearer still. Two edges count where both protrude
+// from their cloth; elsewhere a particle is as near. With m from an edge into either of its triangles,
 //
 //   D.m >= s |D| |m| on the first edge, -D.m likewise on the second, s = thickness/(8 b):
 //
@@ -19,8 +19,8 @@ namespace {
 
 using namespace math::vector3;
 
-SelfContactPair touch_of(const model::NodeIndex* node, bool cross, const Vec3& arm, double distance,
-                         double contact_distance) {
+SelfContactPair pair_of(const model::NodeIndex* node, bool cross, const Vec3& arm, double distance,
+                        double contact_distance) {
   SelfContactPair t{};
   std::copy(node, node + 4, t.node.begin());
   t.cross = cross;
@@ -32,7 +32,7 @@ SelfContactPair touch_of(const model::NodeIndex* node, bool cross, const Vec3& a
   return t;
 }
 
-// Every node at which the foot of `a` has weight is one of b's triangle, and b is nearer.
+// Whether b is nearer than a, and its triangle has every node that carries weight in the closest point of a.
 bool nearer_there(const SelfContactPair& b, const SelfContactPair& a, bool b_first) {
   if (!(b.distance < a.distance || (b.distance == a.distance && b_first))) return false;
   int shared = 0, expected = 0;
@@ -44,8 +44,8 @@ bool nearer_there(const SelfContactPair& b, const SelfContactPair& a, bool b_fir
   return expected < 3 && shared == expected;
 }
 
-// Keeps the local minima among those of one particle, from `first` on.
-void minima_keep(std::vector<SelfContactPair>& contact, std::size_t first) {
+// Removes all but the local minima among the pairs of one particle, from `first` on.
+void minima_select(std::vector<SelfContactPair>& contact, std::size_t first) {
   if (contact.size() - first < 2) return;
   for (std::size_t a = first; a < contact.size(); ++a)
     for (std::size_t b = first; b < contact.size(); ++b)
@@ -62,7 +62,7 @@ struct NarrowPhase {
   SelfContactPairs& all;
 };
 
-// The directions from an edge into its triangles, of length 1; their number.
+// Writes the unit vectors from an edge into its triangles to `into` [2]; returns their number.
 int into_set(const NarrowPhase& l, const model::SelfEdge& e, Vec3* into) {
   const Vec3 base = l.place[e.node[0]], edge = l.place[e.node[1]] - base;
   int count = 0;
@@ -79,8 +79,8 @@ double sine_of(const NarrowPhase& l, model::NodeIndex edge) {
   return mesh.min_protrusion_sine[std::size_t(mesh.lattice_of[mesh.edge[edge].node[0]])];
 }
 
-// Whether an edge may stand out at all: along the middle of both directions their sine is the largest, and
-// sine^2 = (1 + m_1.m_2)/2.
+// Whether an edge can protrude at all. Its smallest sine is largest along the bisector of both directions,
+// where sine^2 = (1 + m_1.m_2)/2.
 bool may_protrude(const NarrowPhase& l, model::NodeIndex edge) {
   enum : char { kUnknown, kYes, kNo };
   char& known = l.all.protrudes[edge];
@@ -93,8 +93,7 @@ bool may_protrude(const NarrowPhase& l, model::NodeIndex edge) {
   return known == kYes;
 }
 
-// How far an edge stands out of its cloth along `out`, of length 1: the least sine, over that from which it
-// does.
+// How far an edge protrudes along the unit vector `out`: its smallest sine over the minimum of protrusion.
 double protrusion(const NarrowPhase& l, model::NodeIndex edge, const Vec3& out) {
   Vec3 into[2];
   const int count = into_set(l, l.system.self.edge[edge], into);
@@ -103,34 +102,34 @@ double protrusion(const NarrowPhase& l, model::NodeIndex edge, const Vec3& out) 
   return smallest / sine_of(l, edge);
 }
 
-// The way left until the pair can touch; 0 where it is within reach, and then it may be one more of the
-// touches.
+// The travel (m) left until the pair can touch. It is 0 where the pair is within reach, and then the pair may
+// be added to those that touch.
 double point_narrow_phase(const NarrowPhase& l, const model::SelfPoint& p) {
-  const math::TriangleClosest foot =
+  const math::TriangleClosest closest =
       math::triangle_closest(l.place[p.node[0]], l.place[p.node[1]], l.place[p.node[2]], l.place[p.node[3]]);
-  const double distance = std::sqrt(foot.distance2);
+  const double distance = std::sqrt(closest.distance2);
   if (distance - p.contact_distance > l.reach) return distance - p.contact_distance;
   if (!(p.contact_distance > 0) || !(distance > 0)) return 0;
-  SelfContactPair t = touch_of(p.node, false, foot.arm, distance, p.contact_distance);
+  SelfContactPair t = pair_of(p.node, false, closest.arm, distance, p.contact_distance);
   t.weight[0] = 1;
-  for (int k = 0; k < 3; ++k) t.weight[k + 1] = -foot.weight[k], t.turn[k + 1] = 1;
+  for (int k = 0; k < 3; ++k) t.weight[k + 1] = -closest.weight[k], t.turn[k + 1] = 1;
   l.all.pair.push_back(t);
   return 0;
 }
 
 double cross_narrow_phase(const NarrowPhase& l, const model::SelfCross& p) {
   if (!may_protrude(l, p.edge[0]) || !may_protrude(l, p.edge[1])) return 0;
-  const math::EdgesClosest foot =
+  const math::EdgesClosest closest =
       math::edges_closest(l.place[p.node[0]], l.place[p.node[1]], l.place[p.node[2]], l.place[p.node[3]]);
-  const double distance = std::sqrt(foot.distance2);
+  const double distance = std::sqrt(closest.distance2);
   if (distance - p.contact_distance > l.reach) return distance - p.contact_distance;
-  if (!foot.crosses || !(p.contact_distance > 0) || !(distance > 0)) return 0;
-  SelfContactPair t = touch_of(p.node, true, foot.arm, distance, p.contact_distance);
+  if (!closest.crosses || !(p.contact_distance > 0) || !(distance > 0)) return 0;
+  SelfContactPair t = pair_of(p.node, true, closest.arm, distance, p.contact_distance);
   const double out = std::min(protrusion(l, p.edge[0], t.n), protrusion(l, p.edge[1], -1.0 * t.n));
   if (!(out > 1)) return 0;
   const double rise = std::min(out - 1, 1.0);
   t.share = rise * rise * (3 - 2 * rise);
-  const double weight[4] = {1 - foot.share[0], foot.share[0], foot.share[1] - 1, -foot.share[1]};
+  const double weight[4] = {1 - closest.share[0], closest.share[0], closest.share[1] - 1, -closest.share[1]};
   for (int k = 0; k < 4; ++k) t.weight[k] = weight[k], t.turn[k] = 1;
   l.all.pair.push_back(t);
   return 0;
@@ -145,7 +144,7 @@ void places_copy(const model::SelfMesh& mesh, const State& s, std::vector<Vec3>&
 }  // namespace
 
 void self_narrow_phase(const System& system, const State& s, double reach, SelfContactPairs& all,
-                       model::SelfState* wake) {
+                       model::SelfState* schedule) {
   all.pair.clear();
   const std::vector<double>& blocks = s.self.block_active_after_travel;
   const double now = s.self.travel;
@@ -155,7 +154,7 @@ void self_narrow_phase(const System& system, const State& s, double reach, SelfC
   places_copy(system.self, s, all.place);
   all.protrudes.assign(system.self.edge.size(), 0);
   const NarrowPhase narrow_phase{system, all.place.data(), reach, all};
-  std::size_t first = 0;  // of the touches of the present particle
+  std::size_t first = 0;  // pair of the present particle
   model::NodeIndex particle = model::kNoNode;
   for (std::size_t begin = 0, block = 0; begin < size; begin += model::kPairsPerBlock, ++block) {
     if (blocks[block] > now + reach) continue;
@@ -166,20 +165,20 @@ void self_narrow_phase(const System& system, const State& s, double reach, SelfC
       if (until <= now + reach) {
         const bool point = k < points;
         if (const model::NodeIndex n = point ? pairs.point[k].node[0] : model::kNoNode; n != particle) {
-          minima_keep(all.pair, first);
+          minima_select(all.pair, first);
           first = all.pair.size();
           particle = n;
         }
         const double left = point ? point_narrow_phase(narrow_phase, pairs.point[k])
                                   : cross_narrow_phase(narrow_phase, pairs.cross[k - points]);
         until = now + left;
-        if (wake) wake->active_after_travel[k] = until;
+        if (schedule) schedule->active_after_travel[k] = until;
       }
       soonest = std::min(soonest, until);
     }
-    if (wake) wake->block_active_after_travel[block] = soonest;
+    if (schedule) schedule->block_active_after_travel[block] = soonest;
   }
-  if (particle != model::kNoNode) minima_keep(all.pair, first);
+  if (particle != model::kNoNode) minima_select(all.pair, first);
 }
 
 }  // namespace drape::contact

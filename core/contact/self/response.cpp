@@ -1,13 +1,13 @@
-// What touching does: the law of contact with bodies (contact/particle/response.h) on pairs, whose impulses
-// are equal and opposite. With K = sum W_k^2/m_k and the depth e = layer - d,
+// Response of self-contact: the contact law of bodies (contact/particle/response.h) on pairs, whose impulses
+// are equal and opposite. With K = sum W_k^2/m_k and the depth e = contact distance - d,
 //
 //   normal     P = [k phi(e) dt - 2 zeta sqrt(k/K) phi'(e) w_n dt]+,   the damping centred
-//   stop       d_{n+1} >= least: what is left of the approach is taken away
-//   friction   J on the tangential w, |J| <= mu P (Coulomb); what sticks has no tangential w at all
+//   stop       d_{n+1} >= kMin x contact distance: removes the approach that is left
+//   friction   J on the tangential w, |J| <= mu P (Coulomb); a pair that sticks has no tangential w at all
 //
-// First all penalties. Then damping, stops and friction in turn, pair by pair, until nothing changes
-// (projected Gauss-Seidel; Jourdan, Alart, Jean 1998). Friction begins with what it held in the step before,
-// so that cloth at rest is done in one sweep, and does not creep.
+// First come all penalties. Then damping, stops and friction act in turn, pair by pair, until nothing changes
+// (projected Gauss-Seidel; Jourdan, Alart, Jean 1998). Friction is warm-started with that of the last step,
+// so that cloth at rest needs one sweep and does not creep.
 #include <algorithm>
 #include <cmath>
 
@@ -23,15 +23,15 @@ using namespace math::vector3;
 
 constexpr double kSoft = 0.25;   // of omega^2 of contact with bodies: a particle is in several pairs
 constexpr double kDamping = 1;   // zeta
-constexpr double kThin = 1e-12;  // of the trace cubed: nodes on one line do not turn
-constexpr double kMin = 1 - kContactDeepest;
+constexpr double kThin = 1e-12;  // of the trace cubed: nodes on one line have no rotation
+constexpr double kMin = 1 - kContactDeepest;  // of the contact distance: the smallest distance allowed
 
 Vec3 times(const double* m, const Vec3& v) {
   return {m[0] * v[0] + m[1] * v[1] + m[2] * v[2], m[1] * v[0] + m[3] * v[1] + m[4] * v[2],
           m[2] * v[0] + m[4] * v[1] + m[5] * v[2]};
 }
 
-// I^-1 of a symmetric matrix xx xy xz yy yz zz; 0 where it has none.
+// The inverse of a symmetric matrix xx xy xz yy yz zz; 0 where it has none.
 void inverse_set(const double* i, double* to) {
   const double xx = i[3] * i[5] - i[4] * i[4], xy = i[2] * i[4] - i[1] * i[5], xz = i[1] * i[4] - i[2] * i[3];
   const double det = i[0] * xx + i[1] * xy + i[2] * xz, trace = i[0] + i[3] + i[5];
@@ -41,7 +41,7 @@ void inverse_set(const double* i, double* to) {
   for (int k = 0; k < 6; ++k) to[k] = over * minor[k];
 }
 
-// p_k and I^-1; only what rubs needs them.
+// Sets p_k and I^-1, once; only friction needs them.
 void levers_set(const SelfContactPairs& all, SelfContactPair& t) {
   if (t.inverse[0] > 0) return;
   Vec3 mean{0, 0, 0};
@@ -116,7 +116,7 @@ void tangential_push(SelfContactPairs& all, SelfContactPair& t, const Vec3& j) {
     node_push(all.node[std::size_t(t.at[k])], t.weight[k] * j - t.turn[k] * cross(turned, t.lever[k]));
 }
 
-// The penalty; the change of w_n.
+// Applies the penalty; returns the change of w_n, m/s.
 double normal_begin(const ContactCoefficients& c, SelfContactPairs& all, SelfContactPair& t) {
   const double blend = kSelfBlend * t.contact_distance, depth = t.contact_distance - t.distance;
   if (!(depth > 0)) return 0;
@@ -128,7 +128,7 @@ double normal_begin(const ContactCoefficients& c, SelfContactPairs& all, SelfCon
   return t.inverse_effective_mass * t.normal;
 }
 
-// With damping: what P is to be, given what all others do.
+// Updates P with damping, the impulses of all others fixed; returns the change of w_n, m/s.
 double normal_sweep(const ContactCoefficients& c, SelfContactPairs& all, SelfContactPair& t) {
   if (t.stored == 0) return 0;
   const double rest = dot(t.n, gap_rate(all, t, &SelfNode::v)) - t.inverse_effective_mass * t.normal;
@@ -142,8 +142,8 @@ double normal_sweep(const ContactCoefficients& c, SelfContactPairs& all, SelfCon
 
 double stop_sweep(const ContactCoefficients& c, SelfContactPairs& all, SelfContactPair& t) {
   const double w = dot(t.n, gap_rate(all, t, &SelfNode::v)),
-               workspace = t.distance - kMin * t.contact_distance;
-  const double expected = -workspace * (workspace >= 0 ? c.stop_rate : c.push_rate);
+               clearance = t.distance - kMin * t.contact_distance;
+  const double expected = -clearance * (clearance >= 0 ? c.stop_rate : c.push_rate);
   const double stop = std::max(t.stop + (expected - w) / t.inverse_effective_mass, 0.0), more = stop - t.stop;
   if (more == 0) return 0;
   t.stop = stop;
@@ -151,7 +151,7 @@ double stop_sweep(const ContactCoefficients& c, SelfContactPairs& all, SelfConta
   return t.inverse_effective_mass * std::abs(more);
 }
 
-// J no larger than friction allows.
+// J, bounded by Coulomb friction.
 Vec3 friction_bounded(SelfContactPair& t, const Vec3& j) {
   const double pressed = t.normal + t.stop, size = norm(j);
   t.slides = size > (t.stuck ? t.stick : t.slide) * pressed;
@@ -179,12 +179,13 @@ void self_prepare(const System& system, const State& s, bool inertia_of_fit, Sel
       int& at = all.index[n];
       if (at < 0) {
         at = int(all.node.size());
-        const double light = inertia_of_fit && !s.inverse_mass_scale.empty() ? s.inverse_mass_scale[n] : 1;
+        const double inverse_scale =
+            inertia_of_fit && !s.inverse_mass_scale.empty() ? s.inverse_mass_scale[n] : 1;
         const bool fixed = system.self.fixed[n];
         all.node.push_back({n,
                             fixed,
-                            fixed ? 0 : light * system.inverse_mass[n],
-                            system.mass[n] / light,
+                            fixed ? 0 : inverse_scale * system.inverse_mass[n],
+                            system.mass[n] / inverse_scale,
                             {s.vx[n], s.vy[n], s.vz[n]},
                             {}});
       }
@@ -207,7 +208,7 @@ void self_prepare(const System& system, const State& s, bool inertia_of_fit, Sel
   }
 }
 
-void self_respond(const ContactCoefficients& c, double settled, int sweeps, SelfContactPairs& all) {
+void self_respond(const ContactCoefficients& c, double tolerance, int sweeps, SelfContactPairs& all) {
   double first = 0;
   for (SelfContactPair& t : all.pair) first = std::max(first, normal_begin(c, all, t));
   for (SelfContactPair& t : all.pair)
@@ -222,7 +223,7 @@ void self_respond(const ContactCoefficients& c, double settled, int sweeps, Self
       largest = std::max(largest, friction_change(all, t, t.friction - (1 / t.inverse_effective_mass) * w));
     }
     if (k == 0) first = std::max(first, largest);
-    if (!(largest > settled * first)) break;
+    if (!(largest > tolerance * first)) break;
   }
 }
 

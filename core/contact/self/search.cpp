@@ -14,7 +14,7 @@ using namespace math::vector3;
 
 constexpr double kFarthest = 1e15;  // buckets
 
-// The ball round a cell, and the bucket of its centre.
+// The bounding ball of a cell, and the bucket of its centre.
 struct Ball {
   Vec3 centre;
   double radius;
@@ -35,7 +35,7 @@ std::vector<Ball> balls_of(const model::SelfMesh& mesh, const State& s) {
   return balls;
 }
 
-// Cells by the hash of their bucket: those of hash k are item[start[k]] .. item[start[k + 1]].
+// Cells by the hash of their bucket: those of hash k are item[start[k]] .. item[start[k + 1] - 1].
 struct Buckets {
   std::size_t mask = 0;
   std::vector<std::uint32_t> start, item;
@@ -65,11 +65,11 @@ Buckets buckets_fill(std::vector<Ball>& balls, double width) {
   return b;
 }
 
-// Visits all pairs of cells in one bucket or in two that adjoin, once.
+// Visits all pairs of cells in one bucket or in two adjacent ones, once.
 template <class Visit>
 void each_near(const Buckets& b, const std::vector<Ball>& balls, Visit visit) {
   std::vector<std::uint32_t> here, around;
-  const auto take = [&](const std::array<std::int64_t, 3>& at, std::vector<std::uint32_t>& to) {
+  const auto collect = [&](const std::array<std::int64_t, 3>& at, std::vector<std::uint32_t>& to) {
     const std::size_t hash = bucket_hash(b, at);
     for (std::uint32_t k = b.start[hash]; k < b.start[hash + 1]; ++k)
       if (const auto& of = balls[b.item[k]].bucket; of[0] == at[0] && of[1] == at[1] && of[2] == at[2])
@@ -79,10 +79,10 @@ void each_near(const Buckets& b, const std::vector<Ball>& balls, Visit visit) {
     const auto& at = balls[a].bucket;
     here.clear();
     around.clear();
-    take(at, here);
-    if (here.front() != a) continue;  // its first cell stands for a bucket
-    for (int k = 14; k < 27; ++k)     // half of the 26 around
-      take({at[0] + k / 9 - 1, at[1] + k / 3 % 3 - 1, at[2] + k % 3 - 1}, around);
+    collect(at, here);
+    if (here.front() != a) continue;  // a bucket is visited at its first cell
+    for (int k = 14; k < 27; ++k)     // half of the 26 neighbours
+      collect({at[0] + k / 9 - 1, at[1] + k / 3 % 3 - 1, at[2] + k % 3 - 1}, around);
     for (std::size_t p = 0; p < here.size(); ++p) {
       for (std::size_t q = p + 1; q < here.size(); ++q) visit(here[p], here[q]);
       for (std::uint32_t q : around) visit(here[p], q);
@@ -101,7 +101,7 @@ double contact_distance_of(const Search& s, model::NodeIndex a, model::NodeIndex
   return self_contact_distance(s.system, s.mesh.lattice_of[a], s.mesh.lattice_of[b]);
 }
 
-// Particles of one cell and triangles of another.
+// Finds pairs of the particles of one cell and the triangles of another.
 void points_find(const Search& s, const model::SelfCell& of, const model::SelfCell& on,
                  model::SelfPairs& found) {
   for (int k = of.node_first; k < of.node_end; ++k) {
@@ -112,9 +112,9 @@ void points_find(const Search& s, const model::SelfCell& of, const model::SelfCe
       const model::SelfPoint pair{{n, t[0], t[1], t[2]},
                                   std::min(contact_distance_of(s, n, t[0]), s.mesh.max_contact_distance[n])};
       const double reach = pair.contact_distance + s.margin;
-      const math::TriangleClosest foot =
+      const math::TriangleClosest closest =
           math::triangle_closest(at, place(s.state, t[0]), place(s.state, t[1]), place(s.state, t[2]));
-      if (foot.distance2 <= reach * reach) found.point.push_back(pair);
+      if (closest.distance2 <= reach * reach) found.point.push_back(pair);
     }
   }
 }
@@ -139,16 +139,16 @@ void crosses_find(const Search& s, const model::SelfCell& a, const model::SelfCe
     }
 }
 
-// Whether a slab across the line of centres, wider than `reach`, has one cell on either side.
-bool are_excluded(const State& s, const model::SelfCell& a, const model::SelfCell& b, const Vec3& between,
-                  double reach) {
+// Whether a slab normal to the line of centres, wider than `reach`, separates the cells.
+bool are_separated(const State& s, const model::SelfCell& a, const model::SelfCell& b, const Vec3& between,
+                   double reach) {
   double end = -INFINITY, begin = INFINITY;
   for (model::NodeIndex n : a.node) end = std::max(end, dot(place(s, n), between));
   for (model::NodeIndex n : b.node) begin = std::min(begin, dot(place(s, n), between));
   return begin - end > reach * norm(between);
 }
 
-// Visits all cells that do not adjoin and may be nearer than `reach`.
+// Visits all pairs of cells that do not adjoin and may be nearer than `reach` (m).
 template <class Visit>
 void each_pair(const model::SelfMesh& mesh, const State& state, double reach, Visit visit) {
   std::vector<Ball> balls = balls_of(mesh, state);
@@ -158,13 +158,13 @@ void each_pair(const model::SelfMesh& mesh, const State& state, double reach, Vi
     farthest += std::abs(ball.centre[0]) + std::abs(ball.centre[1]) + std::abs(ball.centre[2]);
   }
   const double width = 2 * largest + reach;
-  if (!(width > 0 && farthest < kFarthest * width)) return;  // a run that leaves the finite numbers
+  if (!(width > 0 && farthest < kFarthest * width)) return;  // the state is not finite
   const Buckets buckets = buckets_fill(balls, width);
   each_near(buckets, balls, [&](std::size_t p, std::size_t q) {
     const std::size_t a = std::min(p, q), b = std::max(p, q);
     const Vec3 between = balls[b].centre - balls[a].centre;
     const double far = balls[a].radius + balls[b].radius + reach;
-    if (dot(between, between) > far * far || are_excluded(state, mesh.cell[a], mesh.cell[b], between, reach))
+    if (dot(between, between) > far * far || are_separated(state, mesh.cell[a], mesh.cell[b], between, reach))
       return;
     if (!self_cells_adjoin(mesh, mesh.cell[a], mesh.cell[b])) visit(mesh.cell[a], mesh.cell[b]);
   });
@@ -192,8 +192,8 @@ model::SelfPairs self_search(const System& system, const model::SelfMesh& mesh, 
 
 namespace {
 
-// Where p -> q goes through the triangle a b c: both ends on different sides of it, and the triangle's
-// corners around the line.
+// Whether p -> q goes through the triangle a b c: its ends are on both sides of the plane, and the corners
+// lie around the line.
 bool goes_through(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
   const auto volume = [](const Vec3& u, const Vec3& v, const Vec3& w) { return dot(u, cross(v, w)); };
   const Vec3 n = cross(b - a, c - a);

@@ -14,33 +14,32 @@ namespace {
 
 using namespace math::vector3;
 
-constexpr double kReachSteps = 2;    // at the present speed, for which pairs are looked at before they touch
-constexpr double kReachLayer = 0.1;  // of the layer, likewise
-constexpr double kSearchSteps = 48;  // at the present speed, which a search is to last
+constexpr double kReachSteps = 2;       // steps at the present speed before contact: pairs are examined
+constexpr double kReachDistance = 0.1;  // of the contact distance, added to that
+constexpr double kSearchSteps = 48;     // steps at the present speed that a search is to last
 constexpr double kMinMargin = 0.25, kMaxMargin = 0.5;  // cells, of a search
-constexpr double kMarginReach = 4;                     // reaches, at least
-constexpr double kConverged = 1e-3;                    // of the first change of a velocity: sweeps end
-constexpr int kSweeps = 10;                            // of a step
-constexpr double kConvergedRest = 1e-9;
-constexpr int kSweepsRest = 1000;  // of the forces at rest
+constexpr double kMarginReach = 4;                     // minimum of the margin, in reaches
+// Sweeps end when velocities change by less than this share of the first change: of a step, of accelerations.
+constexpr double kConverged = 1e-3, kConvergedRest = 1e-9;
+constexpr int kSweeps = 10, kSweepsRest = 1000;  // maxima
 
-// What any two particles move against each other, at most: the diagonal of the box of all velocities.
+// An upper bound (m/s) of the relative speed of any two particles: the diagonal of the box of all velocities.
 double speed_of(const System& system, const State& s) {
   Vec3 range;
   const Array* v[3] = {&s.vx, &s.vy, &s.vz};
   for (std::size_t k = 0; k < 3; ++k) {
-    double low[math::kRowUnit], high[math::kRowUnit];  // so that the compiler makes vectors of them
+    double low[math::kRowUnit], high[math::kRowUnit];  // lanes that the compiler vectorizes
     std::fill_n(low, math::kRowUnit, INFINITY);
     std::fill_n(high, math::kRowUnit, -INFINITY);
-    const auto take = [&](double at, int i) {
+    const auto include = [&](double at, int i) {
       low[i] = at < low[i] ? at : low[i];
       high[i] = at > high[i] ? at : high[i];
     };
     for (const model::NodeSpan& span : system.self.span) {
       const double *at = v[k]->data() + span.begin, *end = v[k]->data() + span.end;
       for (; at + math::kRowUnit <= end; at += math::kRowUnit)
-        for (int i = 0; i < math::kRowUnit; ++i) take(at[i], i);
-      for (; at < end; ++at) take(*at, 0);
+        for (int i = 0; i < math::kRowUnit; ++i) include(at[i], i);
+      for (; at < end; ++at) include(*at, 0);
     }
     range[k] = *std::max_element(high, high + math::kRowUnit) - *std::min_element(low, low + math::kRowUnit);
   }
@@ -48,7 +47,7 @@ double speed_of(const System& system, const State& s) {
 }
 
 double reach_of(const System& system, const State& s, double h) {
-  return kReachSteps * s.self.speed * h + kReachLayer * system.self.contact_distance;
+  return kReachSteps * s.self.speed * h + kReachDistance * system.self.contact_distance;
 }
 
 void search(const System& system, State& s, double h) {
@@ -109,20 +108,22 @@ void self_store_velocities(const System& system, SelfContactWorkspace& workspace
   self_prepare(system, s, true, workspace.touches);
 }
 
-void self_apply(const System& system, SelfContactWorkspace& workspace, const ContactStep& step, State& s) {
+void self_apply(const System& system, SelfContactWorkspace& workspace, const model::Scheme& scheme,
+                State& s) {
   SelfContactPairs& all = workspace.touches;
   if (all.pair.empty()) {
     s.self.hold.clear();
     return;
   }
-  const ContactCoefficients c = kick_coefficients(step);
+  const ContactCoefficients c = coefficients_of(system, s, scheme);
   for (SelfNode& n : all.node) n.v = n.fixed ? n.old : Vec3{s.vx[n.node], s.vy[n.node], s.vz[n.node]};
   self_respond(c, kConverged, kSweeps, all);
   for (const SelfNode& n : all.node) {
-    const double over = n.fixed ? 1 / n.mass : n.inverse;  // what a held node gets its pin is told
+    const double over = n.fixed ? 1 / n.mass : n.inverse;  // the pin of a fixed node reports it
     const Vec3 dv = over * n.impulse;
     s.vx[n.node] += dv[0], s.vy[n.node] += dv[1], s.vz[n.node] += dv[2];
-    s.x[n.node] += step.drift * dv[0], s.y[n.node] += step.drift * dv[1], s.z[n.node] += step.drift * dv[2];
+    s.x[n.node] += scheme.drift * dv[0], s.y[n.node] += scheme.drift * dv[1],
+        s.z[n.node] += scheme.drift * dv[2];
   }
   holds_set(c, all, s.self);
   if (system.energy) s.dissipated += self_dissipated(c, all);
@@ -133,24 +134,25 @@ void self_update_proximity(const System& system, State& s, double drift) {
   s.self.travel += s.self.speed * std::abs(drift);
 }
 
-void self_synchronous(const System& system, SelfContactWorkspace& workspace, const State& s, double half,
-                      double centred, double* vx, double* vy, double* vz) {
+void self_synchronous(const System& system, SelfContactWorkspace& workspace, const State& s,
+                      const SynchronousPass& pass) {
+  const model::Field& field = pass.field;
   SelfContactPairs& all = workspace.touches;
   workspace.dissipated = 0;
   self_narrow_phase(system, s, 0, all, nullptr);
   self_prepare(system, s, false, all);
-  const ContactCoefficients c =
-      half > 0 ? last_kick_coefficients(half, centred) : force_coefficients(system, s);
+  const ContactCoefficients c = coefficients_of(system, s, pass.scheme);
+  const bool kicks = pass.scheme.pass == model::Pass::kSynchronous;
   for (SelfNode& n : all.node) {
-    n.v = {vx[n.node], vy[n.node], vz[n.node]};
-    if (n.fixed) n.v = half > 0 ? n.old : Vec3{0, 0, 0};
+    n.v = {field.x[n.node], field.y[n.node], field.z[n.node]};
+    if (n.fixed) n.v = kicks ? n.old : Vec3{0, 0, 0};
   }
-  self_respond(c, half > 0 ? kConverged : kConvergedRest, half > 0 ? kSweeps : kSweepsRest, all);
+  self_respond(c, kicks ? kConverged : kConvergedRest, kicks ? kSweeps : kSweepsRest, all);
   for (const SelfNode& n : all.node) {
     const Vec3 dv = (n.fixed ? 1 / n.mass : n.inverse) * n.impulse;
-    vx[n.node] += dv[0], vy[n.node] += dv[1], vz[n.node] += dv[2];
+    field.x[n.node] += dv[0], field.y[n.node] += dv[1], field.z[n.node] += dv[2];
   }
-  if (half > 0 && system.energy) workspace.dissipated = self_dissipated(c, all);
+  if (kicks && system.energy) workspace.dissipated = self_dissipated(c, all);
 }
 
 namespace {

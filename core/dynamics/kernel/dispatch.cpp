@@ -8,17 +8,32 @@
 namespace drape::dynamics {
 namespace {
 
-bool runs_here(const Kernel& k) {
-  if (&k == &kKernelPortable) return true;
-  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  if (&k == &kKernelAvx512)
-    return avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
-  return avx2;
+bool runs_anywhere() { return true; }
+[[maybe_unused]] bool has_avx2() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
+[[maybe_unused]] bool has_avx512() {
+  return has_avx2() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+         __builtin_cpu_supports("avx512vl");
 }
 
-constexpr const Kernel* kByChoice[] = {&kKernelAvx512, &kKernelAvx2, &kKernelPortable, &kKernelScalar};
+// The kernels of this build, the fastest first. CMake says which there are.
+struct Choice {
+  const Kernel* kernel;
+  bool (*runs_here)();
+};
+constexpr Choice kByChoice[] = {
+#ifdef DRAPE_KERNEL_AVX512
+    {&kKernelAvx512, has_avx512},
+#endif
+#ifdef DRAPE_KERNEL_AVX2
+    {&kKernelAvx2, has_avx2},
+#endif
+    {&kKernelPortable, runs_anywhere},
+#ifdef DRAPE_KERNEL_SCALAR
+    {&kKernelScalar, has_avx2},
+#endif
+};
 
-void pass_run_all(const Kernel& kernel, const System& system, const StepCoefficients& c, Workspace& w,
+void pass_run_all(const Kernel& kernel, const System& system, const model::Scheme& c, Workspace& w,
                   const State& s, const PassTarget& to) {
   const bool rates = model::system_has_rates(system);
   if (!system.irregular.node.empty())
@@ -27,11 +42,11 @@ void pass_run_all(const Kernel& kernel, const System& system, const StepCoeffici
   blocks_copy(system, s, w);
   struct Task {
     const System& system;
-    const StepCoefficients& c;
+    const model::Scheme& c;
     Workspace& w;
     const State& s;
     const PassTarget& to;
-    Pass pass;
+    LatticePass pass;
   } task{system, c, w, s, to, rates ? kernel.rates : kernel.plain};
   const auto run = [](void* context, int k) {
     const Task& t = *static_cast<Task*>(context);
@@ -50,29 +65,28 @@ double velocity_extrapolation(const System& system, const State& s) {
   return s.h_old / (s.h_old + s.h_older);
 }
 
-void kernel_step(const Kernel& kernel, const System& system, const StepCoefficients& c, Workspace& w,
-                 State& s) {
+void kernel_step(const Kernel& kernel, const System& system, const model::Scheme& c, Workspace& w, State& s) {
   pass_run_all(kernel, system, c, w, s, {&s, nullptr, nullptr, nullptr});
 }
 
-void kernel_forces(const Kernel& kernel, const System& system, const State& s, Workspace& w, double* fx,
-                   double* fy, double* fz) {
-  StepCoefficients c{};
+void kernel_forces(const Kernel& kernel, const System& system, const State& s, Workspace& w,
+                   model::Field force) {
+  model::Scheme c{};
   c.extrapolation = velocity_extrapolation(system, s);
-  pass_run_all(kernel, system, c, w, s, {nullptr, fx, fy, fz});
+  pass_run_all(kernel, system, c, w, s, {nullptr, force.x, force.y, force.z});
 }
 
 const Kernel* kernel_named(const char* name) {
-  for (const Kernel* k : kByChoice)
-    if (std::strcmp(k->name, name) == 0 && runs_here(*k)) return k;
+  for (const Choice& choice : kByChoice)
+    if (std::strcmp(choice.kernel->name, name) == 0 && choice.runs_here()) return choice.kernel;
   return nullptr;
 }
 
 const Kernel& kernel_pick() {
   if (const char* expected = std::getenv("DRAPE_SIMD"))
     if (const Kernel* k = kernel_named(expected)) return *k;
-  for (const Kernel* k : kByChoice)
-    if (runs_here(*k)) return *k;
+  for (const Choice& choice : kByChoice)
+    if (choice.runs_here()) return *choice.kernel;
   return kKernelPortable;
 }
 

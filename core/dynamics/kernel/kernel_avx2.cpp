@@ -1,10 +1,9 @@
-// AVX2 with FMA, four doubles; and the scalar yardstick with the same fused arithmetic.
+// The kernel of AVX2 with FMA, four doubles.
 #include "contact/particle/response.h"
 #include "dynamics/kernel/lattice_pass.h"
 #include "dynamics/step_size/cell_bound.h"
 #include "forces/hinge_lanes.h"
 #include "simd/lane_avx2.h"
-#include "simd/lane_scalar.h"
 
 namespace drape::dynamics {
 
@@ -14,11 +13,5 @@ const Kernel kKernelAvx2{"avx2",
                          cells_omega2<simd::Avx2Lane>,
                          contact::contact_kernel<simd::Avx2Lane>(),
                          forces::hinges_bend<simd::Avx2Lane>};
-const Kernel kKernelScalar{"scalar",
-                           block_pass<simd::ScalarLane<true>, false>,
-                           block_pass<simd::ScalarLane<true>, true>,
-                           cells_omega2<simd::ScalarLane<true>>,
-                           contact::contact_kernel<simd::ScalarLane<true>>(),
-                           forces::hinges_bend<simd::ScalarLane<true>>};
 
 }  // namespace drape::dynamics

@@ -1,4 +1,4 @@
-// AVX-512, eight doubles.
+// The kernel of AVX-512, eight doubles.
 #include "contact/particle/response.h"
 #include "dynamics/kernel/lattice_pass.h"
 #include "dynamics/step_size/cell_bound.h"

@@ -1,4 +1,4 @@
-// The baseline instruction set.
+// The kernel of the baseline instruction set.
 #include "contact/particle/response.h"
 #include "dynamics/kernel/lattice_pass.h"
 #include "dynamics/step_size/cell_bound.h"

@@ -1,21 +1,21 @@
-// One pass over rows of a lattice, each link once.
+// One pass over rows of a lattice, which computes each link once.
 //
-// Row j takes part in: weft links and weft hinges within the row, warp links and diagonals to rows j - 1 and
-// j + 1, warp hinges centred on rows j - 1, j, j + 1. So when the links of slab j (row j to row j + 1) are
-// done, row j has all its forces but those of hinges, and when those centred on row j are done, row j - 1 has
-// all; nobody reads its old place again, and it may move:
+// Row j has weft links and weft hinges within the row, warp links and diagonals to rows j - 1 and j + 1, and
+// warp hinges centred on rows j - 1, j, j + 1. So once the links of slab j (row j to row j + 1) are done, row
+// j has all its forces but those of hinges. Once the hinges centred on row j are done, row j - 1 has all
+// forces. Nothing reads its old positions any more, and it may move:
 //
 //     row j+1  . . . . .      slab j: weft links of j, warp links and diagonals j -> j+1
 //     row j    o-o-o-o-o      hinges centred on row j use slabs j - 1 and j
 //     row j-1  * * * * *      complete
 //
-// Forces that depend on velocity work on the same slabs, with the velocities of rows j and j + 1 led on to
-// t_n. What lies beside the rows has been computed before the pass; twins move as one more row.
+// Forces that depend on velocity work on the same slabs, with the velocities of rows j and j + 1 extrapolated
+// to t_n. Irregular elements have been computed before the pass. Twins move as one more row.
 //
-// Row buffers live in first-level cache; forces of three rows and links of two slabs roll. Until its own
-// slab, the buffer of a row holds minus its sums: one subtraction then adds both and needs no other. A block
-// that begins or ends within the lattice runs the slabs beyond that its own rows need, too, and moves its own
-// rows only: each row gets the same sums in the same order.
+// Row buffers stay in the first-level cache; forces of three rows and links of two slabs roll. Until its own
+// slab, the buffer of a row holds minus its sums, so that one subtraction adds both. A block that begins or
+// ends within the lattice also computes the slabs beyond it that its own rows need, but moves its own rows
+// only. Each row thus gets the same sums in the same order, whatever the blocks.
 #pragma once
 #include <algorithm>
 
@@ -31,7 +31,7 @@ namespace {
 struct PassRows {
   double *weft, *warp[2];  // 1/l of links, for hinges
   simd::PackedRow force[3];
-  simd::Row speed[2];  // velocities led on to t_n
+  simd::Row speed[2];  // velocities extrapolated to t_n
 };
 
 struct ScratchRows {
@@ -48,12 +48,12 @@ struct ScratchRows {
   }
 };
 DRAPE_INLINE PassRows pass_rows(double* scratch, int stride) {
-  ScratchRows take{scratch, stride};
+  ScratchRows rows{scratch, stride};
   PassRows p;
-  p.weft = take.one();
-  for (double*& row : p.warp) row = take.one();
-  for (simd::PackedRow& row : p.force) row = {take.vector().x};
-  for (simd::Row& row : p.speed) row = take.vector();
+  p.weft = rows.one();
+  for (double*& row : p.warp) row = rows.one();
+  for (simd::PackedRow& row : p.force) row = {rows.vector().x};
+  for (simd::Row& row : p.speed) row = rows.vector();
   return p;
 }
 
@@ -61,7 +61,7 @@ template <class L>
 DRAPE_INLINE void row_clear(int n, simd::PackedRow r) {
   for (int i = 0; i < n; i += L::kWidth) simd::packed_store(r, i, simd::Vec<L>{L(0.0), L(0.0), L(0.0)});
 }
-// u = v + lead (v - w)
+// u = v + extrapolation (v - w)
 template <class L>
 DRAPE_INLINE void row_extrapolate(int n, double extrapolation, simd::ConstRow v, simd::ConstRow w,
                                   simd::Row out) {
@@ -71,7 +71,7 @@ DRAPE_INLINE void row_extrapolate(int n, double extrapolation, simd::ConstRow v,
   }
 }
 
-// What the lists beside the rows add to row j, taken off minus its sums so far.
+// Adds the forces of irregular elements on row j: subtracts them from minus its sums so far.
 DRAPE_INLINE void row_add_irregular(const System& system, const model::Lattice& l, const Workspace& w, int j,
                                     simd::PackedRow force) {
   if (l.row_slot.empty()) return;
@@ -85,12 +85,12 @@ DRAPE_INLINE void row_add_irregular(const System& system, const model::Lattice& 
   }
 }
 
-// A pass as all its parts see it.
+// The input and output of a pass, shared by all its functions.
 struct PassRun {
   const System& system;
   const model::Lattice& l;
   const RowBlock& block;
-  const StepCoefficients& c;
+  const model::Scheme& c;
   const Workspace& workspace;
   const State& s;
   const PassTarget& to;
@@ -100,7 +100,7 @@ struct PassRun {
   DRAPE_INLINE std::size_t first(int j) const {
     return std::size_t(std::ptrdiff_t(l.first) + std::ptrdiff_t(j) * l.stride);
   }
-  // Row j of three arrays; of a neighbour from the copies, whose coordinates k to k + 2 they are.
+  // Row j of three arrays. A row of a neighbour comes from coordinates k to k + 2 of the copies.
   DRAPE_INLINE simd::ConstRow row(const Array& x, const Array& y, const Array& z, int k, int j) const {
     if (mine(j) || j < 0 || j >= l.rows) return const_row(x, y, z, first(j));
     const int slot = j < block.begin ? j - block.begin + 2 : j - block.end + 2;
@@ -125,10 +125,10 @@ DRAPE_INLINE void row_finish(const PassRun& run, int j) {
   AnySink<L, kRates> sink{MoveLanes<L>(run.c), run.move(j)};
   const model::Columns reach = run.l.reach[std::size_t(j)];
   for (int i = reach.begin; i < reach.end; i += L::kWidth)
-    sink_take(sink, i, simd::packed_load<L>(run.p.force[j % 3], i));
+    sink_put(sink, i, simd::packed_load<L>(run.p.force[j % 3], i));
 }
 
-// The hinges centred on row j; row j - 1 moves.
+// Computes the hinges centred on row j; then row j - 1 moves.
 template <class L, bool kRates>
 DRAPE_INLINE void slab_hinges(const PassRun& run, const SlabRows& in, int j) {
   const PassRows& p = run.p;
@@ -158,7 +158,7 @@ DRAPE_INLINE void slab_hinges(const PassRun& run, const SlabRows& in, int j) {
         a.unit, a.inverse, c.unit, c.inverse, L(law.bending_warp) * L::load(in.hinge_warp + i));
     simd::packed_store(here, i, simd::packed_load<L>(here, i) + (along - (across.first + across.last)));
     simd::packed_store(above, i, simd::packed_load<L>(above, i) - across.last);
-    sink_take(sink, i, simd::packed_load<L>(below, i) + across.first);
+    sink_put(sink, i, simd::packed_load<L>(below, i) + across.first);
   }
 }
 
@@ -190,8 +190,8 @@ void pass_run(const PassRun& run) {
                       run.system.hinge_weft.data() + o};
     const simd::PackedRow force = p.force[j % 3], force_above = p.force[(j + 1) % 3];
     if (run.mine(j)) row_add_irregular(run.system, l, run.workspace, j, force);
-    const bool at_once = !kHinges && !kRates && run.moves_plainly(j);
-    if (at_once) {
+    const bool moves_at_once = !kHinges && !kRates && run.moves_plainly(j);
+    if (moves_at_once) {
       const RowMove m = run.move(j);
       slab_links<L, Tension, kFamilies, kDamped>(l, in, force, force_above, nullptr, nullptr,
                                                  MoveSink<L>{MoveLanes<L>(run.c), m.r, m.v, m.inverse_mass});
@@ -208,7 +208,7 @@ void pass_run(const PassRun& run) {
   if (kHinges && end == l.rows) row_finish<L, kRates>(run, end - 1);
 }
 
-// The loop for the laws of a lattice.
+// The next three select the loop for the laws of a lattice.
 template <class L, bool kRates, class Tension, int kFamilies, bool kDamped>
 void pass_bent(const PassRun& run) {
   if (fabric::law_bends(run.l.law)) pass_run<L, kRates, Tension, kFamilies, kDamped, true>(run);
@@ -228,7 +228,7 @@ void pass_sheared(const PassRun& run) {
 }
 
 template <class L, bool kRates>
-void block_pass(const System& system, const RowBlock& block, const StepCoefficients& c, const Workspace& w,
+void block_pass(const System& system, const RowBlock& block, const model::Scheme& c, const Workspace& w,
                 double* scratch, const State& s, const PassTarget& to) {
   const model::Lattice& l = system.lattices[std::size_t(block.lattice)];
   const PassRun run{system, l, block, c, w, s, to, pass_rows(scratch, l.stride)};
@@ -240,7 +240,7 @@ void block_pass(const System& system, const RowBlock& block, const StepCoefficie
     const std::size_t k = std::size_t(l.twin_slot);
     AnySink<L, kRates> sink{MoveLanes<L>(c), row_move_of(system, to, l.twin_first)};
     for (int i = 0; i < l.twin_stride; i += L::kWidth)
-      sink_take(sink, i, simd::vec_load<L>(const_row(w.slot_x, w.slot_y, w.slot_z, k), i));
+      sink_put(sink, i, simd::vec_load<L>(const_row(w.slot_x, w.slot_y, w.slot_z, k), i));
   }
 }
 

@@ -12,9 +12,9 @@ std::int64_t nodes_of(const System& system) {
   return nodes;
 }
 
-// Blocks of about as many nodes for each thread: thread t takes the nodes from t/threads on of all rows in
-// order.
-void blocks_share_out(const System& system, std::vector<ThreadWorkspace>& threads) {
+// Gives each thread blocks of about as many nodes. All rows are in one order; thread t has those from the
+// share t/threads of the nodes on.
+void blocks_distribute(const System& system, std::vector<ThreadWorkspace>& threads) {
   const std::int64_t all = nodes_of(system);
   std::int64_t before = 0;
   const std::int64_t count = std::int64_t(threads.size());
@@ -32,7 +32,7 @@ void blocks_share_out(const System& system, std::vector<ThreadWorkspace>& thread
   }
 }
 
-// Row j of the block's lattice into the copies' row `slot`.
+// Copies row j of a lattice to row `slot` of the copies.
 void row_copy(const model::Lattice& l, const State& s, int j, int slot, Array& copies) {
   const Array* from[] = {&s.x, &s.y, &s.z, &s.vx, &s.vy, &s.vz, &s.wx, &s.wy, &s.wz};
   const int coordinates = block_coordinates(s);
@@ -43,8 +43,8 @@ void row_copy(const model::Lattice& l, const State& s, int j, int slot, Array& c
 
 }  // namespace
 
-// Calling a thread costs about half a microsecond a step, and each block runs up to three rows of its
-// neighbours: a thread with fewer nodes than this is no gain.
+// To call a thread costs about half a microsecond a step, and each block computes up to three rows of its
+// neighbours. A thread with fewer nodes than kNodesEach is no gain.
 int threads_wanted(const System& system) {
   constexpr std::int64_t kNodesEach = 2000;
   return int(std::clamp<std::int64_t>(nodes_of(system) / kNodesEach, 1, system.threads));
@@ -57,7 +57,7 @@ Workspace workspace_make(const System& system, int threads) {
   w.threads.resize(std::size_t(threads));
   for (ThreadWorkspace& workspace : w.threads)
     workspace.rows.assign(std::size_t(kScratchRows) * std::size_t(longest), 0.0);
-  blocks_share_out(system, w.threads);
+  blocks_distribute(system, w.threads);
   if (threads > 1) w.workers = workers_start(threads);
   for (Array* a : {&w.slot_x, &w.slot_y, &w.slot_z}) a->assign(system.irregular.node.size(), 0.0);
   return w;
@@ -73,7 +73,7 @@ void blocks_copy(const System& system, const State& s, Workspace& w) {
       const model::Lattice& l = system.lattices[std::size_t(block.lattice)];
       if (block.begin == 0 && block.end == l.rows) continue;
       block.copies.resize(4 * std::size_t(block_coordinates(s)) * std::size_t(l.stride));
-      const int deep = fabric::law_bends(l.law) ? 2 : 1;  // rows that the hinges of a row's neighbours reach
+      const int deep = fabric::law_bends(l.law) ? 2 : 1;  // rows that hinges next to a row reach
       for (int slot = 2 - deep; slot < 2 + deep; ++slot) {
         const int j = slot < 2 ? block.begin - 2 + slot : block.end + slot - 2;
         if (j >= 0 && j < l.rows) row_copy(l, s, j, slot, block.copies);

@@ -1,10 +1,10 @@
-// Rows of all pieces shared out to threads.
+// Distributes the rows of all pieces over CPU threads.
 #pragma once
 #include "dynamics/kernel/kernel.h"
 
 namespace drape::dynamics {
 
-// Copies the rows that blocks read of their neighbours.
+// Before a pass: copies the rows that blocks read of their neighbours.
 void blocks_copy(const System& system, const State& state, Workspace& workspace);
 
 }  // namespace drape::dynamics

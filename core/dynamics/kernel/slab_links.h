@@ -1,7 +1,7 @@
-// All links of slab j in one loop: those that the nodes of row j begin.
+// All links of slab j in one loop: those that begin at the nodes of row j.
 //
 //     row j+1   c o---o d      weft a-b, warp a-c, rising a-d, falling b-c
-//                 | X |        What they pull with is added to row j, and begins the sums of row j + 1.
+//                 | X |        Their forces are added to row j, and start the sums of row j + 1.
 //     row j     a o---o b
 #pragma once
 #include "forces/damping.h"
@@ -15,21 +15,20 @@ namespace {
 
 enum Family { kWeft, kWarp, kRising, kFalling };
 
-// What a slab reads: within its reach, rows j and j + 1 of positions and, with rates, of velocities; and what
-// belongs to the nodes of row j.
+// Input of a slab: within its reach, rows j and j + 1 of positions and, with rates, of velocities; and data
+// of the nodes of row j.
 struct SlabRows {
   model::Columns reach;
   simd::ConstRow here, above, speed, speed_above;
   const double *share, *share_below, *hinge_warp, *hinge_weft;
 };
 
-// A coordinate of the edges of the links from node i on, of positions or velocities of row j and the row
-// above. The last node of the reach begins no link: what lies beyond it is not looked at.
+// One coordinate of the edges of the links from node i on, of positions or velocities of row j and the row
+// above. No link begins at the last node of the reach, so nothing beyond it is read.
 template <class L, int kFamilies>
 DRAPE_INLINE void slab_edges(const double* here, const double* above, int end, int i, L* edge) {
   const int beyond = simd::lane_after<L>(i, end);
-  const L a = kept(L::load(here + i)), b = ahead(a, L::load(here + beyond)),
-          c = kept(L::load(above + i));
+  const L a = kept(L::load(here + i)), b = ahead(a, L::load(here + beyond)), c = kept(L::load(above + i));
   forces::stretch_edges(a, b, c, edge);
   if constexpr (kFamilies == 4)
     forces::shear_edges(a, b, c, ahead(c, L::load(above + beyond)), edge + kRising);
@@ -41,13 +40,13 @@ DRAPE_INLINE Tension tension_of(const math::Curve& curve) {
   else return {curve.segment[0].c1};
 }
 
-// The stages of a slab's links (link_rows.h).
+// The pipeline stages of the links of a slab (forces/link_rows.h).
 template <class L, class Tension, int kFamilies, bool kDamped>
 struct SlabStages {
   static constexpr bool kShear = kFamilies == 4;
   static constexpr int kRated = kDamped ? kFamilies : 1;
   struct Ends {
-    L square[kFamilies], along[kRated];  // along: (u1 - u0).(r1 - r0)
+    L square[kFamilies], along[kRated];  // along: (u1 - u0).(r1 - r0), m^2/s
   };
   struct Lengths {
     forces::LinkLane<L> link[kFamilies];
@@ -108,8 +107,8 @@ struct SlabStages {
     Pulls to;
     for (int q = 0; q < kFamilies; ++q) {
       const forces::LinkLane<L>& link = from.link[q];
-      // Nodes that the outline leaves out stay behind a cloth that moves: their links would look far beyond
-      // the tables' start.
+      // Nodes outside the outline stay behind a cloth that moves; the strains of their links would be far
+      // beyond the tables.
       const L strain = Tension::kTable ? select(gt(w[q], L(0.0)), link.strain, L(0.0)) : link.strain;
       L tense;
       if constexpr (kDamped) {
@@ -125,8 +124,9 @@ struct SlabStages {
   }
 };
 
-// `force` holds minus the sums of row j so far; the sink takes the whole ones, and minus those of row j + 1
-// go to `force_above`. 1/l of the links along the threads is kept for hinges, where there is room.
+// `force` holds minus the sums of row j so far. The sink receives the complete sums, and `force_above` minus
+// those of row j + 1. inverse_weft and inverse_warp receive 1/l of the links along the yarns, for hinges; or
+// null.
 template <class L, class Tension, int kFamilies, bool kDamped, class Sink>
 DRAPE_INLINE void slab_links(const model::Lattice& l, const SlabRows& in, simd::PackedRow force,
                              simd::PackedRow force_above, double* inverse_weft, double* inverse_warp,
@@ -135,8 +135,8 @@ DRAPE_INLINE void slab_links(const model::Lattice& l, const SlabRows& in, simd::
   Stages stages(l, in);
   L right_before[3] = {0.0, 0.0, 0.0}, rising_before[3] = {0.0, 0.0, 0.0};
 
-  // At node a pull weft, warp and rising; at b, one further, falling less weft; at c warp and falling; at d,
-  // one further, rising.
+  // Forces at node a: weft, warp and rising. At b, one further: falling less weft. At c: warp and falling. At
+  // d, one further: rising.
   const auto add = [&](int i, const typename Stages::Pulls& pulls) DRAPE_INLINE_LAMBDA {
     sink.begin(i);
     for (int k = 0; k < 3; ++k) {
@@ -151,7 +151,7 @@ DRAPE_INLINE void slab_links(const model::Lattice& l, const SlabRows& in, simd::
         up = (up + f[kFalling]) + shifted(rising_before[k], f[kRising]);
         rising_before[k] = f[kRising];
       }
-      sink.take(i, k, (here + shifted(right_before[k], right)) - L::load(force.at<L>(i, k)));
+      sink.put(i, k, (here + shifted(right_before[k], right)) - L::load(force.at<L>(i, k)));
       L::store(force_above.at<L>(i, k), up);
       right_before[k] = right;
     }

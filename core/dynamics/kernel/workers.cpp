@@ -27,7 +27,7 @@ void rounding_write(unsigned mode) { std::fesetround(int(mode)); }
 
 constexpr int kSpins = 2000, kYields = 100;
 
-// Until done(): spins, then lets others run; false when that did not help either.
+// Waits until done(): spins, then yields `yields` times, below 0 without end. False if done() is still false.
 template <class Done>
 bool await(Done done, int yields) {
   for (int k = 0; k < kSpins; ++k, spin())
@@ -41,10 +41,10 @@ bool await(Done done, int yields) {
 
 struct Workers {
   std::vector<std::thread> threads;
-  void (*task)(void*, int) = nullptr;  // null: the end
+  void (*task)(void*, int) = nullptr;  // null: workers end
   void* context = nullptr;
   unsigned rounding = 0;
-  pid_t process = getpid();       // that the threads belong to: a fork has none of them
+  pid_t process = getpid();       // owner of the threads: a fork has none of them
   std::atomic<unsigned> call{0};  // counts the tasks
   std::atomic<int> busy{0};
 };
@@ -80,7 +80,7 @@ WorkersHandle workers_start(int threads) {
 }
 
 void WorkersEnd::operator()(Workers* w) const {
-  if (getpid() != w->process) return;  // nobody to wait for; the room stays with the fork
+  if (getpid() != w->process) return;  // no thread to join in a fork, which keeps the memory
   w->task = nullptr;
   workers_call(*w);
   for (std::thread& t : w->threads) t.join();

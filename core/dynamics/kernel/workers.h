@@ -1,8 +1,8 @@
-// Threads that share the work of a step.
+// CPU threads that share the work of a step.
 //
-// A step of a small cloth lasts microseconds, so between two of them a worker spins; after some tens of
-// microseconds it gives way to others, and sleeps until it is called. In a fork of the process, where there
-// are no workers, the caller does all.
+// A step of a small cloth lasts microseconds, so between two steps a worker spins. After some tens of
+// microseconds it yields to others, and then sleeps until it is called. A fork of the process has no workers;
+// there the caller does all the work.
 #pragma once
 #include <memory>
 
@@ -14,11 +14,12 @@ struct WorkersEnd {
 };
 using WorkersHandle = std::unique_ptr<Workers, WorkersEnd>;
 
-// A crew of `threads`, one of which is the caller of workers_run; null where the system starts no more.
+// Starts `threads` - 1 workers; the caller of workers_run is the last thread. Null if the operating system
+// refuses.
 WorkersHandle workers_start(int threads);
 
-// task(context, k) for every thread k, the caller's as 0; returns when all are done. Every thread rounds as
-// the caller does.
+// Runs task(context, k) for every thread k, with k = 0 on the caller; returns when all are done. Every thread
+// has the rounding mode of the caller.
 void workers_run(Workers& workers, void (*task)(void* context, int thread), void* context);
 
 }  // namespace drape::dynamics

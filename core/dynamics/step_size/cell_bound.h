@@ -1,12 +1,12 @@
-// The largest omega^2 of a cell with its share of the mass (Irons): core/README.md, section 4.
+// An upper bound of omega^2 of a cell with its share of the mass (Irons): core/README.md, section 4.
 //
 //      c o--top--o d         {4 (1 + cosine) max(k - t, 0) + 8 t + 8 max(k_d, t_d) + beta} / (rho b^2)
 //        |  \ /  |
-//      left X right          A link is k along itself and t across: (k - t) n n^T + t I. Halves of four links
-//      and two
-//        |  / \  |           whole diagonals between four quarter masses; warp and weft share (1 + cosine) of
-//        their
-//      a o-bottom-o b        stiffness along one line where they are not normal to each other.
+//      left X right          A link has the stiffness k along itself and t across: (k - t) n n^T + t I. The
+//        |  / \  |           cell has halves of four links and two whole diagonals between four quarter
+//        masses.
+//      a o-bottom-o b        Warp and weft that are not normal share (1 + cosine) of their stiffness along a
+//      line.
 #pragma once
 #include "dynamics/kernel/kernel.h"
 #include "forces/tension.h"
@@ -15,7 +15,7 @@
 namespace drape::dynamics {
 namespace {
 
-// What the links of one direction add to a cell's bound.
+// What the links of one direction add to the bound of a cell.
 template <class L>
 struct LinkBound {
   L along;     // max(k - t, 0), N/m
@@ -35,26 +35,25 @@ DRAPE_INLINE LinkBound<L> link_bound_max(LinkBound<L> a, LinkBound<L> b) {
   return {max(a.along, b.along), max(a.across, b.across), min(a.shortest, b.shortest)};
 }
 
-// The four edges of a cell: everything but its diagonals.
+// rho b^2 omega^2 of the four edges of a cell and their hinges: everything but its diagonals, N/m.
 template <class L>
 DRAPE_INLINE L edges_bound(simd::Vec<L> a, simd::Vec<L> b, simd::Vec<L> c, simd::Vec<L> d,
                            const model::Lattice& l) {
   const simd::Vec<L> bottom = b - a, top = d - c, left = c - a, right = d - b;
-  const L lb = sqrt(dot(bottom, bottom)), lt = sqrt(dot(top, top)),
-          ll = sqrt(dot(left, left)), lr = sqrt(dot(right, right));
+  const L lb = sqrt(dot(bottom, bottom)), lt = sqrt(dot(top, top)), ll = sqrt(dot(left, left)),
+          lr = sqrt(dot(right, right));
   const L inverse_rest = 1 / l.cell;
   const forces::CurveTension warp{&l.law.warp}, weft{&l.law.weft};
   const auto f = link_bound_max(link_bound(lb, inverse_rest, weft), link_bound(lt, inverse_rest, weft));
   const auto w = link_bound_max(link_bound(ll, inverse_rest, warp), link_bound(lr, inverse_rest, warp));
-  const L cosine =
-      max(max(abs(dot(bottom, left) / (lb * ll)), abs(dot(bottom, right) / (lb * lr))),
-          max(abs(dot(top, left) / (lt * ll)), abs(dot(top, right) / (lt * lr))));
+  const L cosine = max(max(abs(dot(bottom, left) / (lb * ll)), abs(dot(bottom, right) / (lb * lr))),
+                       max(abs(dot(top, left) / (lt * ll)), abs(dot(top, right) / (lt * lr))));
   const L beta = L(16 * l.law.bending_warp) / (w.shortest * w.shortest) +
                  L(16 * l.law.bending_weft) / (f.shortest * f.shortest);
   return L(4.0) * (L(1.0) + cosine) * max(w.along, f.along) + L(8.0) * max(w.across, f.across) + beta;
 }
 
-// 8 max(k_d, t_d) with k_d = g'/2 and t_d = b g/(sqrt(2) l) = g/(2 l/l0)
+// 8 max(k_d, t_d) with k_d = g'/2 and t_d = b g/(sqrt(2) l) = g/(2 l/l0), N/m
 template <class L>
 DRAPE_INLINE L diagonal_bound(simd::Vec<L> from, simd::Vec<L> to, L inverse_rest, const math::Curve& curve) {
   const simd::Vec<L> edge = to - from;

@@ -1,10 +1,10 @@
-// With the largest omega^2 of a lattice and d = beta omega^2 + (rho_air/rho) max(C_n, C_t) max|u| of the
-// forces that depend on velocity, leapfrog's limit is that of a lattice without them and with omega' =
-// sqrt(omega^2 + d^2) + d:
+// The step limit with forces that depend on velocity. omega^2 is the largest of a lattice, and
+// d = beta omega^2 + (rho_air/rho) max(C_n, C_t) max|u|. The limit of leapfrog is then that of a lattice
+// without these forces and with omega' = sqrt(omega^2 + d^2) + d:
 //
 //   h < 2 [sqrt(omega^2 + d^2) - d]/omega^2 = 2/omega'
 //
-// and the paper's scheme takes d beside c: (h omega)^2 + 2 h (c + d) < 4.
+// In the scheme of the paper d adds to c: (h omega)^2 + 2 h (c + d) < 4.
 #include "dynamics/step_size/step_limit.h"
 
 #include <algorithm>
@@ -21,8 +21,8 @@
 namespace drape::dynamics {
 namespace {
 
-// The larger; what is no number stays.
-double most_of(double a, double b) { return a > b || std::isnan(a) ? a : b; }
+// The larger of a and b; NaN if either is.
+double max_of(double a, double b) { return a > b || std::isnan(a) ? a : b; }
 
 using Lane = simd::ScalarLane<false>;
 
@@ -43,19 +43,19 @@ double cell_bound(const model::Lattice& l, const State& s, const std::size_t* co
   Lane bound = edges_bound(r[0], r[1], r[2], r[3], l);
   if (l.law.bias.segments)
     bound = bound + max(diagonal_bound(r[0], r[3], Lane(inverse_diagonal), l.law.bias),
-                              diagonal_bound(r[1], r[2], Lane(inverse_diagonal), l.law.bias));
+                        diagonal_bound(r[1], r[2], Lane(inverse_diagonal), l.law.bias));
   return bound.v;
 }
 
-// The same of the cells beside the rows.
-double side_bound(const System& system, const model::Lattice& l, const State& s, double ahead) {
+// The largest of the irregular cells.
+double irregular_bound(const System& system, const model::Lattice& l, const State& s, double ahead) {
   double largest = 0;
   for (const model::IrregularCell& cell : system.irregular.cells)
-    if (cell.lattice == l.piece) largest = most_of(cell_bound(l, s, cell.node, ahead), largest);
+    if (cell.lattice == l.piece) largest = max_of(cell_bound(l, s, cell.node, ahead), largest);
   return largest;
 }
 
-// What a clamp adds to rho b^2 omega^2.
+// What a clamp, and all clamps of a lattice, add to rho b^2 omega^2.
 double clamp_term(const model::ClampHinge& c, const fabric::Law& law, const State& s, double ahead) {
   return 16 * model::law_bending(law, c.warp) * c.excess /
          std::pow(distance(s, c.node[0], c.node[1], ahead), 2);
@@ -64,21 +64,21 @@ double clamps_bound(const System& system, const model::Lattice& l, const State& 
   double largest[2] = {0, 0};
   for (const model::ClampHinge& c : system.irregular.clamps)
     if (c.lattice == l.piece && c.excess > 0)
-      largest[c.warp] = most_of(clamp_term(c, l.law, s, ahead), largest[c.warp]);
+      largest[c.warp] = max_of(clamp_term(c, l.law, s, ahead), largest[c.warp]);
   return largest[0] + largest[1];
 }
 
-// The largest speed (m/s) of a particle against the wind.
+// The largest speed (m/s) of a particle relative to the wind.
 double speed_against_wind(const System& system, const State& s) {
   double largest = 0;
   for (std::size_t n : system.particle) {
     const double x = s.vx[n] - s.wind[0], y = s.vy[n] - s.wind[1], z = s.vz[n] - s.wind[2];
-    largest = most_of(x * x + y * y + z * z, largest);
+    largest = max_of(x * x + y * y + z * z, largest);
   }
   return std::sqrt(largest);
 }
 
-// The omega^2 that without forces that depend on velocity leads to the limit of omega^2 and d.
+// The equivalent omega^2: without forces that depend on velocity, it gives the limit of omega2 and d.
 double omega2_with(const System& system, double omega2, double d) {
   if (d == 0) return omega2;
   if (system.integrator != scene::Integrator::kPaper) return std::pow(std::sqrt(omega2 + d * d) + d, 2);
@@ -86,25 +86,32 @@ double omega2_with(const System& system, double omega2, double d) {
   return twice * (twice - 2 * c) / 4;
 }
 
+// What has the largest omega^2 so far.
 struct WorstPart {
   double bound = 0;  // 1/s^2
   std::string words = "nothing: no law acts";
 };
 
-void part_offer(WorstPart& worst, const Scene& scene, const model::Lattice& l, double bound, const char* name,
-                const char* kind, std::size_t node, double strain) {
-  bound /= l.law.areal_density * l.cell * l.cell;
+struct Part {
+  double bound;  // rho b^2 omega^2, N/m
+  const char *name, *kind;
+  std::size_t node;
+  double strain;
+};
+
+void part_offer(WorstPart& worst, const Scene& scene, const model::Lattice& l, const Part& part) {
+  const double bound = part.bound / (l.law.areal_density * l.cell * l.cell);
   if (bound <= worst.bound) return;
   worst.bound = bound;
-  const auto [column, row] = l.place_of(node);
+  const auto [column, row] = l.place_of(part.node);
   char text[160];
-  std::snprintf(text, sizeof text, "%s %s of piece '%s', column %d, row %d, strain %.3g", name, kind,
-                scene.pieces[std::size_t(l.piece)].name.c_str(), column + 1, row + 1,
-                std::abs(strain) < 1e-12 ? 0.0 : strain);
+  std::snprintf(text, sizeof text, "%s %s of piece '%s', column %d, row %d, strain %.3g", part.name,
+                part.kind, scene.pieces[std::size_t(l.piece)].name.c_str(), column + 1, row + 1,
+                std::abs(part.strain) < 1e-12 ? 0.0 : part.strain);
   worst.words = text;
 }
 
-// What a link and the hinges across it add to rho b^2 omega^2 of its cell.
+// Offers a link with the hinges across it: what they add to rho b^2 omega^2 of its cell.
 void link_offer(WorstPart& worst, const Scene& scene, const model::Lattice& l, const State& s,
                 const model::Link& link, double ahead) {
   const char* name = link.along == model::YarnDirection::kWarp   ? "warp"
@@ -119,7 +126,7 @@ void link_offer(WorstPart& worst, const Scene& scene, const model::Lattice& l, c
       diagonal ? 4 * std::max(slope, across) : 4 * std::max(slope - across, 0.0) + 8 * across;
   const double rigidity = diagonal ? 0 : model::law_bending(l.law, link.along == model::YarnDirection::kWarp);
   const double bend = 16 * rigidity / std::pow(ratio * link.rest, 2);
-  part_offer(worst, scene, l, stretch + bend, name, bend > stretch ? "hinge" : "link", link.from, strain);
+  part_offer(worst, scene, l, {stretch + bend, name, bend > stretch ? "hinge" : "link", link.from, strain});
 }
 
 // The seam in the state `sewn` with the largest `stiffness` of its pairs.
@@ -173,8 +180,9 @@ double step_limit_clamps(const System& system, const model::Lattice& l, const St
 double step_limit_lattice(const System& system, const Kernel& kernel, const model::Lattice& l,
                           const State& state, double ahead) {
   double largest = 0;
-  for (int j = 0; j + 1 < l.rows; ++j) largest = most_of(kernel.omega2(system, l, state, j, ahead), largest);
-  largest = most_of(side_bound(system, l, state, ahead) / (l.law.areal_density * l.cell * l.cell), largest);
+  for (int j = 0; j + 1 < l.rows; ++j) largest = max_of(kernel.omega2(system, l, state, j, ahead), largest);
+  largest =
+      max_of(irregular_bound(system, l, state, ahead) / (l.law.areal_density * l.cell * l.cell), largest);
   return largest / l.mass_kept + step_limit_clamps(system, l, state, ahead);
 }
 
@@ -209,7 +217,7 @@ double step_limit_omega2(const System& system, const Kernel& kernel, const State
   double largest = 0;
   for (const model::Lattice& l : system.lattices) {
     const double omega2 = step_limit_lattice(system, kernel, l, state, ahead);
-    largest = most_of(
+    largest = max_of(
         step_limit_rated(system, l, omega2, drag, seams, contact::added_omega2(system, state, l.piece)),
         largest);
   }
@@ -218,8 +226,8 @@ double step_limit_omega2(const System& system, const Kernel& kernel, const State
 
 double step_limit_angle(const System& system) { return system.composition ? system.composition->limit : 2; }
 
-// Leapfrog with centred damping: h omega < 2. Above order 2: h omega < the method's limit, where c h < 10.
-// The paper's scheme: (h omega)^2 < 4 - 2 h c. Infinite where nothing acts.
+// Leapfrog with centred damping: h omega < 2. Above order 2: h omega < the limit of the method, and c h < 10.
+// The scheme of the paper: (h omega)^2 < 4 - 2 h c. Infinite where nothing acts.
 double step_limit_of(const System& system, double omega2) {
   if (system.composition)
     return std::min(system.composition->limit / std::sqrt(omega2), model::kDampedStep / system.damping);
@@ -241,8 +249,8 @@ std::string step_limit_link(const System& system, const Scene& scene, const Stat
   for (const model::ClampHinge& c : system.irregular.clamps) {
     const model::Lattice& l = system.lattices[std::size_t(c.lattice)];
     const double strain = distance(state, c.node[0], c.node[1], ahead) / l.cell - 1;
-    part_offer(worst, scene, l, clamp_term(c, l.law, state, ahead), c.warp ? "warp" : "weft", "clamp",
-               c.node[1], strain);
+    part_offer(worst, scene, l,
+               {clamp_term(c, l.law, state, ahead), c.warp ? "warp" : "weft", "clamp", c.node[1], strain});
   }
   seams_offer(worst, system, scene, state);
   return worst.words;

@@ -1,15 +1,16 @@
-// Every segment is split at the grid lines; what runs along a grid line is dropped, since the walk below
-// follows the sides of a place anyway. The rest falls into chains: runs of consecutive pieces in one place,
-// which begin and end on its perimeter. The cloth lies to the left of a chain, so within a place the rim of a
-// part is (Weiler and Atherton 1977, for a convex window)
+// Every segment is split at the grid lines. Pieces of segments along a grid line are dropped, since the walk
+// below follows the sides of a place anyway. The other pieces form chains: runs of consecutive pieces in one
+// place, which begin and end on its perimeter. The cloth is to the left of a chain, so the boundary of a part
+// within a place is (Weiler and Atherton 1977, for a convex window)
 //
 //     +----<----+     a chain from where it enters to where it leaves, then counter-clockwise along the
-//     |       out     perimeter to where the next chain enters, that chain, ... until the first is met
-//     v      /  |     again. On the way the walk notes which stretches of the sides belong to the part.
+//     |       out     perimeter to where the next chain enters, that chain, ... until the first is reached
+//     v      /  |     again. The walk records which stretches of the sides belong to the part.
 //     |     in  |
 //     +-->---+--+
 //
-// A place without chains is wholly inside or outside, by the number of crossings of its row's centre line.
+// A place without chains is wholly inside or outside. The number of crossings of the centre line of its row
+// decides.
 #include "piece/grid/cut.h"
 
 #include <algorithm>
@@ -20,13 +21,13 @@ namespace {
 
 struct Chain {
   int place;
-  bool closed;               // a loop wholly within the place
-  std::vector<Vec2> points;  // from the low corner of the place
+  bool closed;               // the chain is a whole loop inside the place
+  std::vector<Vec2> points;  // relative to the low corner of the place
 };
 
 struct Tracing {
   Cut cut;
-  std::vector<char> toggled;  // [rows columns] between outside and inside, from this place of the row on
+  std::vector<char> toggled;  // [rows columns] 1: inside and outside change at this place of the row
   std::vector<Chain> chains;
 };
 
@@ -40,8 +41,8 @@ bool along_line(Vec2 p, Vec2 q) {
   return false;
 }
 
-// The place of a piece between grid lines, -1 if it runs along one. Where it crosses the centre line of its
-// row, all places to its right change between inside and outside.
+// The place of a piece of a segment between grid lines; -1 if it runs along a grid line. Where the piece
+// crosses the centre line of its row, inside and outside are exchanged for all places to its right.
 int piece_place(Tracing& t, Vec2 p, Vec2 q) {
   const bool dropped = along_line(p, q);
   if (dropped && p[1] == q[1]) return -1;
@@ -56,12 +57,12 @@ int piece_place(Tracing& t, Vec2 p, Vec2 q) {
 void loop_trace(Tracing& t, const std::vector<Vec2>& loop) {
   std::vector<Vec2> points{loop[0]};
   for (std::size_t k = 0; k < loop.size(); ++k) cut_segment(loop[k], loop[(k + 1) % loop.size()], points);
-  if (points.size() > 1) points.pop_back();  // the first again
+  if (points.size() > 1) points.pop_back();  // it repeats the first
   const std::size_t n = points.size();
   std::vector<int> place(n);
   for (std::size_t k = 0; k < n; ++k) place[k] = piece_place(t, points[k], points[(k + 1) % n]);
 
-  std::size_t begin = 0;  // a piece whose predecessor lies elsewhere
+  std::size_t begin = 0;  // a piece whose predecessor is in another place
   while (begin < n && place[begin] == place[(begin + n - 1) % n]) ++begin;
   const bool closed = begin == n;
   if (closed && place[0] < 0) return;
@@ -89,7 +90,8 @@ double perimeter_position(Vec2 p) {
 
 Vec2 perimeter_corner(int k) { return {k % 4 == 1 || k % 4 == 2 ? 1.0 : 0.0, k % 4 >= 2 ? 1.0 : 0.0}; }
 
-// Along the perimeter from one position to the next: corners and sides.
+// Walks along the perimeter from one position to the next. Adds the corners and the stretches of sides to the
+// part.
 void perimeter_walk(CutPart& part, double from, double to) {
   if (to < from) to += 4;
   while (from < to) {
@@ -102,7 +104,7 @@ void perimeter_walk(CutPart& part, double from, double to) {
   }
 }
 
-// The parts that open chains bound.
+// Finds the parts that are bounded by open chains.
 void parts_walk(const std::vector<Chain>& chains, std::vector<CutPart>& parts) {
   std::vector<const Chain*> open;
   for (const Chain& c : chains)
@@ -110,12 +112,12 @@ void parts_walk(const std::vector<Chain>& chains, std::vector<CutPart>& parts) {
   std::sort(open.begin(), open.end(), [](const Chain* a, const Chain* b) {
     return perimeter_position(a->points.front()) < perimeter_position(b->points.front());
   });
-  std::vector<bool> met(open.size());
+  std::vector<bool> visited(open.size());
   for (std::size_t start = 0; start < open.size(); ++start) {
-    if (met[start]) continue;
+    if (visited[start]) continue;
     CutPart part{chains[0].place, 0, {}, {{}}};
-    for (std::size_t k = start; !met[k];) {
-      met[k] = true;
+    for (std::size_t k = start; !visited[k];) {
+      visited[k] = true;
       const std::vector<Vec2>& points = open[k]->points;
       part.loops[0].insert(part.loops[0].end(), points.begin(), points.end());
       const double out = perimeter_position(points.back());
@@ -135,7 +137,7 @@ CutPart whole_part(int place) {
   return part;
 }
 
-// A point of a loop off the sides of the place, where there is one.
+// A point of a loop that is not on the sides of the place, if there is one.
 Vec2 inner_point(const std::vector<Vec2>& loop) {
   for (const Vec2& p : loop)
     if (p[0] > 0 && p[0] < 1 && p[1] > 0 && p[1] < 1) return p;
@@ -151,7 +153,7 @@ void hole_attach(std::vector<CutPart>& parts, const std::vector<Vec2>& hole) {
     }
 }
 
-// The parts of a place that the outline cuts; `inside` tells what a place without open chains is.
+// The parts of a place that the outline cuts. `inside`: a place without open chains is inside the piece.
 std::vector<CutPart> place_parts(const std::vector<Chain>& chains, bool inside) {
   std::vector<CutPart> parts;
   parts_walk(chains, parts);
@@ -183,7 +185,7 @@ Tracing tracing_begin(const std::vector<std::vector<Vec2>>& loops) {
 }  // namespace
 
 void cut_segment(Vec2 p, Vec2 q, std::vector<Vec2>& points) {
-  std::vector<std::pair<double, Vec2>> met;
+  std::vector<std::pair<double, Vec2>> crossed;
   for (std::size_t a = 0; a < 2; ++a) {
     const double low = std::min(p[a], q[a]), high = std::max(p[a], q[a]);
     for (double line = std::floor(low) + 1; line < high; ++line) {
@@ -191,11 +193,12 @@ void cut_segment(Vec2 p, Vec2 q, std::vector<Vec2>& points) {
       Vec2 r;
       r[a] = line;
       r[1 - a] = cut_snapped(mixed(p[1 - a], q[1 - a], t));
-      met.emplace_back(t, r);
+      crossed.emplace_back(t, r);
     }
   }
-  std::stable_sort(met.begin(), met.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (const auto& m : met)
+  std::stable_sort(crossed.begin(), crossed.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& m : crossed)
     if (m.second != points.back()) points.push_back(m.second);
   if (q != points.back()) points.push_back(q);
 }

@@ -19,13 +19,13 @@ bool is_curved(const scene::PieceSpec& piece, int edge) {
                      [&](const scene::CurveSpec& c) { return c.edge == edge; });
 }
 
-// A point of the turned plane through which grid lines pass.
+// The origin of the grid in the rotated plane: a point where grid lines cross.
 Vec2 grid_origin(const Scene& scene, int index, const Grid& grid) {
   const scene::PieceSpec& piece = scene.pieces[std::size_t(index)];
   const std::size_t n = piece.outline.size();
   if (piece.grid_origin) return turned(grid, *piece.grid_origin);
   Vec2 origin = turned(grid, piece.outline[0]);
-  bool held[2] = {false, false};
+  bool aligned[2] = {false, false};
   for (const scene::PinSpec& pin : scene.pins)
     for (int edge : pin.edges) {
       if (pin.piece != index || is_curved(piece, edge)) continue;
@@ -33,7 +33,7 @@ Vec2 grid_origin(const Scene& scene, int index, const Grid& grid) {
       const Vec2 q = turned(grid, piece.outline[(std::size_t(edge) + 1) % n]);
       const double contact = kSnap * std::max(piece.cell, std::hypot(q[0] - p[0], q[1] - p[1]));
       for (std::size_t a = 0; a < 2; ++a)
-        if (!held[a] && std::abs(p[a] - q[a]) <= contact) origin[a] = p[a], held[a] = true;
+        if (!aligned[a] && std::abs(p[a] - q[a]) <= contact) origin[a] = p[a], aligned[a] = true;
     }
   return origin;
 }
@@ -42,7 +42,7 @@ struct Build {
   const Cut& cut;
   const Merged& merged;
   Grid& grid;
-  int i_low, j_low;                       // of the cut's places: that of cell (0,0)
+  int i_low, j_low;                       // indices of the place of cell (0,0) in the cut
   std::unordered_map<long, int> twin_of;  // 4 part + corner -> node
   std::vector<int> cell_of;               // [parts]
 
@@ -56,7 +56,7 @@ struct Build {
   }
 };
 
-// Parts and whole places that are cells.
+// Calls `use` for each part or whole place that is a cell.
 template <class Use>
 void cells_of(const Build& b, int place, Use use) {
   const int first = b.cut.first[std::size_t(place)], parts = int(b.cut.parts.size());
@@ -66,7 +66,7 @@ void cells_of(const Build& b, int place, Use use) {
     if (b.merged.into[std::size_t(p)] == p) use(p);
 }
 
-// Rows and columns that have cells.
+// Sets the numbers of rows and columns so that they contain all cells.
 void rows_fit(Build& b, Vec2 origin) {
   int high_i = INT_MIN, high_j = INT_MIN;
   int low_i = INT_MAX, low_j = INT_MAX;
@@ -84,10 +84,11 @@ void rows_fit(Build& b, Vec2 origin) {
   b.grid.y0 = origin[1] + (b.cut.j0 + low_j) * b.grid.cell;
 }
 
-// Twins: wherever the parts round a node do not hang together there, all but those with most area.
+// Makes twins. Where the parts around a node are not connected there, the set of parts with the largest area
+// keeps the regular node, and each other set gets a twin.
 void twins_fill(Build& b) {
   const int up = b.cut.columns;
-  std::vector<int> places;  // whose low corner is a corner of a cut place
+  std::vector<int> places;  // places whose low corner is a corner of a cut place
   for (const CutPart& p : b.cut.parts)
     for (int step : {0, 1, up, up + 1}) places.push_back(p.place + step);
   std::sort(places.begin(), places.end());
@@ -136,7 +137,7 @@ void cells_fill(Build& b) {
   b.grid.cells.insert(b.grid.cells.end(), others.begin(), others.end());
 }
 
-// Parts as they lie in the plane, and the cell of each.
+// Stores the parts in the plane of the outline, each with its cell.
 void parts_fill(Build& b) {
   for (std::size_t p = 0; p < b.cut.parts.size(); ++p) {
     const CutPart& part = b.cut.parts[p];
@@ -156,7 +157,7 @@ void parts_fill(Build& b) {
   }
 }
 
-// The particle nearest to a point, in rings round its place.
+// The particle closest to a point, by a search in rings around its place.
 int particle_nearest(const Grid& grid, const std::vector<char>& particle, Vec2 at) {
   const int i = int(std::clamp(std::floor(at[0]), 0.0, grid.columns - 1.0));
   const int j = int(std::clamp(std::floor(at[1]), 0.0, grid.rows - 1.0));
@@ -172,7 +173,7 @@ int particle_nearest(const Grid& grid, const std::vector<char>& particle, Vec2 a
   return best;
 }
 
-// outline = "paper": the area of the outer strip, to the particles.
+// outline = "paper": distributes the area of the strip outside the whole cells to the particles.
 void strip_share(Build& b) {
   Grid& grid = b.grid;
   std::vector<char> particle;
@@ -203,7 +204,7 @@ Grid grid_make(const Scene& scene, int piece) {
   if (spec.grain != 0) grid.cosine = std::cos(spec.grain), grid.sine = std::sin(spec.grain);
   Vec2 origin = grid_origin(scene, piece, grid);
   const Vec2 first =
-      turned(grid, spec.outline[0]);  // a far origin is brought near, for the sake of the digits
+      turned(grid, spec.outline[0]);  // move a distant origin close to the piece, to keep precision
   for (std::size_t a = 0; a < 2; ++a) origin[a] += spec.cell * std::round((first[a] - origin[a]) / spec.cell);
 
   std::vector<std::vector<Vec2>> loops;

@@ -1,5 +1,6 @@
-// Where a point of a piece sits. Places are searched in rings round that of the point, until no farther one
-// can be nearer than what has been found: at once for a point inside, in the next ring for one on the rim.
+// Locates points of a piece. Places are searched in rings around that of the point, until no further ring can
+// contain a closer part. For a point inside the piece that is immediate; for one on the boundary it takes one
+// more ring.
 #include <algorithm>
 #include <cmath>
 
@@ -9,12 +10,12 @@
 namespace drape::piece {
 namespace {
 
-constexpr double kOn = 1e-9;  // cells: a point closer than that to a part lies on it
+constexpr double kOn = 1e-9;  // cells: a point closer to a part than this is on the part
 
 struct Nearest {
   int cell = -1;
   double distance = INFINITY;  // cells
-  bool merged = false;         // the cell is that of another place
+  bool merged = false;         // the cell is at another place
 };
 
 void nearest_update(Nearest& best, const Grid& grid, int cell, double distance, int i, int j) {
@@ -24,7 +25,8 @@ void nearest_update(Nearest& best, const Grid& grid, int cell, double distance, 
     best = next;
 }
 
-auto place_parts(const Grid& grid, int i, int j) {  // the first of them, if there are any
+// The first part of a place, if the place has any.
+auto place_parts(const Grid& grid, int i, int j) {
   return std::lower_bound(grid.parts.begin(), grid.parts.end(), i,
                           [&](const GridPart& p, int column) { return p.j != j ? p.j < j : p.i < column; });
 }

@@ -1,7 +1,7 @@
-// A small part may go where the cells that remain hang together as before. A cell meets others along its
-// sides; taking it away leaves the shape of the piece (its connected pieces, its holes) as it is where the
-// sides along which it has neighbours follow each other round the cell and are not all four, and where the
-// neighbours that meet at each of its corners hang together there without it.
+// A small part may be merged where its removal does not change the topology of the cells. Cells are connected
+// along sides. Removing one keeps the topology of the piece (its components and its holes) under two
+// conditions. The sides with neighbours are consecutive around the cell and not all four. The neighbours at
+// each of its corners are connected there without the cell.
 #include "piece/grid/merge.h"
 
 #include <algorithm>
@@ -11,17 +11,18 @@
 namespace drape::piece {
 namespace {
 
-constexpr double kSmall = 0.2;    // a part below that is merged
-constexpr double kShared = 1e-9;  // of a side: neighbours have more than that in common
+constexpr double kSmall = 0.2;    // share of a cell below which a part is merged
+constexpr double kShared = 1e-9;  // of a side: neighbours share more than this length
 
-int step_to(const Cut& cut, int side) {  // to the place beyond a side
+// The step in place number across a side.
+int step_to(const Cut& cut, int side) {
   const int steps[] = {-cut.columns, 1, cut.columns, -1};
   return steps[side];
 }
 
 bool is_part(const Cut& cut, PartRef part) { return part < int(cut.parts.size()); }
 
-// All parts of a place, merged ones too.
+// Calls `use` for all parts of a place, including merged ones.
 template <class Use>
 void parts_of(const Cut& cut, int place, Use use) {
   const int first = cut.first[std::size_t(place)];
@@ -30,6 +31,7 @@ void parts_of(const Cut& cut, int place, Use use) {
     use(p);
 }
 
+// The stretches of a side that belong to a part.
 std::vector<CutSide> reaches(const Cut& cut, PartRef part, int side) {
   if (!is_part(cut, part)) return {{side, 0, 1}};
   std::vector<CutSide> list;
@@ -38,7 +40,7 @@ std::vector<CutSide> reaches(const Cut& cut, PartRef part, int side) {
   return list;
 }
 
-// Length of the stretches that two parts have in common on a side of the first.
+// Length over which two parts touch, on a side of the first.
 double shared_length(const Cut& cut, PartRef a, int side, PartRef b) {
   double sum = 0;
   for (const CutSide& s : reaches(cut, a, side))
@@ -68,16 +70,18 @@ bool remains(const Cut& cut, const Merged& merged, PartRef part) {
   return !is_part(cut, part) || merged.into[std::size_t(part)] == part;
 }
 
-PartRef taker(const Cut& cut, const Merged& merged, PartRef part) {
+PartRef merge_target(const Cut& cut, const Merged& merged, PartRef part) {
   return is_part(cut, part) ? merged.into[std::size_t(part)] : part;
 }
 
+// The parts around the low corner of a place, without `left_out`, as sets of parts that are connected there.
 std::vector<std::vector<PartRef>> sets_without(const Cut& cut, const Merged& merged, int place,
                                                PartRef left_out) {
-  // the four places round the node, counter-clockwise from its lower left; `side` leads to the next
+  // the four places around the node, counter-clockwise from its lower left; `side` is shared with the next
+  // one
   const int round[4] = {place - cut.columns - 1, place - cut.columns, place, place - 1},
             side[4] = {1, 2, 3, 0};
-  std::vector<std::pair<PartRef, int>> parts;  // with their corner of the four
+  std::vector<std::pair<PartRef, int>> parts;  // with the index of their place, 0 to 3
   for (int k = 0; k < 4; ++k)
     parts_of(cut, round[k], [&](PartRef p) {
       if (p != left_out && remains(cut, merged, p)) parts.emplace_back(p, k);
@@ -101,10 +105,10 @@ std::vector<std::vector<PartRef>> sets_without(const Cut& cut, const Merged& mer
   return sets;
 }
 
-// True if the neighbours at a corner hang together there without the part. Corners count round the place from
-// its low one; corner k lies between the sides k - 1 and k.
-bool corner_holds(const Cut& cut, const Merged& merged, PartRef part, int corner,
-                  const std::vector<Neighbour>& neighbours) {
+// True if the neighbours at a corner are connected there without the part. Corners are numbered
+// counter-clockwise from the low one; corner k is between the sides k - 1 and k.
+bool corner_is_connected(const Cut& cut, const Merged& merged, PartRef part, int corner,
+                         const std::vector<Neighbour>& neighbours) {
   const int steps[] = {0, 1, cut.columns + 1, cut.columns};
   const auto sets = sets_without(cut, merged, part_place(cut, part) + steps[corner], part);
   const std::vector<PartRef>* common = nullptr;
@@ -119,27 +123,27 @@ bool corner_holds(const Cut& cut, const Merged& merged, PartRef part, int corner
   return true;
 }
 
-bool can_go(const Cut& cut, const Merged& merged, PartRef part, std::vector<Neighbour> neighbours) {
+bool is_removable(const Cut& cut, const Merged& merged, PartRef part, std::vector<Neighbour> neighbours) {
   std::erase_if(neighbours, [&](const Neighbour& n) { return !remains(cut, merged, n.part); });
-  bool met[4] = {};
-  for (const Neighbour& n : neighbours) met[n.side] = true;
+  bool has[4] = {};
+  for (const Neighbour& n : neighbours) has[n.side] = true;
   int begins = 0;
-  for (int side = 0; side < 4; ++side) begins += met[side] && !met[(side + 3) % 4];
-  if (begins != 1) return false;  // none, two opposite ones, or all round
+  for (int side = 0; side < 4; ++side) begins += has[side] && !has[(side + 3) % 4];
+  if (begins != 1) return false;  // no side, two opposite ones, or all four
   for (int corner = 0; corner < 4; ++corner)
-    if (!corner_holds(cut, merged, part, corner, neighbours)) return false;
+    if (!corner_is_connected(cut, merged, part, corner, neighbours)) return false;
   return true;
 }
 
-// The one that takes a small part over: a part of at least 0.2 or one of its own, in the eight places round
-// it. Of several the one with the longest common side. -1: none.
-PartRef taker_find(const Cut& cut, const Merged& merged, PartRef part,
-                   const std::vector<Neighbour>& neighbours) {
+// The part into which a small part is merged: one with a share of at least kSmall of its own, in the eight
+// places around it. Of several, the one with the longest common side; -1: none.
+PartRef merge_target_find(const Cut& cut, const Merged& merged, PartRef part,
+                          const std::vector<Neighbour>& neighbours) {
   const int place = part_place(cut, part);
   PartRef best = -1;
   double longest = 0;
   for (const Neighbour& n : neighbours) {
-    const PartRef to = taker(cut, merged, n.part);
+    const PartRef to = merge_target(cut, merged, n.part);
     const int at = part_place(cut, to);
     const int di = std::abs(at % cut.columns - place % cut.columns);
     const int dj = std::abs(at / cut.columns - place / cut.columns);
@@ -186,8 +190,8 @@ Merged merge_make(const Cut& cut) {
     queue.pop();
     if (!remains(cut, merged, part)) continue;
     const std::vector<Neighbour> neighbours = neighbours_of(cut, part);
-    const PartRef to = taker_find(cut, merged, part, neighbours);
-    if (to < 0 || !can_go(cut, merged, part, neighbours)) continue;
+    const PartRef to = merge_target_find(cut, merged, part, neighbours);
+    if (to < 0 || !is_removable(cut, merged, part, neighbours)) continue;
     merged.into[std::size_t(part)] = to;
     merged.gained[to] += cut.parts[std::size_t(part)].share;
     for (const Neighbour& n : neighbours) enqueue(n.part);

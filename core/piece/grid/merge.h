@@ -1,5 +1,5 @@
-// Parts of a cut piece as neighbours of each other: which small ones their neighbours take over, and which
-// share a corner. core/README.md, section 1.
+// Adjacency of the parts of a cut piece: which small parts are merged into a neighbour, and which parts are
+// connected at a corner. core/README.md, section 1.
 #pragma once
 #include <map>
 
@@ -7,20 +7,22 @@
 
 namespace drape::piece {
 
-// A part or a whole place: the number of the part, or of the place beyond them.
+// A part or a whole place: the number of the part, or the number of parts plus that of the place.
 using PartRef = int;
 
 struct Merged {
-  std::vector<PartRef> into;         // [parts] itself, or the one that took it over
-  std::map<PartRef, double> gained;  // share that a part or whole place has taken over
+  std::vector<PartRef> into;         // [parts] the part itself, or that into which it is merged
+  std::map<PartRef, double> gained;  // share gained by a part or whole place from merged ones
 };
-Merged merge_make(const Cut& cut);
-Merged merge_none(const Cut& cut);
+Merged merge_make(const Cut& cut);  // merges small parts
+Merged merge_none(const Cut& cut);  // merges nothing
 
 int part_place(const Cut& cut, PartRef part);
+
+// The area of a part with what it has gained, over that of a whole cell.
 double part_share(const Cut& cut, const Merged& merged, PartRef part);
 
-// The remaining parts round the low corner of a place, as sets of parts that hang together there.
+// The remaining parts around the low corner of a place, as sets of parts that are connected there.
 std::vector<std::vector<PartRef>> corner_sets(const Cut& cut, const Merged& merged, int place);
 
 }  // namespace drape::piece

@@ -11,8 +11,8 @@ namespace {
 
 using Polygon = std::vector<Vec2>;
 
-// In units of 2^-40 of a cell, which no area feels: sums and differences of such coordinates are exact, so
-// that corners which polygons share stay the same numbers in each.
+// Rounds coordinates (in cells) to multiples of 2^-40, which has no visible effect on areas. Sums and
+// differences of such coordinates are exact, so corners shared by polygons remain equal in each.
 Vec2 rounded(const Vec2& p) {
   constexpr double kUnit = 0x1p-40;
   return {std::nearbyint(p[0] / kUnit) * kUnit, std::nearbyint(p[1] / kUnit) * kUnit};
@@ -35,7 +35,7 @@ int corner_of(Builder& b, const GridPoint& point) {
   return at->second;
 }
 
-// A polygon in cells, of a part.
+// Appends a polygon (in cells) of a part.
 void polygon_append(Builder& b, const Polygon& polygon, const GridPart& part) {
   const bool merged = grid_is_merged(b.grid, part);
   std::vector<int>& corner = b.surface.corner;
@@ -50,7 +50,8 @@ void polygon_append(Builder& b, const Polygon& polygon, const GridPart& part) {
   else b.surface.end.push_back(int(corner.size()));
 }
 
-// A part in polygons without holes: cut along two lines through the middle of a hole until there is none.
+// Divides a part into polygons without holes. It is cut along two lines through the middle of a hole, until
+// no hole is left.
 void part_open(const std::vector<Polygon>& loops, std::vector<Polygon>& open) {
   if (loops.size() == 1) return open.push_back(loops[0]);
   Vec2 middle;

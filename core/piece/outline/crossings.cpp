@@ -1,5 +1,5 @@
-// Segments are sorted into about as many square buckets as there are segments, along the path of each, and
-// only those that share a bucket are compared.
+// Each segment is entered into the square buckets along its path. There are about as many buckets as
+// segments, and only segments in the same bucket are compared.
 #include "piece/outline/crossings.h"
 
 #include <algorithm>
@@ -25,15 +25,15 @@ double end_distance(const Segment& s, Vec2 point) {
   return std::hypot(e[0] - t * d[0], e[1] - t * d[1]);
 }
 
-// True if `b` lies to one side of the line of `a`.
+// True if a segment is on one side of the line of `a`. p and q are the cross products of its ends with `a`.
 bool is_aside(const Segment& a, double p, double q, double contact) {
   return std::min(p, q) > contact * a.length || std::max(p, q) < -contact * a.length;
 }
 
-// The place where two segments meet, if they do. Of neighbours, which share an end, only the other ends
-// count.
-bool segments_meet(const Segment& a, const Segment& b, bool follows, bool precedes, double contact,
-                   OutlineCrossing& found) {
+// Finds the point where two segments cross or touch. `follows`, `precedes`: b is the successor or predecessor
+// of a, and shares an end with it that does not count.
+bool segments_touch(const Segment& a, const Segment& b, bool follows, bool precedes, double contact,
+                    OutlineCrossing& found) {
   for (std::size_t k = 0; k < 2; ++k)
     if (std::max(a.p[k], a.q[k]) + contact < std::min(b.p[k], b.q[k]) ||
         std::max(b.p[k], b.q[k]) + contact < std::min(a.p[k], a.q[k]))
@@ -68,8 +68,8 @@ int slot(const Buckets& b, double v, std::size_t k) {
   return std::clamp(int(std::floor((v - b.low[k]) / b.size)), 0, (k ? b.rows : b.columns) - 1);
 }
 
-// Adds a segment to every bucket that it comes close to: column by column, the rows from where it enters the
-// column to where it leaves it.
+// Adds a segment to every bucket near its path. In each column these are the rows from where the segment
+// enters the column to where it leaves it.
 void bucket_fill(Buckets& b, const Segment& segment, int number, double contact) {
   Vec2 p = segment.p, q = segment.q;
   if (p[0] > q[0]) std::swap(p, q);
@@ -124,7 +124,7 @@ std::vector<OutlineCrossing> outline_crossings(const std::vector<OutlineLoop>& l
     const bool follows = a.loop == b.loop && (a.index + 1) % n == b.index;
     const bool precedes = a.loop == b.loop && (b.index + 1) % n == a.index;
     OutlineCrossing c{{a.loop, b.loop}, {a.edge, b.edge}, {}, false};
-    if (!segments_meet(a, b, follows, precedes, contact, c)) return;
+    if (!segments_touch(a, b, follows, precedes, contact, c)) return;
     if (a.loop == b.loop && a.edge > b.edge) std::swap(c.edge[0], c.edge[1]);
     found.insert({{c.loop[0], c.edge[0], c.loop[1], c.edge[1]}, c});
   };

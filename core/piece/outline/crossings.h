@@ -1,16 +1,17 @@
-// Where segments of closed loops cross or touch each other: each pair of edges once.
+// Finds where segments of closed loops cross or touch, each pair of edges once.
 #pragma once
 #include "piece/outline/outline.h"
 
 namespace drape::piece {
 
 struct OutlineCrossing {
-  int loop[2], edge[2];  // in the order of the loops, then of the edges
+  int loop[2], edge[2];  // sorted by loop, then by edge
   Vec2 at;
-  bool crosses;  // else touches
+  bool crosses;  // false: they only touch
 };
 
-// The first `most` pairs of edges that come closer than `touch`, apart from the ends that neighbours share.
+// Returns at most `largest` pairs of edges that are closer than `contact` (m). The common ends of
+// neighbouring segments do not count.
 std::vector<OutlineCrossing> outline_crossings(const std::vector<OutlineLoop>& loops, double contact,
                                                std::size_t largest);
 

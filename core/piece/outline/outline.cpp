@@ -1,7 +1,7 @@
-// Curves as chords. An arc from P to Q of radius r and angle a < 2 pi, chord c = |Q - P| = 2 r sin(a/2): its
-// point at the angle f lies at the distance 2 r sin(f/2) from P, in the direction of Q - P turned by
-// (f - a)/2 where the angle rises and by (a - f)/2 where it falls. No centre is needed, so flat arcs of a
-// large radius lose no digits.
+// Curves become chords. An arc from P to Q has the radius r, the angle a < 2 pi and the chord c = |Q - P| = 2
+// r sin(a/2). Its point at the angle f is at the distance 2 r sin(f/2) from P. Its direction from P is that
+// of Q - P, rotated by (f - a)/2 where the angle increases and by (a - f)/2 where it decreases. No centre is
+// needed, so flat arcs of a large radius lose no precision.
 #include "piece/outline/outline.h"
 
 #include <algorithm>
@@ -11,13 +11,13 @@
 namespace drape::piece {
 namespace {
 
-constexpr double kSag = 1e-3;  // of a cell, between a curve and its chords
+constexpr double kSag = 1e-3;  // of a cell, largest distance between a curve and its chords
 
 Vec2 minus(Vec2 p, Vec2 q) { return {p[0] - q[0], p[1] - q[1]}; }
 
 double cross(Vec2 p, Vec2 q) { return p[0] * q[1] - p[1] * q[0]; }
 
-// The inner points of an arc from p to q.
+// Appends the points of an arc between p and q.
 void arc_append(std::vector<Vec2>& points, const scene::CurveSpec& curve, Vec2 p, Vec2 q, double sag) {
   const Vec2 chord = minus(q, p);
   const double length = std::hypot(chord[0], chord[1]);
@@ -33,7 +33,7 @@ void arc_append(std::vector<Vec2>& points, const scene::CurveSpec& curve, Vec2 p
   }
 }
 
-// The inner points of a Bezier curve from p to q.
+// Appends the points of a Bezier curve between p and q.
 void bezier_append(std::vector<Vec2>& points, const scene::CurveSpec& curve, Vec2 p, Vec2 q, double sag) {
   const std::vector<Vec2>& c = curve.bezier;
   const auto bend = [](Vec2 u, Vec2 v, Vec2 w) {

@@ -11,8 +11,8 @@ namespace {
 
 using Problems = std::vector<Problem>;
 
-constexpr double kMaxNodes = 4e6;          // of a piece
-constexpr std::size_t kMaxCrossings = 10;  // told of one piece
+constexpr double kMaxNodes = 4e6;          // largest number of nodes of a piece
+constexpr std::size_t kMaxCrossings = 10;  // largest number of crossings reported for one piece
 
 std::string loop_name(std::size_t loop) { return loop == 0 ? "outline" : scene::entry("holes", loop - 1); }
 
@@ -27,7 +27,7 @@ void extent_grow(Extent& e, Vec2 p) {
     e.low[k] = std::min(e.low[k], p[k]), e.high[k] = std::max(e.high[k], p[k]);
 }
 
-// True if all points lie on a line.
+// True if all points are on one line.
 bool is_flat(const std::vector<Vec2>& points, double contact) {
   const Vec2 p = points[0];
   Vec2 far{0, 0};  // from p
@@ -39,7 +39,7 @@ bool is_flat(const std::vector<Vec2>& points, double contact) {
   });
 }
 
-// Points as they are given: enough of them, none repeated by its successor.
+// Checks that there are enough points and that none repeats its predecessor.
 bool points_check(const std::vector<Vec2>& points, const std::string& path, double contact,
                   Problems& problems) {
   const std::size_t before = problems.size(), n = points.size();
@@ -60,7 +60,7 @@ bool points_check(const std::vector<Vec2>& points, const std::string& path, doub
   return problems.size() == before;
 }
 
-// Of straight edges only: curves may enclose area between points on a line.
+// Checks that points with straight edges enclose an area. Curves may enclose one between points on a line.
 bool area_check(const std::vector<Vec2>& points, const std::string& path, double contact,
                 Problems& problems) {
   if (!is_flat(points, contact)) return true;
@@ -99,7 +99,7 @@ bool curves_check(const scene::PieceSpec& piece, const std::string& path, Proble
   return problems.size() == before;
 }
 
-// An edge of a later loop is named first: a hole crosses the outline.
+// Reports crossings. The edge of the later loop is named first: a hole crosses the outline.
 void crossings_report(const std::vector<OutlineCrossing>& found, const std::vector<std::string>& name,
                       const std::string& path, Problems& problems) {
   for (const OutlineCrossing& c : found) {
@@ -113,7 +113,7 @@ void crossings_report(const std::vector<OutlineCrossing>& found, const std::vect
   }
 }
 
-// Loops that do not meet: each hole inside the rim and in no other hole.
+// Checks, for loops that do not cross, that each hole is inside the outline and not inside another hole.
 void nesting_check(const std::vector<OutlineLoop>& loops, const std::string& path, Problems& problems) {
   for (std::size_t h = 1; h < loops.size(); ++h) {
     const Vec2 p = loops[h].points[0];
@@ -147,7 +147,8 @@ void cell_check(const scene::PieceSpec& piece, const std::vector<OutlineLoop>& l
                                             " a piece"});
 }
 
-// A cell for drawing curves before the piece's own is known to be a sound one: at least 1e-4 of the piece.
+// A cell size for flattening curves before that of the piece is known to be valid: at least 1e-4 of the
+// piece.
 double drawing_cell(const scene::PieceSpec& piece) {
   Extent e;
   for (const Vec2& p : piece.outline) extent_grow(e, p);

@@ -1,9 +1,9 @@
-// The slope of threads that leave a clamped edge: core/README.md, section 4.
+// The slope of yarns that leave a clamped edge: core/README.md, section 4.
 //
-//         x1          a thread crosses the edge at p; x1 is its first node inside, s = |x1 - p|/b; in the
-//         lattice the |           link x0 - x1 stands for the free length s b, which is as stiff as y = 1/s^2
-//         of the hinge kappa_c
-//    -----p---- edge  and takes part with q_c = s^2 of its length in the hinge at x1
+//         x1          A yarn crosses the edge at p; x1 is its first node inside, s = |x1 - p|/b. In the
+//         |           lattice the link x0 - x1 represents the free length s b. It is as stiff as
+//         |           y = 1/s^2 of the hinge kappa_c,
+//    -----p---- edge  and contributes q_c = s^2 of its length to the hinge at x1.
 //         |
 //         x0
 #include "piece/support/edge_support.h"
@@ -16,11 +16,10 @@
 namespace drape::piece {
 namespace {
 
-constexpr double kMin = 0.2;  // s
-constexpr double kInside =
-    1e-6;  // cells: how far beyond the edge the cell is looked up into which a thread leaves
+constexpr double kMin = 0.2;      // smallest s
+constexpr double kInside = 1e-6;  // cells: distance inside the edge at which the cell of a yarn is looked up
 
-// The link by which the thread along `axis` (0 weft, 1 warp) leaves the edge.
+// Appends the link by which the yarn along `axis` (0 weft, 1 warp) leaves the edge.
 void crossing_slope(const Grid& grid, const std::vector<OutlineLoop>& loops, const EdgeCrossing& crossing,
                     std::size_t axis, std::vector<HeldSlope>& slopes) {
   const double inward = axis == 1 ? crossing.along[0] : -crossing.along[1];
@@ -33,7 +32,7 @@ void crossing_slope(const Grid& grid, const std::vector<OutlineLoop>& loops, con
   if (crossing.end && outline_distance(loops, point) > kSnap * grid.cell) return;  // past a corner
   const GridCell& cell = grid.cells[std::size_t(grid_cell_of(grid, point))];
   const double across = line - (axis == 1 ? cell.i : cell.j);
-  if (across != 0 && across != 1) return;  // a thread that its part's cell does not have
+  if (across != 0 && across != 1) return;  // a yarn that is not a side of the cell
   const int low = axis == 1 ? cell.j : cell.i;
   const double s = up ? low + 1 - crossing.at[axis] : crossing.at[axis] - low;
   if (s <= 0) return;

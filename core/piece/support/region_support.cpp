@@ -1,6 +1,6 @@
-// Which nodes a region holds: those inside it or on its rim, and the corners of cells whose cloth lies
-// inside. The region is cut along the grid as the piece is, so that only cells on its rim need a closer look.
-// core/README.md, section 4.
+// The nodes that a region supports: those inside it or on its boundary, and the corners of cells whose cloth
+// is inside. The region is cut along the grid like the piece, so only cells on its boundary need a detailed
+// test. core/README.md, section 4.
 #include "piece/support/region_support.h"
 
 #include <algorithm>
@@ -13,11 +13,11 @@
 namespace drape::piece {
 namespace {
 
-constexpr double kMin = 0.2;  // s
+constexpr double kMin = 0.2;  // smallest s
 
 double cross(Vec2 a, Vec2 p, Vec2 q) { return (p[0] - a[0]) * (q[1] - a[1]) - (p[1] - a[1]) * (q[0] - a[0]); }
 
-// The region within the half plane sign (v[axis] - bound) >= 0 (Sutherland and Hodgman 1974).
+// The part of the region in the half plane sign (v[axis] - bound) >= 0 (Sutherland and Hodgman 1974).
 std::vector<Vec2> clipped(const std::vector<Vec2>& polygon, std::size_t axis, double bound, double sign) {
   std::vector<Vec2> kept;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
@@ -35,8 +35,8 @@ std::vector<Vec2> clipped(const std::vector<Vec2>& polygon, std::size_t axis, do
 
 struct Region {
   const Grid& grid;
-  std::vector<Vec2> polygon;  // in cells, cut off a little beyond the grid
-  Cut cut;                    // of the region; its parts are not used
+  std::vector<Vec2> polygon;  // in cells, clipped slightly outside the grid
+  Cut cut;                    // cut of the region; its parts are not used
   std::vector<char> held;     // [nodes]
 };
 
@@ -52,14 +52,14 @@ Region region_make(const Grid& grid, const std::vector<Vec2>& polygon) {
   return region;
 }
 
-// Of a place of the grid: kPlaceOutside, kPlaceWhole or what the rim of the region cuts.
+// State of a place of the grid: kPlaceOutside, kPlaceWhole or, where the boundary cuts it, a part number.
 int place_state(const Region& r, int i, int j) {
   const int column = i - r.cut.i0, row = j - r.cut.j0;
   if (column < 0 || row < 0 || column >= r.cut.columns || row >= r.cut.rows) return kPlaceOutside;
   return r.cut.first[std::size_t(row * r.cut.columns + column)];
 }
 
-// True if p -> q passes through the rim, and is not just touched by it.
+// True if p -> q crosses the boundary rather than just touching it.
 bool crosses_rim(const Region& r, Vec2 p, Vec2 q) {
   for (std::size_t k = 0, n = r.polygon.size(); k < n; ++k) {
     const Vec2 a = r.polygon[k], b = r.polygon[(k + 1) % n];
@@ -73,8 +73,8 @@ bool crosses_rim(const Region& r, Vec2 p, Vec2 q) {
   return false;
 }
 
-// A polygon of cloth at a place, in cells, lies within the region: so do its corners, and no edge or corner
-// of the rim reaches into it.
+// True if a polygon of cloth (in cells) at a place is inside the region: its corners are, and no edge or
+// corner of the boundary extends into it.
 bool is_inside(const Region& r, int i, int j, const std::vector<Vec2>& cloth) {
   const int state = place_state(r, i, j);
   if (state == kPlaceWhole || state == kPlaceOutside) return state == kPlaceWhole;
@@ -90,7 +90,7 @@ bool is_inside(const Region& r, int i, int j, const std::vector<Vec2>& cloth) {
   });
 }
 
-// Cells whose cloth lies inside: that of their place, and what they have taken over.
+// [cells] 1 where all cloth of the cell is inside: that of its place and that of parts merged into it.
 std::vector<char> cells_inside(const Region& r) {
   const Grid& grid = r.grid;
   std::vector<char> inside(grid.cells.size(), 1);
@@ -109,8 +109,8 @@ std::vector<char> cells_inside(const Region& r) {
   return inside;
 }
 
-// Marks what the region holds by itself.
-void nodes_hold(Region& r) {
+// Marks the nodes that the region supports.
+void nodes_mark(Region& r) {
   const Grid& grid = r.grid;
   for (int n = 0; n < grid.nodes(); ++n) {
     if (grid.area[std::size_t(n)] == 0) continue;
@@ -129,12 +129,12 @@ void nodes_hold(Region& r) {
       for (int n : grid.cells[c].node) r.held[std::size_t(n)] = 1;
 }
 
-// The share of a link that lies outside the region.
+// The share of a link that is outside the region.
 double share_outside(const Region& r, int from, int to) {
   const auto [i, j] = r.grid.index(from);
   const auto [k, l] = r.grid.index(to);
   const Vec2 p{double(i), double(j)}, q{double(k), double(l)};
-  std::vector<double> at{0, 1};  // where it crosses the rim
+  std::vector<double> at{0, 1};  // where it crosses the boundary
   for (std::size_t m = 0, n = r.polygon.size(); m < n; ++m) {
     const Vec2 u = r.polygon[m], v = r.polygon[(m + 1) % n];
     const double a = cross(p, q, u), b = cross(p, q, v);
@@ -152,7 +152,8 @@ double share_outside(const Region& r, int from, int to) {
   return outside;
 }
 
-struct Leaving {  // a link from a held node to one that is not
+// A link from a supported node to one that is not.
+struct Leaving {
   int from, to;
   bool warp;
   double free;  // s
@@ -172,7 +173,8 @@ std::vector<Leaving> links_leaving(const Region& r) {
   return links;
 }
 
-// Holds the nodes that lie hardly outside; the next link of their thread is free for what lies before it too.
+// Also supports nodes that are only slightly outside. The next link of their yarn then includes the free
+// length before it.
 std::vector<Leaving> links_lengthened(Region& r) {
   std::vector<Leaving> near = links_leaving(r);
   std::erase_if(near, [](const Leaving& link) { return link.free >= kMin; });
@@ -196,16 +198,16 @@ std::vector<Leaving> links_lengthened(Region& r) {
 
 RegionSupport region_support(const Grid& grid, const std::vector<Vec2>& polygon, bool clamp) {
   Region region = region_make(grid, polygon);
-  RegionSupport hold;
-  nodes_hold(region);
+  RegionSupport support;
+  nodes_mark(region);
   if (clamp)
     for (const Leaving& link : links_lengthened(region)) {
       const double s = link.free;
-      hold.slopes.push_back({link.from, link.to, link.warp, 1 / (s * s), 2 * s - s * s, true});
+      support.slopes.push_back({link.from, link.to, link.warp, 1 / (s * s), 2 * s - s * s, true});
     }
   for (int n = 0; n < grid.nodes(); ++n)
-    if (region.held[std::size_t(n)]) hold.nodes.push_back(n);
-  return hold;
+    if (region.held[std::size_t(n)]) support.nodes.push_back(n);
+  return support;
 }
 
 }  // namespace drape::piece

@@ -10,7 +10,7 @@
 namespace drape::piece {
 namespace {
 
-// The middle of edges by length.
+// The centroid of edges, weighted by length.
 Vec2 edges_centre(const std::vector<OutlineLoop>& loops, const std::vector<int>& edges) {
   const OutlineLoop& rim = loops[0];
   Vec2 sum{0, 0};
@@ -32,16 +32,17 @@ Vec2 mean(const std::vector<Vec2>& points) {
   return sum;
 }
 
-void points_hold(Support& hold, const Grid& grid, std::vector<Vec2> at) {  // in cells
+// Adds points, given in cells, each once.
+void points_add(Support& support, const Grid& grid, std::vector<Vec2> at) {
   std::sort(at.begin(), at.end(), [](Vec2 p, Vec2 q) { return p[1] != q[1] ? p[1] < q[1] : p[0] < q[0]; });
   at.erase(std::unique(at.begin(), at.end()), at.end());
   for (const Vec2& p : at) {
-    hold.points.push_back(grid_plane(grid, p));
-    hold.at.push_back(grid_locate(grid, hold.points.back()));
+    support.points.push_back(grid_plane(grid, p));
+    support.at.push_back(grid_locate(grid, support.points.back()));
   }
 }
 
-// All links of a node.
+// Appends all links of a node.
 void node_slopes(const Grid& grid, int node, std::vector<HeldSlope>& slopes) {
   std::map<int, bool> links;  // the other node -> along the warp
   const auto cell_links = [&](const GridCell& c) {
@@ -59,7 +60,7 @@ void node_slopes(const Grid& grid, int node, std::vector<HeldSlope>& slopes) {
   for (const auto& [to, warp] : links) slopes.push_back({node, to, warp, 1, 1, true});
 }
 
-// The links of the cell that a point lies in, each by its weight.
+// Appends the links of the cell that contains a point, each with its weight.
 void cell_slopes(const Grid& grid, Vec2 point, std::vector<HeldSlope>& slopes) {
   const GridCell& c = grid.cells[std::size_t(grid_cell_of(grid, point))];
   const Vec2 at = grid_coordinates(grid, point);
@@ -72,59 +73,60 @@ void cell_slopes(const Grid& grid, Vec2 point, std::vector<HeldSlope>& slopes) {
     if (link.clamp > 0) slopes.push_back(link);
 }
 
-void point_slopes(const Grid& grid, const Support& hold, std::vector<HeldSlope>& slopes) {
-  for (std::size_t k = 0; k < hold.points.size(); ++k) {
-    const double* weight = hold.at[k].weight;
+void point_slopes(const Grid& grid, const Support& support, std::vector<HeldSlope>& slopes) {
+  for (std::size_t k = 0; k < support.points.size(); ++k) {
+    const double* weight = support.at[k].weight;
     const double* whole = std::find(weight, weight + 4, 1.0);
-    if (whole != weight + 4) node_slopes(grid, hold.at[k].node[whole - weight], slopes);
-    else cell_slopes(grid, hold.points[k], slopes);
+    if (whole != weight + 4) node_slopes(grid, support.at[k].node[whole - weight], slopes);
+    else cell_slopes(grid, support.points[k], slopes);
   }
 }
 
-// Of the threads that an oblique edge crosses, those that run nearer to its normal are held. Each has two
-// nodes beside the edge, of which one motion stays free; held where the other threads cross too, the edge
-// would leave none, and hold the first row of cloth inside as if it were the jaw's.
-bool thread_held(const EdgeCrossing& crossing) {
-  constexpr double kEqual = 1e-9;  // of the angles at 45 degrees
+// Selects the crossings of an edge that are supported: those of the yarns that run closer to the normal of
+// the edge. Each such yarn has two nodes next to the edge, of which one motion remains free. If the crossings
+// of the other yarns were supported too, no motion would remain, and the first row of cloth inside would be
+// fixed as if it were in the jaw.
+bool crossing_is_supported(const EdgeCrossing& crossing) {
+  constexpr double kEqual = 1e-9;  // tolerance at 45 degrees
   const std::size_t line = std::abs(crossing.along[0]) >= (1 - kEqual) * std::abs(crossing.along[1]) ? 0 : 1;
   return crossing.at[line] == std::floor(crossing.at[line]);
 }
 
-void edges_hold(Support& hold, const Grid& grid, const scene::PieceSpec& piece, const scene::PinSpec& pin) {
+void edges_add(Support& support, const Grid& grid, const scene::PieceSpec& piece, const scene::PinSpec& pin) {
   const std::vector<OutlineLoop> loops = outline_flatten(piece);
   std::vector<Vec2> at;
   for (int edge : pin.edges) {
     for (const Vec2& end : edge_ends(grid, piece, edge)) at.push_back(end);
     for (const EdgeCrossing& crossing : edge_crossings(grid, loops, edge))
-      if (thread_held(crossing)) at.push_back(crossing.at);
-    if (pin.clamp) edge_slopes(grid, loops, edge, hold.slopes);
+      if (crossing_is_supported(crossing)) at.push_back(crossing.at);
+    if (pin.clamp) edge_slopes(grid, loops, edge, support.slopes);
   }
-  points_hold(hold, grid, std::move(at));
-  hold.centre = edges_centre(loops, pin.edges);
+  points_add(support, grid, std::move(at));
+  support.centre = edges_centre(loops, pin.edges);
 }
 
 }  // namespace
 
 Support support_make(const Grid& grid, const Scene& scene, const scene::PinSpec& pin) {
-  Support hold;
+  Support support;
   if (!pin.region.empty()) {
     RegionSupport region = region_support(grid, pin.region, pin.clamp);
     for (int n : region.nodes) {
-      hold.points.push_back(grid.place(n));
-      hold.at.push_back({{n, n, n, n}, {1, 0, 0, 0}});
+      support.points.push_back(grid.place(n));
+      support.at.push_back({{n, n, n, n}, {1, 0, 0, 0}});
     }
-    hold.slopes = std::move(region.slopes);
-    hold.centre = polygon_centre(pin.region);
+    support.slopes = std::move(region.slopes);
+    support.centre = polygon_centre(pin.region);
   } else if (!pin.edges.empty()) {
-    edges_hold(hold, grid, scene.pieces[std::size_t(pin.piece)], pin);
+    edges_add(support, grid, scene.pieces[std::size_t(pin.piece)], pin);
   } else {
     std::vector<Vec2> at;
     for (const Vec2& p : pin.at) at.push_back(grid_coordinates(grid, p));
-    points_hold(hold, grid, std::move(at));
-    if (pin.clamp) point_slopes(grid, hold, hold.slopes);
-    hold.centre = mean(pin.at);
+    points_add(support, grid, std::move(at));
+    if (pin.clamp) point_slopes(grid, support, support.slopes);
+    support.centre = mean(pin.at);
   }
-  return hold;
+  return support;
 }
 
 }  // namespace drape::piece

@@ -1,4 +1,4 @@
-// A property that several keys can state.
+// A property of a fabric can have several alternative keys; here the key that was used is found.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,29 +7,31 @@
 
 namespace drape::scene {
 
-// A fabric while its sheets are settled.
+// A fabric during the conversion of its data sheets.
 struct Conversion {
   Faults& faults;
   const toml::table& table;
   const std::string& path;  // of the fabric
 };
 
-// What stands at a dotted key of the fabric; null if nothing does.
+// The node at a dotted key of the fabric; null if the key is absent.
 const toml::node* stated(const Conversion& s, const std::string& key);
 
-// True if the key is there and has no fault.
+// True if the key is present and has no fault.
 bool valid(const Conversion& s, const std::string& key);
 
+// Adds a fault at a key of the fabric.
 void fault_at(const Conversion& s, const std::string& key, const std::string& message);
 
-// The same at entry k, where the key holds a pair; once for both, where one number stands for them.
+// Adds a fault at entry k of a key with a pair of values. Where one number was given for both, the fault is
+// reported once.
 void fault_at(const Conversion& s, const std::string& key, std::size_t k, const std::string& message);
 
-// True if both keys stand in the scene, or both in the fabric's file.
+// True if both keys are in the scene file, or both in the fabric file.
 bool same_text(const Conversion& s, const std::string& a, const std::string& b);
 
-// The key that states a property; "" where none does. Keys of the scene go before those of the fabric's file;
-// two in the same text are a fault, reported once and answered by the first.
+// The key that gives a property; "" where none does. Keys of the scene file take precedence over those of the
+// fabric file. Two keys in the same file are a fault, which is reported once; the first one is returned.
 std::string property_source(const Conversion& s, const std::string& property,
                             const std::vector<std::string>& keys);
 

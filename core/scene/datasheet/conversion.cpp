@@ -1,4 +1,5 @@
-// Sheets -> plain keys: weight, thickness, bending; tension and shear are in sheet_tension.cpp.
+// Conversion of data sheets to plain keys: weight, thickness and bending. Tension and shear are in
+// tensile.cpp.
 #include "scene/datasheet/conversion.h"
 
 #include <cmath>
@@ -16,11 +17,11 @@ namespace {
 constexpr double kMicroNcm2 = 1e10;  // uN cm^2 per N m^2
 
 void weight_convert(const Conversion& s, FabricText& t) {
-  const std::string way = property_source(s, "areal density", {"areal_density", "kes.W", "fast.W"});
-  if (way.empty()) missing(s, t, "areal_density");
-  if (!valid(s, way)) return;
-  if (way == "kes.W") t.datasheet.plain.insert("areal_density", t.datasheet.kes.W * standards::kKesWeight);
-  if (way == "fast.W") t.datasheet.plain.insert("areal_density", t.datasheet.fast.W / 1e3);
+  const std::string source = property_source(s, "areal density", {"areal_density", "kes.W", "fast.W"});
+  if (source.empty()) missing(s, t, "areal_density");
+  if (!valid(s, source)) return;
+  if (source == "kes.W") t.datasheet.plain.insert("areal_density", t.datasheet.kes.W * standards::kKesWeight);
+  if (source == "fast.W") t.datasheet.plain.insert("areal_density", t.datasheet.fast.W / 1e3);
 }
 
 void thickness_convert(const Conversion& s, FabricText& t) {
@@ -30,45 +31,45 @@ void thickness_convert(const Conversion& s, FabricText& t) {
     fault_at(s, "fast.T100",
              "= " + number_text(fast.T100) + " mm is more than T2, " + number_text(fast.T2) +
                  " mm; allowed: at most as much, since the pressure is higher");
-  const std::string way = property_source(s, "thickness", {"thickness", "kes.T0", "fast.T2"});
-  if (way.empty() && !stated(s, "fast.T100")) missing(s, t, "thickness");
-  if (!valid(s, way)) return;
-  if (way == "kes.T0") t.datasheet.plain.insert("thickness", t.datasheet.kes.T0 / 1e3);
-  if (way == "fast.T2") t.datasheet.plain.insert("thickness", fast.T2 / 1e3);
+  const std::string source = property_source(s, "thickness", {"thickness", "kes.T0", "fast.T2"});
+  if (source.empty() && !stated(s, "fast.T100")) missing(s, t, "thickness");
+  if (!valid(s, source)) return;
+  if (source == "kes.T0") t.datasheet.plain.insert("thickness", t.datasheet.kes.T0 / 1e3);
+  if (source == "fast.T2") t.datasheet.plain.insert("thickness", fast.T2 / 1e3);
 }
 
-// The areal density that the fabric ends up with, kg/m^2; 0 where there is none without fault.
+// The areal density of the fabric after conversion, kg/m^2; 0 where there is no valid one.
 double weight_of(const FabricText& t) {
   return t.datasheet.plain["areal_density"].value<double>().value_or(t.spec.areal_density);
 }
 
-// B of warp or weft, N m, by a sheet.
-double bending_of(const std::string& way, const FabricText& t, std::size_t k) {
+// B (N m) of warp (k = 0) or weft (k = 1) from a data-sheet key.
+double bending_of(const std::string& source, const FabricText& t, std::size_t k) {
   const DatasheetText& sheet = t.datasheet;
-  if (way == "kes.B") return sheet.kes.B[k] * standards::kKesBending;
-  if (way == "fast.C")
+  if (source == "kes.B") return sheet.kes.B[k] * standards::kKesBending;
+  if (source == "fast.C")
     return standards::fast_bending(std::isnan(sheet.fast.W) ? 1e3 * weight_of(t) : sheet.fast.W,
                                    sheet.fast.C[k]);
-  if (way == "bending.length_mm")
+  if (source == "bending.length_mm")
     return standards::bending_length_rigidity(weight_of(t), sheet.bending_length[k]);
-  if (way == "bending.overhang_mm")
+  if (source == "bending.overhang_mm")
     return standards::bending_length_rigidity(weight_of(t), sheet.overhang[k] / 2);
   return standards::gost_10550_rigidity(sheet.gost_mass[k], sheet.gost_deflection[k]) / standards::kGostWidth;
 }
 
 void bending_convert(const Conversion& s, FabricText& t) {
   const std::string plain = "bending.rigidity_uN_cm2";
-  const std::string way = property_source(
+  const std::string source = property_source(
       s, "bending rigidity",
       {plain, "bending.gost_10550", "bending.length_mm", "bending.overhang_mm", "kes.B", "fast.C"});
   const toml::node* table = stated(s, "bending");
-  if (way.empty() && table && table->is_table()) missing(s, t, plain);
-  if (way == plain || !valid(s, way)) return;
-  if (stated(s, "bending.width") && same_text(s, "bending.width", way))
-    return fault_at(s, "bending.width", "belongs to bending.rigidity_uN_cm2, not to " + way);
+  if (source.empty() && table && table->is_table()) missing(s, t, plain);
+  if (source == plain || !valid(s, source)) return;
+  if (stated(s, "bending.width") && same_text(s, "bending.width", source))
+    return fault_at(s, "bending.width", "belongs to bending.rigidity_uN_cm2, not to " + source);
   toml::array rigidity;
   for (std::size_t k = 0; k < 2; ++k)
-    rigidity.push_back(bending_of(way, t, k) * standards::kGostWidth * kMicroNcm2);
+    rigidity.push_back(bending_of(source, t, k) * standards::kGostWidth * kMicroNcm2);
   t.datasheet.plain.insert("bending",
                            toml::table{{"rigidity_uN_cm2", rigidity}, {"width", standards::kGostWidth}});
 }

@@ -1,4 +1,4 @@
-// Parts of sheet_settle.
+// The parts of datasheet_convert.
 #pragma once
 #include "scene/datasheet/alternatives.h"
 #include "scene/reader/schema.h"
@@ -6,13 +6,13 @@
 
 namespace drape::scene {
 
-// Adds the fault of a key that is not there.
+// Adds the fault of a missing key.
 void missing(const Conversion& s, FabricText& text, const std::string& key);
 
-// Warp and weft, and the diagrams' other units.
+// Converts the tensile data of warp and weft, and diagrams in other units.
 void tensile_convert(const Conversion& s, FabricText& text);
 
-// Bias.
+// Converts the shear data to a bias diagram.
 void shear_convert(const Conversion& s, FabricText& text);
 
 }  // namespace drape::scene

@@ -1,6 +1,6 @@
-// The doors of a fabric file: figures as laboratory sheets state them. They are converted here, once, to the
-// keys that a fabric file has without doors (`plain`), and these are read like any others: a resolved scene
-// holds only plain keys, so that no mathematical library of another machine can change a bit.
+// The data-sheet keys of a fabric file: figures as laboratory data sheets give them. They are converted once
+// to the plain keys of a fabric file, which are then read like any others. A scene with inlined files has
+// plain keys only, so the mathematical library of another machine cannot change its values by a bit.
 #pragma once
 #include <limits>
 #include <string>
@@ -15,20 +15,22 @@ struct FabricText;
 
 inline constexpr double kNotStated = std::numeric_limits<double>::quiet_NaN();
 
-struct KesText {  // in the units of the sheet; pairs are warp, weft
+// KES-F figures in the units of the data sheet; pairs are warp, weft.
+struct KesText {
   double W = kNotStated, T0 = kNotStated, Fm = 500;
   Vec2 EMT{}, WT{}, LT{}, G{}, B{};
 };
 
-struct FastText {  // in the units of the sheet; pairs are warp, weft
+// FAST figures in the units of the data sheet; pairs are warp, weft.
+struct FastText {
   double W = kNotStated, T2 = kNotStated, T100 = kNotStated, EB5 = kNotStated;
   Vec2 C{}, E5{}, E20{}, E100{};
 };
 
-// Other keys for a diagram's lists.
+// An alternative key and unit for a list of a diagram.
 struct OtherUnit {
   GivenAs as;
-  double high;  // in the unit
+  double high;  // largest allowed value, in the unit
 };
 inline constexpr OtherUnit kExtensions[] = {{{"extension_mm", "mm", 1e3}, 1e6},
                                             {{"extension_in", "in", 1 / standards::kInch}, 1e4}};
@@ -40,31 +42,32 @@ inline constexpr OtherUnit kForces[] = {{{"force_cN", "cN", 1e2}, 1e8},
 inline constexpr const char* kDiagrams[] = {"warp", "weft", "bias"};
 
 struct DiagramText {
-  std::vector<double> extension[2];  // m, by kExtensions
-  std::vector<double> force[5];      // N, by kForces
+  std::vector<double> extension[2];  // m, in the order of kExtensions
+  std::vector<double> force[5];      // N, in the order of kForces
 };
 
 struct DatasheetText {
   KesText kes;
   FastText fast;
-  DiagramText diagram[3];               // by kDiagrams
-  Vec2 gost_mass{}, gost_deflection{};  // kg of five strips, m
+  DiagramText diagram[3];               // in the order of kDiagrams
+  Vec2 gost_mass{}, gost_deflection{};  // kg, mass of five strips; m
   Vec2 bending_length{}, overhang{};    // m
-  bool strip_by_name = false;
-  std::vector<std::string> replaced;  // tables of the text that those of `plain` replace as a whole
-  toml::table plain;                  // what the sheets say, by plain keys
+  bool strip_by_name = false;           // the strip was given as the name of a standard
+  std::vector<std::string> replaced;    // tables of the text that are replaced as a whole by those of `plain`
+  toml::table plain;                    // the data of the sheets, converted to plain keys
 };
 
-// The rows of the doors; they stand beside the fabric's own.
+// The rows of the data-sheet keys, in addition to the plain rows of fabric_keys.
 std::vector<Key> datasheet_keys(FabricText& text);
 
-// What the rows of a fabric leave open: each property stated once, figures that belong together, conversion.
+// Checks what single rows cannot: each property is given once, and figures that belong together are complete.
+// Then converts the data sheets to plain keys.
 void datasheet_convert(Faults& faults, const toml::table& table, const std::string& path, FabricText& text);
 
-// Reads a fabric, sheets and all.
+// Reads a fabric, including its data sheets.
 FabricText fabric_read(Faults& faults, const toml::table& table, const std::string& path);
 
-// Puts plain keys in the place of the sheets.
+// Replaces the data-sheet keys of a table by plain keys.
 void fabric_flatten(toml::table& table, const FabricText& text);
 
 }  // namespace drape::scene

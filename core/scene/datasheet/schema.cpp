@@ -1,4 +1,4 @@
-// The rows of the doors, in the units of the sheets.
+// The rows of the data-sheet keys, in the units of the data sheets.
 #include <iterator>
 
 #include "scene/limits.h"
@@ -17,7 +17,7 @@ Key strip_key(FabricText& t) {
   Choice choice;
   for (const standards::StripStandard& standard : standards::kStripStandards)
     choice.words.push_back(standard.name);
-  choice.take = [&t](int k) {
+  choice.apply = [&t](int k) {
     t.spec.strip_width = standards::kStripStandards[k].width;
     t.spec.strip_gauge = standards::kStripStandards[k].gauge;
     t.datasheet.strip_by_name = true;

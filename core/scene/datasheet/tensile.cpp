@@ -1,4 +1,4 @@
-// Sheets -> plain keys: warp, weft and bias.
+// Conversion of data sheets to plain keys: warp, weft and bias.
 #include <algorithm>
 #include <cmath>
 
@@ -21,7 +21,7 @@ toml::array array_of(const std::vector<double>& values) {
   return list;
 }
 
-// A diagram that no text shows takes the place of the one that a file may have.
+// Inserts a diagram computed from a data sheet. It replaces a diagram that the fabric file may have.
 void diagram_insert(FabricText& t, std::size_t k, const standards::Diagram& d, bool jaws) {
   std::vector<double> force;
   for (const double f : d.force_per_width) force.push_back(f * t.spec.strip_width);
@@ -46,7 +46,7 @@ toml::array percent_of(const std::vector<double>& extension, double gauge) {
   return percent;
 }
 
-// 1000 percent at most, as elongation_percent.
+// Checks that the elongation is at most 1000 percent, as for elongation_percent.
 bool extension_fits(const Conversion& s, const std::string& key, const GivenAs& as,
                     const std::vector<double>& extension, double gauge) {
   constexpr double kMax = 10;
@@ -61,39 +61,39 @@ bool extension_fits(const Conversion& s, const std::string& key, const GivenAs& 
   return fits;
 }
 
-// The diagram's own lists, in whatever unit they are.
+// Converts the lists of a diagram from the units in which they are given.
 void lists_convert(const Conversion& s, FabricText& t, std::size_t k) {
   const std::string name = kDiagrams[k];
   if (const toml::node* table = stated(s, name); !table || !table->is_table()) return;
-  std::vector<std::string> ways_e{name + ".elongation_percent"}, ways_f{name + ".force"};
-  for (const OtherUnit& unit : kExtensions) ways_e.push_back(name + "." + unit.as.key);
-  for (const OtherUnit& unit : kForces) ways_f.push_back(name + "." + unit.as.key);
+  std::vector<std::string> keys_e{name + ".elongation_percent"}, keys_f{name + ".force"};
+  for (const OtherUnit& unit : kExtensions) keys_e.push_back(name + "." + unit.as.key);
+  for (const OtherUnit& unit : kForces) keys_f.push_back(name + "." + unit.as.key);
   if (const std::string own = "calibration." + name; stated(s, own))
     fault_at(s, own, "belongs to a diagram from a sheet; wanted: " + name + ".correction");
-  const std::string way_e = property_source(s, "elongation", ways_e),
-                    way_f = property_source(s, "force", ways_f);
-  if (way_e.empty()) missing(s, t, ways_e[0]);
-  if (way_f.empty()) missing(s, t, ways_f[0]);
+  const std::string source_e = property_source(s, "elongation", keys_e),
+                    source_f = property_source(s, "force", keys_f);
+  if (source_e.empty()) missing(s, t, keys_e[0]);
+  if (source_f.empty()) missing(s, t, keys_f[0]);
 
   toml::table plain;
   DiagramSpec& d = spec_of(t, k);
   std::size_t u;
-  if (const GivenAs* as = given_as(kExtensions, way_e.substr(way_e.find('.') + 1), u)) {
+  if (const GivenAs* as = given_as(kExtensions, source_e.substr(source_e.find('.') + 1), u)) {
     d.elongation_as = {as->key, as->unit, as->per_si * t.spec.strip_gauge};
     const std::vector<double>& extension = t.datasheet.diagram[k].extension[u];
-    if (valid(s, way_e) && extension_fits(s, way_e, d.elongation_as, extension, t.spec.strip_gauge))
+    if (valid(s, source_e) && extension_fits(s, source_e, d.elongation_as, extension, t.spec.strip_gauge))
       plain.insert("elongation_percent", percent_of(extension, t.spec.strip_gauge));
   }
-  if (const GivenAs* as = given_as(kForces, way_f.substr(way_f.find('.') + 1), u)) {
+  if (const GivenAs* as = given_as(kForces, source_f.substr(source_f.find('.') + 1), u)) {
     d.force_as = *as;
-    if (valid(s, way_f)) plain.insert("force", array_of(t.datasheet.diagram[k].force[u]));
+    if (valid(s, source_f)) plain.insert("force", array_of(t.datasheet.diagram[k].force[u]));
   }
   if (!plain.empty()) t.datasheet.plain.insert_or_assign(name, plain);
 }
 
-// WT of direction k from what the sheet has of WT and LT; not a number where that does not fit EMT.
+// WT of direction k from WT or LT of the sheet; NaN where WT is not consistent with EMT.
 double kes_energy_of(const Conversion& s, const KesText& kes, std::size_t k) {
-  constexpr double kMeans = 0.05;  // a mean of LT is not the LT of means, and both are rounded
+  constexpr double kMeans = 0.05;  // tolerance: the mean of LT is not LT of the means; both are rounded
   const double emt = kes.EMT[k], fm = kes.Fm;
   if (!stated(s, "kes.WT")) return standards::kes_energy(emt, kes.LT[k], fm);
   const double wt = kes.WT[k], lt = standards::kes_linearity(emt, wt, fm);
@@ -142,7 +142,8 @@ void fast_convert(const Conversion& s, FabricText& t, std::size_t k) {
                    true);
 }
 
-// Keys of a diagram that stand over a sheet without one; told, and left to the sheet.
+// Reports keys of a diagram that are given without the diagram itself, while the data come from a sheet. True
+// where there are any; the caller then skips the property.
 bool stray_report(const Conversion& s, const std::string& name, const std::vector<std::string>& sheets) {
   const toml::node* node = stated(s, name);
   const auto sheet =
@@ -161,7 +162,7 @@ bool stray_report(const Conversion& s, const std::string& name, const std::vecto
   return !strays.empty();
 }
 
-// Figures of tension that do not stand alone.
+// Reports tensile figures whose companions are missing.
 void companions_check(const Conversion& s, FabricText& t) {
   const bool work = stated(s, "kes.WT") || stated(s, "kes.LT");
   if (work && !stated(s, "kes.EMT")) missing(s, t, "kes.EMT");
@@ -178,21 +179,21 @@ void tensile_convert(const Conversion& s, FabricText& t) {
   for (std::size_t k = 0; k < 2; ++k) {
     const std::string name = kDiagrams[k];
     if (stray_report(s, name, {"kes.EMT", "fast.E100"})) continue;
-    const std::string way = property_source(s, name + " tension", {name, "kes.EMT", "fast.E100"});
-    if (way == name) lists_convert(s, t, k);
-    else if (way == "kes.EMT") kes_convert(s, t, k);
-    else if (way == "fast.E100") fast_convert(s, t, k);
+    const std::string source = property_source(s, name + " tension", {name, "kes.EMT", "fast.E100"});
+    if (source == name) lists_convert(s, t, k);
+    else if (source == "kes.EMT") kes_convert(s, t, k);
+    else if (source == "fast.E100") fast_convert(s, t, k);
   }
 }
 
 void shear_convert(const Conversion& s, FabricText& t) {
   if (stray_report(s, "bias", {"kes.G", "fast.EB5"})) return;
-  const std::string way = property_source(s, "shear", {"bias", "kes.G", "fast.EB5"});
-  if (way == "bias") return lists_convert(s, t, 2);
-  if (!valid(s, way)) return;
+  const std::string source = property_source(s, "shear", {"bias", "kes.G", "fast.EB5"});
+  if (source == "bias") return lists_convert(s, t, 2);
+  if (!valid(s, source)) return;
   const Vec2& g = t.datasheet.kes.G;
-  const double shear =
-      way == "kes.G" ? (g[0] + g[1]) / 2 * standards::kKesShear : standards::fast_shear(t.datasheet.fast.EB5);
+  const double shear = source == "kes.G" ? (g[0] + g[1]) / 2 * standards::kKesShear
+                                         : standards::fast_shear(t.datasheet.fast.EB5);
   diagram_insert(t, 2, standards::trellis_bias(shear), false);
 }
 

@@ -12,17 +12,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kLargestFile = 64 << 20;  // bytes
+constexpr std::uintmax_t kMaxFileSize = 64 << 20;  // bytes
 
-// The text of a file, or what hinders reading it.
+// The text of a file. Where it cannot be read, `hindrance` is the reason.
 std::string file_text(const fs::path& file, std::string& hindrance) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (!fs::exists(status)) return hindrance = "there is no such file", "";
   if (fs::is_directory(status)) return hindrance = "is a folder, not a file", "";
   if (!fs::is_regular_file(status)) return hindrance = "is not a regular file", "";
-  if (fs::file_size(file, error) > kLargestFile || error)
-    return hindrance = "is larger than 64 MB", "";
+  if (fs::file_size(file, error) > kMaxFileSize || error) return hindrance = "is larger than 64 MB", "";
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return hindrance = "cannot be opened", "";
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
@@ -30,7 +29,7 @@ std::string file_text(const fs::path& file, std::string& hindrance) {
   return text;
 }
 
-// The table of a TOML text; a fault otherwise.
+// The table of a TOML text. Adds a fault where the text is not valid.
 std::optional<toml::table> text_parse(const std::string& text, const std::string& file, Faults& faults) {
   try {
     return toml::parse(text, file);
@@ -43,8 +42,8 @@ std::optional<toml::table> text_parse(const std::string& text, const std::string
   }
 }
 
-// Adds to `over` what only `base` has; tables that both have are merged the same way. Nodes are moved: a copy
-// would not know its line.
+// Adds to `over` the keys that only `base` has; tables in both are merged recursively. Nodes are moved,
+// because a copy loses its line number.
 void table_underlay(toml::table& over, toml::table&& base) {
   for (auto&& [key, node] : base) {
     toml::node* own = over.get(key);
@@ -54,8 +53,9 @@ void table_underlay(toml::table& over, toml::table&& base) {
   }
 }
 
-// Corrections belong to the points that they were found for: a diagram with elongations of its own, or from a
-// sheet or on a strip of the scene's, does not take those of the file.
+// Drops the corrections of the fabric file where they do not apply. Corrections belong to the points that
+// they were found for. A diagram with elongations, a data sheet or a strip given in the scene has other
+// points.
 void corrections_drop(const toml::table& own, toml::table& base) {
   toml::table* calibration = base["calibration"].as_table();
   for (const char* diagram : {"warp", "weft", "bias"}) {
@@ -71,8 +71,8 @@ void corrections_drop(const toml::table& own, toml::table& base) {
   }
 }
 
-// A strip that the file names by its standard is spelled out under a table of the scene's, which may hold one
-// of its two figures.
+// Expands a strip that the fabric file gives by the name of a standard, where the scene has a table `strip`
+// which may override one of its two figures.
 void strip_spell(const toml::table& own, toml::table& base) {
   const toml::node* strip = base.get("strip");
   if (!own["strip"].is_table() || !strip || !strip->is_string()) return;
@@ -82,9 +82,9 @@ void strip_spell(const toml::table& own, toml::table& base) {
           base.insert_or_assign("strip", toml::table{{"width", standard.width}, {"gauge", standard.gauge}}));
 }
 
-// Folds the file that a fabric names into its table; false if that cannot be done.
-bool fabric_fold(toml::table& fabric, const std::string& path, const fs::path& folder,
-                 Faults& faults, std::vector<fs::path>& files) {
+// Merges the file that a fabric names into the table of the fabric. False if the file cannot be read.
+bool fabric_file_merge(toml::table& fabric, const std::string& path, const fs::path& folder, Faults& faults,
+                       std::vector<fs::path>& files) {
   const toml::node* named = fabric.get("file");
   if (!named || !named->is_string()) return true;
   const std::string& name = named->as_string()->get();
@@ -141,8 +141,8 @@ Document document_load(const std::filesystem::path& file, Faults& faults) {
   if (toml::table* fabrics = document.root["fabric"].as_table())
     for (auto&& [name, node] : *fabrics)
       if (toml::table* fabric = node.as_table())
-        if (!fabric_fold(*fabric, "fabric." + std::string(name.str()), file.parent_path(), faults,
-                         document.files))
+        if (!fabric_file_merge(*fabric, "fabric." + std::string(name.str()), file.parent_path(), faults,
+                               document.files))
           document.unread.emplace(name.str());
   return document;
 }

@@ -1,4 +1,4 @@
-// What keys take and what stands there instead, in words.
+// Texts of messages: the kind of value that a key expects, and the kind of node that was found.
 #include <algorithm>
 
 #include "scene/reader/value_reader.h"
@@ -7,6 +7,7 @@ namespace drape::scene {
 
 namespace {
 
+// The kind of value that a key expects.
 struct Expected {
   const Key& key;
   std::string of(const char* what) const { return *key.unit ? std::string(what) + " in " + key.unit : what; }
@@ -80,15 +81,7 @@ const char* node_kind(const toml::node& node) {
   }
 }
 
-bool name_fits(const std::string& name) {
-  constexpr std::size_t kLongest = 64;
-  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  const auto inner = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; };
-  return !name.empty() && name.size() <= kLongest && letter(name[0]) &&
-         std::all_of(name.begin(), name.end(), inner);
-}
-
-void place_note(Faults& faults, const std::string& path, const toml::node& node) {
+void location_note(Faults& faults, const std::string& path, const toml::node& node) {
   if (node.source().path) faults.locations[path] = {*node.source().path, node.source().begin.line};
 }
 

@@ -10,8 +10,8 @@ std::string body_file(const std::string& name, const std::string& mesh) {
   return "body_" + name + std::filesystem::path(mesh).extension().string();
 }
 
-// Sheets become plain keys. Doubles are printed as the shortest decimal that gives the same double, so that
-// nothing is lost on the way.
+// Data sheets become plain keys. Doubles are printed as the shortest decimals that give the same doubles, so
+// that no value changes.
 std::string scene_inline_files(const std::filesystem::path& file, std::vector<Problem>& problems) {
   Faults faults;
   Document document = document_load(file, faults);

@@ -7,8 +7,8 @@ namespace drape::scene {
 
 namespace {
 
-constexpr double kTolerance = 1e-6;  // directions as typed have six digits or so
-constexpr double kFlattest = 20;     // of an elliptic cylinder: one radius over the other
+constexpr double kTolerance = 1e-6;     // typed directions have about six digits
+constexpr double kMaxRadiusRatio = 20;  // largest ratio of the radii of an elliptic cylinder
 
 double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -16,13 +16,13 @@ Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// a, without what lies along the unit vector u.
+// Removes from `a` its component along the unit vector u.
 void remove(Vec3& a, const Vec3& u) {
   const double along = dot(a, u);
   for (std::size_t k = 0; k < 3; ++k) a[k] -= along * u[k];
 }
 
-void normalise(Vec3& a) {
+void normalize(Vec3& a) {
   const double length = std::sqrt(dot(a, a));
   for (double& v : a) v /= length;
 }
@@ -34,7 +34,7 @@ void length_check(Faults& faults, const Vec3& a, const std::string& path) {
               "has length " + number_text(length) + "; wanted: 1, within " + number_text(kTolerance));
 }
 
-// Within the tolerance axes are made exactly orthonormal: x keeps its direction.
+// Checks the axes and makes them exactly orthonormal; x keeps its direction.
 void axes_normalize(Faults& faults, const toml::table& table, const std::string& path, PlaceSpec& place) {
   const bool x_given(table["place"]["axis_x"]), y_given(table["place"]["axis_y"]);
   if (x_given != y_given)
@@ -46,12 +46,12 @@ void axes_normalize(Faults& faults, const toml::table& table, const std::string&
     fault_add(faults, path,
               "has axis_x . axis_y = " + number_text(dot(x, y)) + "; wanted: 0, a right angle, within " +
                   number_text(kTolerance));
-  normalise(x);
+  normalize(x);
   remove(y, x);
-  normalise(y);
+  normalize(y);
 }
 
-// Likewise the cylinder's axis becomes exactly parallel to the plane.
+// Checks the axis of the cylinder and makes it exactly parallel to the plane.
 void cylinder_normalize(Faults& faults, const std::string& path, PlaceSpec& place) {
   length_check(faults, place.axis, path + ".axis");
   const Vec3 normal = cross(place.axis_x, place.axis_y);
@@ -62,12 +62,12 @@ void cylinder_normalize(Faults& faults, const std::string& path, PlaceSpec& plac
                   " across the plane of axis_x and axis_y; wanted: 0, an axis parallel to " +
                   "the plane, within " + number_text(kTolerance));
   remove(place.axis, normal);
-  normalise(place.axis);
+  normalize(place.axis);
   const auto [a, b] = place.radius;
-  if (!(std::max(a, b) <= kFlattest * std::min(a, b)))
+  if (!(std::max(a, b) <= kMaxRadiusRatio * std::min(a, b)))
     fault_add(faults, path + ".radius",
               "= [" + number_text(a) + ", " + number_text(b) + "] m; allowed: neither above " +
-                  number_text(kFlattest) + " times the other");
+                  number_text(kMaxRadiusRatio) + " times the other");
 }
 
 void curves_normalize(Faults& faults, const toml::table& table, const std::string& path) {
@@ -124,11 +124,11 @@ void body_normalize(Faults& faults, const std::string& path, const std::filesyst
 }
 
 void pin_normalize(Faults& faults, const toml::table& table, const std::string& path) {
-  const int ways = table.contains("at") + table.contains("edges") + table.contains("region");
-  if (ways != 1)
+  const int given = table.contains("at") + table.contains("edges") + table.contains("region");
+  if (given != 1)
     fault_add(faults, path,
-              ways ? "has more than one of at, edges and region; wanted: one of them"
-                   : "holds nothing; wanted: at, edges or region");
+              given ? "has more than one of at, edges and region; wanted: one of them"
+                    : "holds nothing; wanted: at, edges or region");
 }
 
 }  // namespace drape::scene

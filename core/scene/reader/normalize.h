@@ -1,4 +1,4 @@
-// What no single row of a table can say, and what the rows leave open.
+// Checks of a table that involve several keys, and normalisation of the values read.
 #pragma once
 #include <string>
 
@@ -9,17 +9,18 @@
 
 namespace drape::scene {
 
-// Axes become exactly orthonormal. A piece whose outline, curves or holes have a fault loses its outline:
-// what rests on them is passed over.
+// Makes the axes of a piece exactly orthonormal. Clears the outline of a piece with faulty curves or holes,
+// so that later checks skip it.
 void piece_normalize(Faults& faults, const toml::table& table, const std::string& path, PieceSpec& piece);
 
-// A seam has two sides.
+// Checks that a seam has two sides.
 void seam_normalize(Faults& faults, const toml::table& table, const std::string& path);
 
-// The mesh's file, looked for beside the scene's, and the orientation.
+// Resolves the mesh file of a body relative to the folder of the scene, and checks its orientation.
 void body_normalize(Faults& faults, const std::string& path, const std::filesystem::path& folder,
                     const BodyText& text, BodySpec& body);
 
+// Checks that a pin is given by exactly one of at, edges and region.
 void pin_normalize(Faults& faults, const toml::table& table, const std::string& path);
 
 }  // namespace drape::scene

@@ -5,6 +5,7 @@
 #include "scene/reader/normalize.h"
 #include "scene/reader/schema.h"
 #include "scene/reader/table_reader.h"
+#include "scene/spelling.h"
 
 namespace drape::scene {
 
@@ -20,7 +21,7 @@ std::vector<FabricSpec> fabrics_read(Faults& faults, const Document& document) {
            fabrics;
   for (auto&& [key, entry] : *node->as_table()) {
     const std::string name(key.str()), path = "fabric." + name;
-    place_note(faults, path, entry);
+    location_note(faults, path, entry);
     FabricSpec& fabric = fabrics.emplace_back();
     if (!name_fits(name)) fault_add(faults, path, kNameRule);
     if (!entry.is_table())
@@ -31,10 +32,11 @@ std::vector<FabricSpec> fabrics_read(Faults& faults, const Document& document) {
   return fabrics;
 }
 
-// Reads every table of [[kind]]. `rows` gives the rows of one, `settle` sees to what they leave open.
-template <class Spec, class Rows, class Settle>
+// Reads all tables of [[kind]]. `rows` gives the rows of one table; `normalize` checks and completes it after
+// reading.
+template <class Spec, class Rows, class Normalize>
 std::vector<Spec> specs_read(Faults& faults, const toml::table& root, const std::string& kind, Rows rows,
-                             Settle normalize) {
+                             Normalize normalize) {
   std::vector<Spec> specs;
   const toml::node* node = root.get(kind);
   if (!node) return specs;
@@ -49,7 +51,7 @@ std::vector<Spec> specs_read(Faults& faults, const toml::table& root, const std:
     const bool again = std::any_of(specs.begin(), specs.end(), [&](const Spec& s) { return s.name == name; });
     const std::string path =
         name_fits(name) && !again ? kind + "." + name : kind + "[" + std::to_string(i) + "]";
-    place_note(faults, path, table);
+    location_note(faults, path, table);
     Spec& spec = specs.emplace_back();
     keys_read(faults, table, path, rows(spec));
     normalize(table, path, spec);

@@ -1,4 +1,4 @@
-// TOML -> Scene. Every fault that single keys show is found in one pass.
+// Reads TOML files into a Scene. All faults that single keys show are found in one pass.
 #pragma once
 #include <filesystem>
 
@@ -7,41 +7,42 @@
 
 namespace drape::scene {
 
-// A scene as its text has it, and the faults of its text. Not `loaded`: the file could not be read at all.
+// A scene as read from its text, and the faults of the text. `loaded` is false where the file could not be
+// read at all.
 struct SceneText {
   Scene scene;
   Faults faults;
   bool loaded = false;
 };
 
-// Reads a scene file and the fabric files it names (relative to the scene's folder). Values with a fault keep
-// their defaults, are empty or -1.
+// Reads a scene file and the fabric files that it names, relative to its folder. Values with a fault keep
+// their defaults, are empty or are -1.
 SceneText scene_read(const std::filesystem::path& file);
 
-// A fabric file by itself; its name is that of the file, without the ending.
+// A fabric file by itself. The fabric has the name of the file without the extension.
 struct FabricFile {
   FabricSpec fabric;
   Faults faults;
   bool loaded = false;
 };
 
-// kDropped: as it stood before its calibration.
+// kDropped: read the fabric without the corrections of its calibration.
 enum class Corrections { kKept, kDropped };
 FabricFile fabric_read(const std::filesystem::path& file, Corrections corrections);
 
-// A dotted path with where it stands, "scene.toml:12: scene.step", for faults that only the assembled cloth
-// shows. Reads the files once more.
+// The location of a dotted path as text, "scene.toml:12: scene.step", for faults found only in the assembled
+// cloth. Reads the files again.
 std::string scene_location(const std::filesystem::path& file, const std::string& path);
 
-// The files that a scene is read from: its own first.
+// The files from which a scene is read, its own first.
 std::vector<std::filesystem::path> scene_files(const std::filesystem::path& file);
 
-// The name by which the text of scene_resolve calls the mesh of a body.
+// The file name of the mesh of a body in the text of scene_inline_files.
 std::string body_file(const std::string& name, const std::string& mesh);
 
-// The same scene as one TOML text that refers to no other file but the meshes of bodies, which must lie
-// beside it by the names of body_file; reading it gives the same Scene bit for bit. Reports only what hinders
-// the folding (files, syntax): the rest is scene_read's.
+// The scene as one TOML text in which the fabric files are inlined. It refers to the meshes of bodies only,
+// which must be in the same folder under the names of body_file. Reading the text gives the same Scene bit
+// for bit. Only faults of files and syntax are reported here; scene_read reports the others.
 std::string scene_inline_files(const std::filesystem::path& file, std::vector<Problem>& problems);
 
 }  // namespace drape::scene

@@ -11,9 +11,9 @@ namespace {
 constexpr double kPercent = 100;     // per 1
 constexpr double kMicroNcm2 = 1e10;  // uN cm^2 per N m^2
 constexpr Range kPosition{-1e4, 1e4};
-constexpr Range kWhole{-2147483647, 2147483647};  // judged against the outline later
+constexpr Range kWhole{-2147483647, 2147483647};  // checked against the outline later
 
-// In the unit of the key.
+// The range of a quantity in the unit of the key.
 constexpr Range range_of(const Quantity& q, double per_si = 1) {
   return {q.low * per_si, q.high * per_si, q.above};
 }
@@ -54,7 +54,7 @@ std::vector<Key> scene_keys(Scene& s) {
 }
 
 std::vector<Key> fabric_keys(FabricText& t) {
-  FabricSpec& f = t.spec;  // what must be there may come from a sheet: sheet_settle sees to it
+  FabricSpec& f = t.spec;  // required values may come from a data sheet: datasheet_convert checks them
   std::vector<Key> keys = {
       {"file", &t.file},
       {"description", &t.description},
@@ -82,7 +82,7 @@ std::vector<Key> fabric_keys(FabricText& t) {
   diagram("weft", f.weft);
   diagram("bias", f.bias);
   keys.push_back({"bias.jaws", Flag{&f.bias.jaws}});
-  // What a calibration says of itself, and the corrections of diagrams that stand nowhere: those from sheets.
+  // The record of a calibration, and its corrections of diagrams that are computed from data sheets.
   keys.push_back({"calibration.cell", &t.calibration_cell, kRequired, {0, 10, kAbove}, "m"});
   keys.push_back({"calibration.residual", &t.calibration_residual, kRequired, {0, 1e3}});
   keys.push_back({"calibration.date", &t.calibration_date, kRequired});

@@ -8,13 +8,13 @@ namespace drape::scene {
 
 namespace {
 
-// A key that holds a dot had to be quoted, and stays so.
+// The path of a key. A key with a dot in it must be quoted in TOML, and is quoted here too.
 std::string joined(const std::string& path, const std::string& key) {
   const std::string shown = key.find('.') == std::string::npos ? key : '"' + key + '"';
   return path.empty() ? shown : path + "." + shown;
 }
 
-// The part of a row's name that stands directly in the table `prefix`; "" if the row belongs elsewhere.
+// The component of a row's name directly below the table `prefix`; "" if the row is not in that table.
 std::string key_within(const Key& key, const std::string& prefix) {
   if (key.name.compare(0, prefix.size(), prefix) != 0) return "";
   return key.name.substr(prefix.size(), key.name.find('.', prefix.size()) - prefix.size());
@@ -43,15 +43,15 @@ void level_read(Faults& faults, const toml::table& table, const std::string& pat
     const std::string name(toml_key.str()), at = joined(path, name);
     if (toml_key.source().path)
       faults.locations[at] = {*toml_key.source().path, toml_key.source().begin.line};
-    const bool plain = name.find('.') == std::string::npos;  // a row's dotted name is no key
+    const bool plain = name.find('.') == std::string::npos;  // the dotted name of a row is no key
     const auto row =
         std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == prefix + name; });
     const bool is_table = std::any_of(keys.begin(), keys.end(), [&](const Key& k) {
       return k.name != prefix + name && key_within(k, prefix) == name;
     });
-    const bool lands =
-        plain && row != keys.end() && (!is_table || node.is_string());  // text: the table's name
-    if (lands) value_read(faults, at, *row, node);
+    const bool is_value = plain && row != keys.end() &&
+                          (!is_table || node.is_string());  // a string can be given in place of a table
+    if (is_value) value_read(faults, at, *row, node);
     else if (!is_table) unknown_key(faults, at, name, prefix, keys);
     else if (node.is_table()) level_read(faults, *node.as_table(), at, prefix + name + ".", keys);
     else

@@ -1,4 +1,4 @@
-// Reading a table by rows of keys.
+// Reads a table by rows of keys.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace drape::scene {
 
-// Lands every value of a table by its row, and adds a fault for each key that has no row and each that is
-// missing.
+// Stores every value of a table at the destination of its row. Adds a fault for each unknown key and each
+// missing required key.
 void keys_read(Faults& faults, const toml::table& table, const std::string& path,
                const std::vector<Key>& keys);
 

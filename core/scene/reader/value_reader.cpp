@@ -4,12 +4,13 @@
 #include <optional>
 
 #include "scene/reader/table_reader.h"
+#include "scene/spelling.h"
 
 namespace drape::scene {
 
 namespace {
 
-// Puts one value where it belongs, or adds a fault. Nothing lands from a list with a fault.
+// Stores one value at its destination, or adds a fault. Nothing is stored from a list with a fault.
 struct ValueReader {
   Faults& faults;
   const std::string& path;
@@ -17,7 +18,7 @@ struct ValueReader {
   const toml::node& node;
 
   void misfit(const std::string& at, const toml::node& found, const std::string& want) const {
-    place_note(faults, at, found);
+    location_note(faults, at, found);
     fault_add(faults, at, std::string("is ") + node_kind(found) + "; wanted: " + want);
   }
 
@@ -28,7 +29,7 @@ struct ValueReader {
     else return misfit(at, n, key_number_expected(key)), std::nullopt;
     const Range& r = key.range;
     if (value >= r.low && value <= r.high && !(r.above && value == r.low)) return value / key.per_si;
-    place_note(faults, at, n);
+    location_note(faults, at, n);
     fault_add(faults, at, "= " + key_number(key, value) + "; allowed: " + key_range(key));
     return std::nullopt;
   }
@@ -39,13 +40,13 @@ struct ValueReader {
     return std::nullopt;
   }
 
-  // The entries of a list of `count`.
+  // The node as a list of `count` entries; null after adding a fault.
   const toml::array* list_of(const toml::node& n, const std::string& at, std::size_t count,
                              const std::string& want) const {
     const toml::array* list = n.as_array();
     if (!list) return misfit(at, n, want), nullptr;
     if (list->size() == count) return list;
-    place_note(faults, at, n);
+    location_note(faults, at, n);
     return fault_add(faults, at, "has " + entries_text(list->size()) + "; wanted: " + want), nullptr;
   }
 
@@ -65,20 +66,20 @@ struct ValueReader {
     return complete ? std::optional(values) : std::nullopt;
   }
 
-  // A list of one or more; `nested` where its entries are lists themselves.
-  template <class Take>
-  auto list(const toml::node& n, const std::string& at, const std::string& want, bool nested, Take take) const
-      -> std::optional<std::vector<typename decltype(take(n, at))::value_type>> {
+  // A list with at least one entry, each read by `read`. `nested`: the entries are lists themselves.
+  template <class Read>
+  auto list(const toml::node& n, const std::string& at, const std::string& want, bool nested, Read read) const
+      -> std::optional<std::vector<typename decltype(read(n, at))::value_type>> {
     const toml::array* entries = n.as_array();
     const auto flat = [](const toml::node& e) { return !e.is_array(); };
     if (!entries) return misfit(at, n, want), std::nullopt;
-    place_note(faults, at, n);
+    location_note(faults, at, n);
     if (entries->empty()) return fault_add(faults, at, "is an empty list; wanted: " + want), std::nullopt;
     if (nested && std::all_of(entries->begin(), entries->end(), flat))
       return fault_add(faults, at, "is a flat list; wanted: " + want), std::nullopt;
-    std::vector<typename decltype(take(n, at))::value_type> values;
+    std::vector<typename decltype(read(n, at))::value_type> values;
     for (std::size_t i = 0; i < entries->size(); ++i)
-      if (auto value = take((*entries)[i], entry(at, i))) values.push_back(std::move(*value));
+      if (auto value = read((*entries)[i], entry(at, i))) values.push_back(std::move(*value));
     if (values.size() != entries->size()) return std::nullopt;
     return values;
   }
@@ -94,10 +95,10 @@ struct ValueReader {
     if (value) *to = std::move(*value);
   }
 
-  // A word of TOML text, passed on to `take`.
-  template <class Take>
-  void word(Take take) const {
-    if (const auto* text = node.as_string()) take(text->get());
+  // A string, passed on to `use`.
+  template <class Use>
+  void word(Use use) const {
+    if (const auto* text = node.as_string()) use(text->get());
     else misfit(path, node, key_expected(key));
   }
 
@@ -131,7 +132,7 @@ struct ValueReader {
   void operator()(const Choice& choice) const {
     word([&](const std::string& text) {
       const auto it = std::find(choice.words.begin(), choice.words.end(), text);
-      if (it != choice.words.end()) return choice.take(static_cast<int>(it - choice.words.begin()));
+      if (it != choice.words.end()) return choice.apply(static_cast<int>(it - choice.words.begin()));
       fault_add(faults, path, "= " + in_quotes(text) + "; allowed: " + key_expected(key));
     });
   }
@@ -173,7 +174,7 @@ struct ValueReader {
                  [&](const toml::node& n, const std::string& at) { return whole(n, at); }));
   }
   void operator()(std::vector<Vec2>* to) const { put(to, points(node, path)); }
-  // Where there may be several, there may be none.
+  // An empty list is allowed here.
   void operator()(std::vector<std::vector<Vec2>>* to) const {
     if (const toml::array* none = node.as_array(); none && none->empty()) return;
     put(to, list(node, path, key_expected(key), true,
@@ -184,7 +185,7 @@ struct ValueReader {
     if (!entries) return misfit(path, node, key_expected(key));
     for (std::size_t i = 0; i < entries->size(); ++i) {
       const toml::node& n = (*entries)[i];
-      place_note(faults, entry(path, i), n);
+      location_note(faults, entry(path, i), n);
       if (n.is_table()) keys_read(faults, *n.as_table(), entry(path, i), tables.add());
       else misfit(entry(path, i), n, "a table");
     }

@@ -34,7 +34,7 @@ struct Component {
 };
 
 PolyData cloth_poly(drape_cloth* cloth) {
-  const drape_outputs& o = *drape_get_outputs(cloth, DRAPE_NODE_PLACES | DRAPE_NODE_MOTION);
+  const drape_outputs& o = *drape_get_outputs(cloth, DRAPE_OUT_NODE_POSITION | DRAPE_OUT_NODE_VELOCITY);
   const drape_fields& f = *drape_fields_at(cloth);
   const auto count = std::size_t(o.node_count);
   PolyData poly;
@@ -72,7 +72,7 @@ PolyData cloth_poly(drape_cloth* cloth) {
 PolyData seams_poly(drape_cloth* cloth) {
   PolyData poly;
   PolyField gap{"gap", 1, {}}, number{"seam", 1, {}};
-  const int count = drape_get_outputs(cloth, DRAPE_PLACES)->seam_count;
+  const int count = drape_get_outputs(cloth, DRAPE_OUT_POSITION)->seam_count;
   for (int s = 0; s < count; ++s) {
     const drape_seam_lines seam = drape_seam_lines_at(cloth, s);
     for (const double* side : {seam.a, seam.b}) {
@@ -157,7 +157,7 @@ bool frame_write(Frames& frames, drape_cloth* cloth, double time) {
       std::filesystem::remove(frames.folder / name, error);
   const PolyData poly = cloth_poly(cloth);
   if (!collect(frames, frames.cloth, time, &poly)) return false;
-  if (drape_get_outputs(cloth, DRAPE_PLACES)->seam_count > 0) {
+  if (drape_get_outputs(cloth, DRAPE_OUT_POSITION)->seam_count > 0) {
     const PolyData seams = seams_poly(cloth);
     if (!collect(frames, frames.seams, time, &seams)) return false;
   }

@@ -124,7 +124,8 @@ std::string table_text(const ReportTable& t) {
 
 std::vector<ReportTable> report_of(drape_cloth* cloth, double limit) {
   std::vector<ReportTable> report{elongations(cloth, limit)};
-  const drape_outputs& o = *drape_get_outputs(cloth, DRAPE_PLACES | DRAPE_MOTION | DRAPE_STRAIN);
+  const drape_outputs& o =
+      *drape_get_outputs(cloth, DRAPE_OUT_POSITION | DRAPE_OUT_VELOCITY | DRAPE_OUT_STRAIN);
   if (o.seam_count > 0) report.push_back(seams(cloth, o));
   if (o.body_count > 0) {
     report.push_back(contact(cloth, o));

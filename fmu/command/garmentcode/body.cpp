@@ -13,8 +13,7 @@ constexpr double kUnits[] = {1, 0.01, 0.001};
 
 }  // namespace
 
-std::optional<BodyMesh> body_measure(const std::filesystem::path& file,
-                                            std::vector<Problem>& problems) {
+std::optional<BodyMesh> body_measure(const std::filesystem::path& file, std::vector<Problem>& problems) {
   const std::size_t before = problems.size();
   const auto fault = [&](std::size_t line, const std::string& message) {
     problems.push_back({file.string() + ":" + (line ? std::to_string(line) + ":" : ""), message});

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "command/garmentcode/place_near.h"
-#include "scene/reader/value_reader.h"
+#include "scene/spelling.h"
 
 namespace drape::command {
 namespace {

@@ -16,15 +16,14 @@ struct BodyMesh {
 };
 
 // Chooses the unit among m, cm and mm in which the body is 0.3 to 3 m high.
-std::optional<BodyMesh> body_measure(const std::filesystem::path& file,
-                                            std::vector<Problem>& problems);
+std::optional<BodyMesh> body_measure(const std::filesystem::path& file, std::vector<Problem>& problems);
 
 struct Garment {
-  std::string name;                     // of the scene
-  std::string title;                    // file of the pattern
-  double cell = 0.01;                   // m
-  std::string fabric;                   // name of the fabric
-  std::string fabric_file;  // the path in the scene
+  std::string name;              // of the scene
+  std::string title;             // file of the pattern
+  double cell = 0.01;            // m
+  std::string fabric;            // name of the fabric
+  std::string fabric_file;       // the path in the scene
   std::optional<BodyMesh> body;  // without a body, the garment is sewn without gravity
 };
 

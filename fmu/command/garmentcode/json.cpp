@@ -6,6 +6,18 @@
 
 namespace drape::command {
 
+bool json_parse(std::istream& stream, Json& value, std::string& problem) {
+  try {
+    value = Json::parse(stream);
+  } catch (const Json::exception& e) {
+    problem = e.what();
+    return false;
+  }
+  return true;
+}
+
+std::string json_text(const Json& value) { return value.dump(); }
+
 void json_fault(const JsonFaults& faults, const std::string& path, const std::string& message) {
   faults.problems.push_back({faults.file + (path.empty() ? ":" : ": " + path), message});
 }

@@ -1,5 +1,6 @@
 // Values of a JSON file. Each fault is reported with its path.
 #pragma once
+#include <istream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -15,6 +16,12 @@ struct JsonFaults {
   std::string file;
   std::vector<Problem>& problems;
 };
+
+// Reads a text. False: it is no JSON; `problem` says why.
+bool json_parse(std::istream& stream, Json& value, std::string& problem);
+
+// A value as a text in one line.
+std::string json_text(const Json& value);
 
 // "dress.json: pattern.panels.front.edges[3] <message>"
 void json_fault(const JsonFaults& faults, const std::string& path, const std::string& message);

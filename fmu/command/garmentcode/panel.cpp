@@ -15,7 +15,7 @@ namespace drape::command {
 namespace {
 
 constexpr double kLargest = 1e4;  // m
-constexpr double kGrain = 1e-8;  // m, to which coordinates are rounded, to keep the text short
+constexpr double kGrain = 1e-8;   // m, to which coordinates are rounded, to keep the text short
 
 double grained(double metres) { return std::round(metres / kGrain) * kGrain; }
 

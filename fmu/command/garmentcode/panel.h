@@ -5,7 +5,7 @@
 namespace drape::command {
 
 struct Panel {
-  std::string name, label;  // as in the file
+  std::string name, label;               // as in the file
   std::vector<Vec2> outline;             // [edges] m: where each edge starts
   std::vector<scene::CurveSpec> curves;  // m
   std::vector<std::string> edge_label;   // [edges]

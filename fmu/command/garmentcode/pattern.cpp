@@ -44,8 +44,9 @@ std::vector<std::string> panel_names(const JsonFaults& faults, const Json& patte
     const bool there = std::find(names.begin(), names.end(), name) != names.end();
     const bool again = std::find(ordered.begin(), ordered.end(), name) != ordered.end();
     if (!there || again)
-      json_fault(faults, path,
-                 "= " + (*order)[k].dump() + (again ? " stands there twice" : " is no panel of the pattern"));
+      json_fault(
+          faults, path,
+          "= " + json_text((*order)[k]) + (again ? " stands there twice" : " is no panel of the pattern"));
     else ordered.push_back(name);
   }
   for (const std::string& name : names)
@@ -116,7 +117,7 @@ void stitches_read(const JsonFaults& faults, const Json& list, const std::vector
       stitch.right_wrong = json[2] == "right_wrong";
       if (!stitch.right_wrong)
         json_fault(faults, scene::entry(path, 2),
-                   "= " + json[2].dump().substr(0, 80) + "; allowed: \"right_wrong\", or nothing");
+                   "= " + json_text(json[2]).substr(0, 80) + "; allowed: \"right_wrong\", or nothing");
     }
     if (valid) pattern.stitches.push_back(stitch);
   }
@@ -158,11 +159,9 @@ Pattern pattern_read(const std::filesystem::path& file, std::vector<Problem>& pr
     return pattern;
   }
   Json root;
-  try {
-    root = Json::parse(stream);
-  } catch (const Json::exception& e) {
-    return json_fault(faults, "", std::string("is not valid JSON: ") + e.what()), pattern;
-  }
+  std::string problem;
+  if (!json_parse(stream, root, problem))
+    return json_fault(faults, "", "is not valid JSON: " + problem), pattern;
   if (root.is_object()) pattern_fill(faults, root, pattern);
   else json_fault(faults, "", std::string("is ") + json_kind(root.type()) + "; wanted: an object {...}");
   return pattern;

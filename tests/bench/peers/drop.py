@@ -1,4 +1,4 @@
-"""A cloth dropped on a sphere: Drape beside other cloth simulations, in turn, medians.
+"""A cloth dropped on a sphere: Drape and other cloth simulations, in turn, medians.
 
     python3 tests/bench/peers/drop.py [--quick] [--csv FILE]
 
@@ -8,10 +8,10 @@ one thread; seconds of wall clock and of processor for a second of cloth, withou
 that of processor seconds, which other work on the machine disturbs less. Each peer runs in a process of its own, with the
 solver and the steps that its documentation or its examples have for cloth, where that ends in a drape.
 
-They do not buy the same thing, so the table says how each cloth ends: its lowest point, its deepest particle (under the
+Their results differ in quality, so the table reports how each cloth ends: its lowest point, its deepest particle (under the
 surface of the true sphere; below zero: above it), its longest link. With a particle deeper than the thickness (1 mm), the
 middle more than 20 mm from the top, the lowest point not 0 to 0.2 m below the middle of the sphere, or a number that is not
-finite it is no drape, and the table says so. What differs:
+finite it is no drape, and the table reports that. What differs:
 
 drape    double precision; explicit, second order, steps of its own below the limit; a mesh of 20,480 triangles; braked by
          0.5 1/s
@@ -78,7 +78,7 @@ def run_apart(name, seconds):
 
 
 def measure(seconds, turns):
-    """By name, the places at the end of the last run and [run, wall or processor]; or None and a line that says why."""
+    """By name, the places at the end of the last run and [run, wall or processor]; or None and a line with the reason."""
     found = {name: (None, []) for name in PEERS}
     for _ in range(turns):
         for name, (_, rates) in found.items():

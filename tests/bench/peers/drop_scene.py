@@ -85,7 +85,7 @@ def clock(spent):
 
 
 def judge(places, draped=True):
-    """How the cloth ends, in m, and why that is no drape, if it is none; or, before it can be one, no way there."""
+    """How the cloth ends, in m, and why that is no drape, if it is none. With draped=False the lowest point does not count."""
     end = {"lowest": np.nan, "deepest": np.nan, "aside": np.nan, "elongation": np.nan}
     if not np.isfinite(places).all():
         return end, "not finite"

@@ -57,7 +57,7 @@ def numba_stretch_shear(x, y, z, vx, vy, vz, im, half, steps, h, h_first):
 
 @inline
 def numba_move(r, v, im, p, c, n, h, kick, g):
-    """The sums of a row, its step, and what it hands to the row above. p[q, i + 1] belongs to node i."""
+    """The sums of a row, its step, and what it passes to the row above. p[q, i + 1] belongs to node i."""
     p[0, n] = p[2, n] = p[3, n] = 0.0  # the last node begins no link to the right
     for i in range(n):
         f = c[i] + p[0, i + 1] - p[0, i] + p[1, i + 1] + p[2, i + 1] + p[3, i]

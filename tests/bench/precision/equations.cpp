@@ -64,8 +64,8 @@ void rate_by(KernelForces& forces, const double* y, double* rate) {
       std::copy(from, from + s.count, a->data() + s.node);
       from += s.count;
     }
-  dynamics::kernel_forces(*r.motion.kernel, r.system, r.state, r.motion.workspace, forces.f[0].data(),
-                          forces.f[1].data(), forces.f[2].data());
+  dynamics::kernel_forces(*r.motion.kernel, r.system, r.state, r.motion.workspace,
+                          {forces.f[0].data(), forces.f[1].data(), forces.f[2].data()});
   if (forces.moves) std::copy(y + 3 * n, y + 6 * n, rate);
   else std::fill(rate, rate + 3 * n, 0.0);
   for (std::size_t k = 0; k < 3; ++k) acceleration(forces, k, y + (3 + k) * n, rate + (3 + k) * n);

@@ -19,8 +19,8 @@ Scene scene_for(Scene scene, Own own) {
 // r <- r + h v,  v <- v + h (F/m + g - c v): the old velocity moves the particles, the old positions give
 // the forces.
 void euler_step(Ready& r, Array (&f)[3], double h) {
-  dynamics::kernel_forces(*r.motion.kernel, r.system, r.state, r.motion.workspace, f[0].data(), f[1].data(),
-                          f[2].data());
+  dynamics::kernel_forces(*r.motion.kernel, r.system, r.state, r.motion.workspace,
+                          {f[0].data(), f[1].data(), f[2].data()});
   Array* at[] = {&r.state.x, &r.state.y, &r.state.z};
   Array* speed[] = {&r.state.vx, &r.state.vy, &r.state.vz};
   const double c = r.system.damping;

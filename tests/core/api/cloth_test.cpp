@@ -5,13 +5,14 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <memory>
 
-#include "drape/drape.h"
+#include "api/logged_cloth.h"
 
 extern "C" int header_is_c(void);
 
 namespace {
+
+using namespace drape::tests;
 
 const char* kScene = R"(
 [scene]
@@ -40,18 +41,6 @@ piece = "sheet"
 at = [%side, %side]
 )";
 
-struct Logged {
-  std::vector<std::string> errors;
-};
-void on_message(void* user, drape_log_kind kind, const char* message) {
-  if (kind == DRAPE_LOG_ERROR) static_cast<Logged*>(user)->errors.push_back(message);
-}
-
-struct Close {
-  void operator()(drape_cloth* c) const { drape_close(c); }
-};
-using Cloth = std::unique_ptr<drape_cloth, Close>;
-
 class ClothTest : public testing::Test {
  protected:
   Logged logged;
@@ -79,10 +68,10 @@ TEST_F(ClothTest, AWholeRun) {
   ASSERT_TRUE(c);
   const double weight = 0.15 * 0.01 * 9.81;
   // At first the pin bears its own node only: the cloth around it starts to fall.
-  EXPECT_NEAR(drape_outputs_at(c.get(), 0)->pin[0].force[2], -weight / 400, 1e-15);
+  EXPECT_NEAR(drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->pin[0].force[2], -weight / 400, 1e-15);
   for (int k = 0; k < 20; ++k) ASSERT_EQ(drape_advance(c.get(), 0.01), DRAPE_OK);
   EXPECT_NEAR(drape_time(c.get()), 0.2, 1e-15);
-  const drape_outputs* o = drape_outputs_at(c.get(), 1);
+  const drape_outputs* o = drape_get_outputs(c.get(), DRAPE_OUT_ALL);
   EXPECT_EQ(o->node_count, 121);
   EXPECT_LT(o->probe[0].position[2], -0.05);
   EXPECT_EQ(o->probe[0].position[2], o->node_position[3 * 120 + 2]);
@@ -155,8 +144,8 @@ TEST_F(ClothTest, PutsBackOnlyWhatIsAtFault) {
   drape_parameters_of(same.get())->fabric[0].weft.force[1] = 12;
   for (drape_cloth* cloth : {c.get(), same.get()}) ASSERT_EQ(drape_advance(cloth, 0.02), DRAPE_OK);
   for (int k = 0; k < 3; ++k)
-    EXPECT_EQ(drape_outputs_at(c.get(), 0)->probe[0].position[k],
-              drape_outputs_at(same.get(), 0)->probe[0].position[k]);
+    EXPECT_EQ(drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->probe[0].position[k],
+              drape_get_outputs(same.get(), DRAPE_OUT_SCALARS)->probe[0].position[k]);
 }
 
 // A commit allows exactly what the scene's ranges allow.
@@ -196,7 +185,7 @@ TEST_F(ClothTest, AppliesTunedValuesToTheMotion) {
     drape_parameters_of(c.get())->gravity[2] = gravity;
     drape_parameters_of(c.get())->fabric[0].areal_density = density;
     EXPECT_EQ(drape_advance(c.get(), 0.002), DRAPE_OK);
-    return drape_outputs_at(c.get(), 0)->probe[0].position[2];
+    return drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->probe[0].position[2];
   };
   EXPECT_NEAR(fall(-9.81, 0.15), -9.81 * 2e-6, 1e-12);
   EXPECT_NEAR(fall(-19.62, 0.15), -19.62 * 2e-6, 1e-12);
@@ -209,7 +198,7 @@ TEST_F(ClothTest, EndsARunThatNoStepCanFollowAtItsLastGoodState) {
   const Cloth c = open("", "[0, 1, 1.0001], force = [0, 1e-6, 1e6]");
   drape_parameters_of(c.get())->gravity[2] = 0;
   ASSERT_EQ(drape_advance(c.get(), 0.01), DRAPE_OK);
-  const double before = drape_outputs_at(c.get(), 0)->probe[0].position[1];
+  const double before = drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->probe[0].position[1];
   drape_parameters_of(c.get())->gravity[1] = 1000;
   EXPECT_EQ(drape_advance(c.get(), 0.01), DRAPE_ERROR);
   ASSERT_EQ(logged.errors.size(), 1u);
@@ -220,7 +209,7 @@ TEST_F(ClothTest, EndsARunThatNoStepCanFollowAtItsLastGoodState) {
       << logged.errors[0];
   EXPECT_EQ(logged.errors[0].find('%'), std::string::npos);
   EXPECT_EQ(drape_time(c.get()), 0.01);
-  EXPECT_EQ(drape_outputs_at(c.get(), 0)->probe[0].position[1], before);
+  EXPECT_EQ(drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->probe[0].position[1], before);
   EXPECT_FALSE(drape_step_above_limit(c.get()));
   drape_parameters_of(c.get())->gravity[1] = 0;
   EXPECT_EQ(drape_advance(c.get(), 0.01), DRAPE_OK);
@@ -275,7 +264,7 @@ TEST_F(ClothTest, NeedsNoStepLimitWhereNoLawActs) {
   ASSERT_EQ(drape_commit(c.get()), DRAPE_OK) << logged.errors[0];
   EXPECT_EQ(drape_step_limit(c.get(), nullptr), INFINITY);
   EXPECT_EQ(drape_advance(c.get(), 0.01), DRAPE_OK);
-  EXPECT_EQ(drape_outputs_at(c.get(), 0)->step_count, 10);
+  EXPECT_EQ(drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->step_count, 10);
 }
 
 // Values that would bring the limit below a given step are refused when they are committed. The fabric keeps
@@ -335,7 +324,7 @@ TEST_F(ClothTest, ASnapshotIsTheWholeTruth) {
   drape_snapshot* saved = drape_save(c.get(), nullptr);
   const auto go_on = [&] {
     EXPECT_EQ(drape_advance(c.get(), 0.0213), DRAPE_OK);
-    const drape_outputs* o = drape_outputs_at(c.get(), 1);
+    const drape_outputs* o = drape_get_outputs(c.get(), DRAPE_OUT_ALL);
     return std::vector<double>(o->node_position, o->node_position + 3 * o->node_count);
   };
   const auto first = go_on();

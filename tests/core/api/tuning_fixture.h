@@ -3,29 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
 
-#include "drape/drape.h"
+#include "api/logged_cloth.h"
 #include "scene_file.h"
 
 namespace drape::tests {
 
 constexpr double kG = 9.81, kQ = 1.0 / 1024;
 constexpr int kSteps = 32;  // in an interval
-
-struct Close {
-  void operator()(drape_cloth* c) const { drape_close(c); }
-};
-using Cloth = std::unique_ptr<drape_cloth, Close>;
-
-struct Logged {
-  std::vector<std::string> errors, events;
-};
-inline void on_message(void* user, drape_log_kind kind, const char* message) {
-  Logged& logged = *static_cast<Logged*>(user);
-  if (kind == DRAPE_LOG_ERROR) logged.errors.push_back(message);
-  if (kind == DRAPE_LOG_EVENT) logged.events.push_back(message);
-}
 
 // A sheet of 0.05 m x 0.05 m with its lowest point 1 m above the origin. It is free, or held at a corner.
 inline Cloth open_sheet(Logged& logged, bool held, const std::string& step = "0.000030517578125",
@@ -64,13 +49,15 @@ inline void run(const Cloth& c, int intervals, int calls = 1) {
 }
 
 inline std::vector<double> nodes(const Cloth& c) {
-  const drape_outputs* o = drape_outputs_at(c.get(), 1);
+  const drape_outputs* o = drape_get_outputs(c.get(), DRAPE_OUT_ALL);
   std::vector<double> values(o->node_position, o->node_position + 3 * o->node_count);
   values.insert(values.end(), o->node_velocity, o->node_velocity + 3 * o->node_count);
   return values;
 }
 
-inline double height(const Cloth& c) { return drape_outputs_at(c.get(), 0)->probe[0].position[2]; }
+inline double height(const Cloth& c) {
+  return drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->probe[0].position[2];
+}
 
 inline void tune_everything(const Cloth& c) {
   drape_parameters& p = *drape_parameters_of(c.get());
@@ -85,8 +72,10 @@ inline void tune_everything(const Cloth& c) {
   p.fabric[0].compression = 0.5;
 }
 
-inline drape_energy energy(const Cloth& c) { return drape_outputs_at(c.get(), 0)->energy; }
+inline drape_energy energy(const Cloth& c) { return drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->energy; }
 
-inline double pin_force(const Cloth& c) { return drape_outputs_at(c.get(), 0)->pin[0].force[2]; }
+inline double pin_force(const Cloth& c) {
+  return drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->pin[0].force[2];
+}
 
 }  // namespace drape::tests

@@ -62,13 +62,14 @@ TEST(ClosestFeatures, IsTheNearestOfAllTrianglesAndItsFreeDistanceHolds) {
       const double exact = mesh_distance(body.mesh.surface, x);
       const Neighbourhood near = distance_grid_at(voxels, x);
       ClosestFeatures found;
+      ClosestFeaturesScratch scratch;
       if (!near.triangle) {
         EXPECT_LE(near.clearance, exact + 1e-12);
         EXPECT_GT(near.clearance, contact);
         continue;
       }
-      closest_features_find(body.mesh.surface, *near.triangle, x, contact, 3 * contact, reach, near.listed,
-                            nullptr, found);
+      closest_features_find(body.mesh.surface, *near.triangle,
+                            {x, contact, 3 * contact, reach, near.listed, nullptr}, scratch, found);
       if (exact > 3 * contact) {
         EXPECT_TRUE(found.feature.empty());
         EXPECT_LE(found.free_distance, exact - contact + 1e-12);
@@ -127,13 +128,14 @@ TEST(ClosestFeatures, CountsLocalMinima) {
   EXPECT_FALSE(body.mesh.surface.solid);
   const std::vector<int> all{0, 1, 2, 3};
   ClosestFeatures found;
-  closest_features_find(body.mesh.surface, all, {0, 0, 0.01}, 0.01, 0.02, 1, 1, nullptr, found);
+  ClosestFeaturesScratch scratch;
+  closest_features_find(body.mesh.surface, all, {{0, 0, 0.01}, 0.01, 0.02, 1, 1, nullptr}, scratch, found);
   ASSERT_EQ(found.feature.size(), 2u);
   for (const ClosestFeature& t : found.feature) {
     EXPECT_NEAR(t.distance, 0.01 / std::sqrt(2.0), 1e-15);
     EXPECT_GT(t.side[2], 0);
   }
-  closest_features_find(body.mesh.surface, all, {0, 0, -0.01}, 0.01, 0.02, 1, 1, nullptr, found);
+  closest_features_find(body.mesh.surface, all, {{0, 0, -0.01}, 0.01, 0.02, 1, 1, nullptr}, scratch, found);
   ASSERT_EQ(found.feature.size(), 1u);
   EXPECT_NEAR(found.feature[0].distance, 0.01, 1e-15);
   EXPECT_LT(found.feature[0].side[2], 0);

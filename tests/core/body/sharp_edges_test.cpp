@@ -57,13 +57,14 @@ TEST(SharpEdges, SearchFindsTheNearest) {
   const SharpFeatures features = sharp_features_make(surface, kSharpSine, 0.02);
   std::mt19937 random(5);
   std::uniform_real_distribution<double> at(-0.2, 0.2);
+  std::vector<std::uint32_t> found;
   for (int k = 0; k < 200; ++k) {
     const Vec3 x{at(random), at(random), at(random)};
     double smallest = 0.05;
     for (const SharpFeature& r : features.feature)
       for (int p = 0; p <= 2000; ++p)
         smallest = std::min(smallest, norm(x - r.from - (p / 2000.0) * (r.to - r.from)));
-    EXPECT_NEAR(sharp_features_distance(features, x, 0.05), smallest, 1e-5);
+    EXPECT_NEAR(sharp_features_distance(features, x, 0.05, found), smallest, 1e-5);
   }
 }
 

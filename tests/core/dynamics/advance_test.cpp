@@ -42,7 +42,7 @@ TEST(Leapfrog, ConservesItsDiscreteEnergyForAMillionSteps) {
   const auto invariant = [&] {
     std::vector<math::Wrench> pins;
     Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
-    leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), pins);
+    leapfrog_synchronous(a.system, a.motion, a.state, {vx.data(), vy.data(), vz.data()}, pins);
     const double x = (a.state.y[high] - a.state.y[low] - 0.01) / 2, v = (vy[high] - vy[low]) / 2;
     return v * v / 2 + w2 * x * x * (1 - h * h * w2 / 4) / 2;
   };
@@ -92,7 +92,8 @@ TEST(Leapfrog, ConservesTheDiscreteEnergyOfCutPieces) {
     const double h = 0.35 * 2 / std::sqrt(a.state.omega2);
     Array fx(a.system.nodes), fy(a.system.nodes), fz(a.system.nodes);
     const auto step_energy = [&] {
-      kernel_forces(*a.motion.kernel, a.system, a.state, a.motion.workspace, fx.data(), fy.data(), fz.data());
+      kernel_forces(*a.motion.kernel, a.system, a.state, a.motion.workspace,
+                    {fx.data(), fy.data(), fz.data()});
       leapfrog_step(a.system, a.motion, a.state, h);
       double sum = 0;
       for (std::size_t n : a.system.particle)
@@ -285,7 +286,7 @@ TEST(Leapfrog, PinsTakeOutExactlyTheMomentumThatIsMissing) {
     double before = 0;
     for (int call = 0; call < 30; ++call) {
       ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 0.003, event), Advance::kDone);
-      leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), force);
+      leapfrog_synchronous(a.system, a.motion, a.state, {vx.data(), vy.data(), vz.data()}, force);
       double momentum = 0, weight = 0;
       for (std::size_t n : a.system.particle) {
         momentum += a.system.mass[n] * vz[n];
@@ -373,7 +374,7 @@ TEST(Leapfrog, UndampedWoolKeepsItsEnergy) {
   std::vector<math::Wrench> force;
   for (int call = 0; call < 60; ++call) {
     ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 0.1, event), Advance::kDone);
-    leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), force);
+    leapfrog_synchronous(a.system, a.motion, a.state, {vx.data(), vy.data(), vz.data()}, force);
     const drape_energy e = outputs::energy_potential(a.system, a.state);
     const double k = outputs::energy_kinetic(a.system, vx, vy, vz);
     kinetic = std::max(kinetic, k);

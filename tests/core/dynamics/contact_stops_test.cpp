@@ -30,8 +30,9 @@ double held(const Assembled& of, double a) {
   std::vector<contact::EdgeContactPair> pairs;
   contact::edge_narrow_phase(of.system, of.state, pairs);
   Array x(of.system.nodes, 0.0), y = x, z(of.system.nodes, a);
-  double* const field[] = {x.data(), y.data(), z.data()};
-  const contact::ContactStops stops = contact::stop_forces(of.system, of.state, pairs, field);
+  const model::Field field{x.data(), y.data(), z.data()};
+  contact::EdgeScratch scratch = contact::edge_scratch_make();
+  const contact::ContactStops stops = contact::stop_forces(of.system, scratch, of.state, pairs, field);
   double sum = 0;
   for (double s : stops.particle) sum += s;
   for (double s : stops.pair) sum += s;

@@ -32,7 +32,7 @@ drape_energy energy_after(const Scene& scene, double h, int steps) {
   for (int k = 0; k < steps; ++k) leapfrog_step(a.system, a.motion, a.state, h);
   outputs::Outputs o;
   outputs::outputs_make(o, a.scene, a.system);
-  outputs::outputs_fill(o, a.system, a.motion, a.state, DRAPE_ENERGY);
+  outputs::outputs_fill(o, a.system, a.motion, a.state, DRAPE_OUT_ENERGY);
   return o.c_view.energy;
 }
 

@@ -13,7 +13,7 @@ namespace {
 math::Wrench impulse_of(Assembled& a, std::size_t pin) {
   std::vector<math::Wrench> load;
   Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
-  leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), load);
+  leapfrog_synchronous(a.system, a.motion, a.state, {vx.data(), vy.data(), vz.data()}, load);
   const double half = a.system.integrator == scene::Integrator::kPaper ? 0 : a.state.h_old / 2;
   return {arr(vec(a.state.pin_impulse[pin].force) + half * vec(load[pin].force)),
           arr(vec(a.state.pin_impulse[pin].torque) + half * vec(load[pin].torque))};
@@ -23,7 +23,7 @@ math::Wrench impulse_of(Assembled& a, std::size_t pin) {
 std::pair<V, V> momenta(Assembled& a, const V& at = V::Zero()) {
   std::vector<math::Wrench> load;
   Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
-  leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), load);
+  leapfrog_synchronous(a.system, a.motion, a.state, {vx.data(), vy.data(), vz.data()}, load);
   V linear = V::Zero(), angular = V::Zero();
   for (std::size_t n : a.system.particle) {
     const V p = a.system.mass[n] * V(vx[n], vy[n], vz[n]);

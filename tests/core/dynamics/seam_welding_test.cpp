@@ -86,7 +86,7 @@ Momentum momentum_of(Assembled& a) {
   using namespace math::vector3;
   std::vector<math::Wrench> pins;
   Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
-  leapfrog_synchronous(a.system, a.motion, a.state, vx.data(), vy.data(), vz.data(), pins);
+  leapfrog_synchronous(a.system, a.motion, a.state, {vx.data(), vy.data(), vz.data()}, pins);
   Momentum sum;
   for (std::size_t n : a.system.particle) {
     const Vec3 p = a.system.mass[n] * Vec3{vx[n], vy[n], vz[n]};
@@ -181,7 +181,7 @@ Eigen::VectorXd welded(Assembled& a, const Eigen::VectorXd& force) {
       f[k][a.system.particle[n]] =
           force[Eigen::Index(3 * n + k)] * a.system.inverse_mass[a.system.particle[n]];
   }
-  held_rates(a.motion.constraints, a.state, Rate::kAcceleration, a.motion.held);
+  held_rates(a.motion.constraints, a.state, model::Pass::kAcceleration, a.motion.held);
   constraints_project(a.system, a.motion.constraints, a.motion.held, {f[0].data(), f[1].data(), f[2].data()},
                       nullptr);
   Eigen::VectorXd left(force.size());

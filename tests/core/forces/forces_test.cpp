@@ -95,18 +95,7 @@ TEST_P(EveryForce, IsMinusTheGradientOfItsEnergy) {
     const drape_energy e = outputs::energy_potential(weightless, a.state);
     return e.stretch + e.shear + e.bending;
   };
-  const double eps = 1e-7, scale = force.lpNorm<Eigen::Infinity>();
-  Eigen::Index k = 0;
-  for (std::size_t n : a.system.particle)
-    for (Array* r : {&a.state.x, &a.state.y, &a.state.z}) {
-      const double at = (*r)[n];
-      (*r)[n] = at + eps;
-      const double above = energy();
-      (*r)[n] = at - eps;
-      const double below = energy();
-      (*r)[n] = at;
-      EXPECT_NEAR(force[k++], -(above - below) / (2 * eps), 1e-6 * scale);
-    }
+  expect_minus_gradient(a, force, energy, 1e-7);
 }
 
 TEST_P(EveryForce, HasNoNetForceAndNoNetTorque) {

@@ -150,7 +150,7 @@ TEST(Strip, IsTheRestOfAFit) {
   ASSERT_TRUE(a.state.relaxation.at_rest) << a.state.relaxation.residual;
   std::vector<math::Wrench> load(2);
   Array v[3] = {Array(a.system.nodes), Array(a.system.nodes), Array(a.system.nodes)};
-  dynamics::leapfrog_synchronous(a.system, a.motion, a.state, v[0].data(), v[1].data(), v[2].data(), load);
+  dynamics::leapfrog_synchronous(a.system, a.motion, a.state, {v[0].data(), v[1].data(), v[2].data()}, load);
   const StripPull newton = expect_pull(f, model::YarnDirection::kBias, f.strip_width / 4, {pull});
   EXPECT_NEAR(-load[1].force[1] / newton.force[0], 1, 1e-3);
 }

@@ -81,9 +81,8 @@ TEST(Fields, PressureAtRestIsWeightOverArea) {
 // touches two bodies.
 TEST(Fields, AParticleCountsOnceByHoweverManySurfaces) {
   const SceneFolder folder;
-  const Mesh groove{
-      {{-0.2, -1, 0.2}, {0, -1, 0}, {0.2, -1, 0.2}, {-0.2, 1, 0.2}, {0, 1, 0}, {0.2, 1, 0.2}},
-      {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};
+  const Mesh groove{{{-0.2, -1, 0.2}, {0, -1, 0}, {0.2, -1, 0.2}, {-0.2, 1, 0.2}, {0, 1, 0}, {0.2, 1, 0.2}},
+                    {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};
   for (const bool halves : {false, true}) {
     Scene scene = reference::rectangle(linen(), 0.04, 0.03, 0.01);
     scene.pieces[0].place.axis_x = {0, 1, 0};  // along the groove

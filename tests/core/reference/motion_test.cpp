@@ -177,7 +177,7 @@ TEST(ReferenceMotion, KeepsIndependentRowsOnly) {
   EXPECT_EQ(motion.held.A.rows(), 4);
   VectorXd x = crumpled(motion.lattice, 1, 2);
   const std::vector<Vector3d> still(5, Vector3d::Zero());
-  hold(motion.lattice, motion.held, still, still, x);
+  constraints_project(motion.lattice, motion.held, still, still, x);
   for (const Row& row : motion.lattice.rows) EXPECT_LE(point_value(row.point, x).norm(), 1e-12);
 }
 

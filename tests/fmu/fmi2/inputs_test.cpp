@@ -1,6 +1,5 @@
 // Inputs and their derivatives through FMI: which are refused, which act, which a saved state contains.
 #include <cmath>
-#include <limits>
 
 #include "fmi2/slave.h"
 
@@ -8,16 +7,6 @@ namespace drape::fmi2 {
 namespace {
 
 constexpr double kQ = 1.0 / 1024;
-const double kNan = std::numeric_limits<double>::quiet_NaN(),
-             kInfinity = std::numeric_limits<double>::infinity();
-
-void expect_refused(Slave& slave, const std::string& name, double value,
-                    const std::vector<std::string>& words) {
-  const double before = slave.get(name);
-  EXPECT_EQ(slave.set(name, value), fmi2Discard) << name << " = " << value;
-  expect_sentence(slave, fmi2Discard, words);
-  EXPECT_EQ(slave.get(name), before);
-}
 
 TEST(Inputs, OutOfRange) {
   Slave slave(flag());

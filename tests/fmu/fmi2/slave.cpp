@@ -178,4 +178,12 @@ void expect_sentence(Slave& slave, fmi2Status status, const std::vector<std::str
   slave.log.clear();
 }
 
+void expect_refused(Slave& slave, const std::string& name, double value,
+                    const std::vector<std::string>& words) {
+  const double before = slave.get(name);
+  EXPECT_EQ(slave.set(name, value), fmi2Discard) << name << " = " << value;
+  expect_sentence(slave, fmi2Discard, words);
+  EXPECT_EQ(slave.get(name), before);
+}
+
 }  // namespace drape::fmi2

@@ -3,6 +3,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,9 @@
 #include "variables.h"
 
 namespace drape::fmi2 {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN(),
+                 kInfinity = std::numeric_limits<double>::infinity();
 
 // Every function of FMI 2.0, by its own name.
 struct Fmi2 {
@@ -106,5 +110,9 @@ struct Slave {
 
 // Expects that a refused call leaves one sentence, which contains these words.
 void expect_sentence(Slave& slave, fmi2Status status, const std::vector<std::string>& words);
+
+// Expects that the value is refused with such a sentence, and that the variable keeps its value.
+void expect_refused(Slave& slave, const std::string& name, double value,
+                    const std::vector<std::string>& words);
 
 }  // namespace drape::fmi2

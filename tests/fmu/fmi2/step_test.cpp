@@ -1,14 +1,9 @@
 // fmi2SetupExperiment and fmi2DoStep: impossible times are refused, and the motion does not depend on how a
 // master groups the communication intervals (1 ms in the sample).
-#include <limits>
-
 #include "fmi2/slave.h"
 
 namespace drape::fmi2 {
 namespace {
-
-const double kNan = std::numeric_limits<double>::quiet_NaN(),
-             kInfinity = std::numeric_limits<double>::infinity();
 
 // From 1 s, for a tenth of a second.
 void initialize_with_stop(Slave& slave) {

@@ -1,22 +1,8 @@
 // Values by reference: when each may be set, and that a refused call changes nothing.
-#include <cmath>
-#include <limits>
-
 #include "fmi2/slave.h"
 
 namespace drape::fmi2 {
 namespace {
-
-const double kNan = std::numeric_limits<double>::quiet_NaN(),
-             kInfinity = std::numeric_limits<double>::infinity();
-
-void expect_refused(Slave& slave, const std::string& name, double value,
-                    const std::vector<std::string>& words) {
-  const double before = slave.get(name);
-  EXPECT_EQ(slave.set(name, value), fmi2Discard) << name << " = " << value;
-  expect_sentence(slave, fmi2Discard, words);
-  EXPECT_EQ(slave.get(name), before);
-}
 
 TEST(Values, OutOfRange) {
   Slave slave;

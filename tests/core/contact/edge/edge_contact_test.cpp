@@ -39,7 +39,8 @@ TEST(EdgeContact, MomentumIsBalancedOverEveryAdvance) {
   for (Array& of : v) of.assign(a.system.nodes, 0.0);
   std::vector<math::Wrench> pins;
   const auto now = [&] {
-    dynamics::leapfrog_synchronous(a.system, a.motion, a.state, v[0].data(), v[1].data(), v[2].data(), pins);
+    dynamics::leapfrog_synchronous(a.system, a.motion, a.state, {v[0].data(), v[1].data(), v[2].data()},
+                                   pins);
     return momentum(a, v);
   };
   Vec3 before = now();
@@ -173,6 +174,7 @@ TEST(EdgeContact, BitsAreThoseOfEveryKernelAndGrouping) {
     return positions(a);
   };
   const Eigen::VectorXd whole = run("scalar", 1);
+  if (whole.size() == 0) GTEST_SKIP() << "no kernel with fused arithmetic";
   for (const char* kernel : {"scalar", "avx2", "avx512"}) {
     const Eigen::VectorXd other = run(kernel, 6);
     if (other.size() == 0) continue;  // not on this processor

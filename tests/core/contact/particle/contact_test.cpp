@@ -154,7 +154,7 @@ struct Synchronous {
 Synchronous synchronous(Assembled& a) {
   Synchronous s;
   for (Array& v : s.v) v.assign(a.system.nodes, 0.0);
-  dynamics::leapfrog_synchronous(a.system, a.motion, a.state, s.v[0].data(), s.v[1].data(), s.v[2].data(),
+  dynamics::leapfrog_synchronous(a.system, a.motion, a.state, {s.v[0].data(), s.v[1].data(), s.v[2].data()},
                                  s.pins);
   return s;
 }
@@ -289,6 +289,7 @@ TEST(Contact, BitsAreThoseOfEveryKernelAndGrouping) {
     return positions(a);
   };
   const Eigen::VectorXd whole = run("scalar", 1);
+  if (whole.size() == 0) GTEST_SKIP() << "no kernel with fused arithmetic";
   for (const char* kernel : {"avx2", "avx512"}) {
     const Eigen::VectorXd other = run(kernel, 6);
     if (other.size() == 0) continue;  // not on this processor

@@ -97,9 +97,8 @@ TEST(WarmStart, AStripRestsInAGroove) {
   scene.fabrics[0].bending_warp = scene.fabrics[0].bending_weft = 1e-7;
   scene.mode = scene::Mode::kFit;
   scene.pieces[0].place.origin = {-0.05, -0.015, 0.055};
-  const Mesh groove{
-      {{-0.2, -1, 0.2}, {0, -1, 0}, {0.2, -1, 0.2}, {-0.2, 1, 0.2}, {0, 1, 0}, {0.2, 1, 0.2}},
-      {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};
+  const Mesh groove{{{-0.2, -1, 0.2}, {0, -1, 0}, {0.2, -1, 0.2}, {-0.2, 1, 0.2}, {0, 1, 0}, {0.2, 1, 0.2}},
+                    {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};
   body_add(scene, folder, "groove", groove);
   Assembled a = assemble(scene);
   ASSERT_TRUE(rests(a, 10)) << "residual " << a.state.relaxation.residual;

@@ -61,7 +61,7 @@ TEST(SelfContact, RestsAtTheThickness) {
   advance(a, 0.05);
   outputs::Outputs outputs;
   outputs::outputs_make(outputs, a.scene, a.system);
-  outputs::outputs_fill(outputs, a.system, a.motion, a.state, DRAPE_MOTION | DRAPE_STRAIN);
+  outputs::outputs_fill(outputs, a.system, a.motion, a.state, DRAPE_OUT_VELOCITY | DRAPE_OUT_STRAIN);
   const double weight = 9.81 * (mass_of(a.system, 0) + mass_of(a.system, 1));
   EXPECT_NEAR(outputs.pins[0].force[2], -weight, 1e-6 * weight);
   EXPECT_GE(outputs.c_view.contact_count, 36);
@@ -218,6 +218,7 @@ TEST(SelfContact, BitsAreThoseOfEveryKernelAndGrouping) {
     return positions(a);
   };
   const Eigen::VectorXd whole = run("scalar", 1);
+  if (whole.size() == 0) GTEST_SKIP() << "no kernel with fused arithmetic";
   for (const char* kernel : {"avx2", "avx512"}) {
     const Eigen::VectorXd other = run(kernel, 6);
     if (other.size() == 0) continue;  // not on this processor

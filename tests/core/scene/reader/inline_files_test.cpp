@@ -149,7 +149,7 @@ TEST(SceneRead, DiagramsOfItsOwnDoNotTakeTheFilesCorrections) {
       "force = [0, 6, 15]\ncorrection = [0.9, 0.9, 0.95]\ncorrection_elongation = [1.1, 1.1, 1.2]\n");
   const auto warp = [&](const std::string& keys) {
     std::vector<Problem> problems;
-    const Scene scene = scene_load(folder.write("scene.toml", kBegin + keys + kEnd), problems);
+    const Scene scene = validation::scene_load(folder.write("scene.toml", kBegin + keys + kEnd), problems);
     for (const Problem& p : problems) ADD_FAILURE() << problem_text(p);
     return scene.fabrics.at(0).warp;
   };

@@ -1,0 +1,70 @@
+#include "command/command.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <system_error>
+
+#include "scene/reader/read.h"
+
+namespace drape::command {
+namespace {
+
+void log_quiet(void*, drape_log_kind kind, const char* message) {
+  if (kind == DRAPE_LOG_ERROR) std::fprintf(stderr, "error: %s\n", message);
+  if (kind == DRAPE_LOG_WARNING) std::fprintf(stderr, "warning: %s\n", message);
+}
+
+void log_verbose(void*, drape_log_kind kind, const char* message) {
+  constexpr const char* kKinds[] = {"error", "warning", "event", "stability"};
+  std::fprintf(stderr, "%s: %s\n", kKinds[kind], message);
+}
+
+}  // namespace
+
+CLI::Option* option_scene(CLI::App& command, std::string& scene_file) {
+  return option_add(command, "SCENE", scene_file, "scene file (TOML)", {.required = true});
+}
+
+CLI::Option* option_nodes(CLI::App& command, description::Nodes& nodes) {
+  static const std::map<std::string, description::Nodes> kChoices = {
+      {"none", description::Nodes::kNone},
+      {"outline", description::Nodes::kOutline},
+      {"all", description::Nodes::kAll}};
+  const auto problem = [](const std::string& text) {
+    return kChoices.contains(text) ? "" : "'" + text + "'; allowed: none, outline, all";
+  };
+  return option_add(command, "--nodes", [&nodes](const std::string& text) { nodes = kChoices.at(text); },
+                    "particles with variables of their own",
+                    {.type = "none|outline|all", .problem = problem});
+}
+
+// An option for a time above 0 s. Without the option, `seconds` keeps its value.
+CLI::Option* option_seconds(CLI::App& command, const char* name, double& seconds, const char* description) {
+  const auto problem = [](const std::string& text) {
+    return is_positive_number(text) ? "" : "'" + text + "' s; allowed: above 0 s, finite";
+  };
+  return option_add(command, name, seconds, description, {.type = "SECONDS", .problem = problem});
+}
+
+Cloth cloth_open(const std::string& scene_file, bool verbose) {
+  return Cloth(drape_open(scene_file.c_str(), verbose ? log_verbose : log_quiet, nullptr));
+}
+
+std::string output_problem(const std::string& option, const std::string& file,
+                           const std::string& scene_file) {
+  if (file.empty()) return option + " is empty; allowed: the name of a file";
+  for (const std::filesystem::path& read : scene::scene_files(scene_file)) {
+    std::error_code error;
+    if (std::filesystem::equivalent(file, read, error))
+      return option + " is " + file + ", which the scene is read from; allowed: any other file";
+  }
+  return "";
+}
+
+int fail(ExitCode code, const std::string& sentence) {
+  std::fprintf(stderr, "error: %s\n", sentence.c_str());
+  return code;
+}
+
+}  // namespace drape::command
