@@ -28,9 +28,9 @@ std::string tick_text(double value) {
 
 struct Axes {
   Vec2 corner;  // upper left
-  double most_x, most_y;
+  double max_x, max_y;
   Vec2 operator()(double x, double y) const {
-    return {corner[0] + kWide * x / most_x, corner[1] + kHigh * (1 - y / most_y)};
+    return {corner[0] + kWide * x / max_x, corner[1] + kHigh * (1 - y / max_y)};
   }
 };
 
@@ -40,20 +40,20 @@ void line_draw(pugi::xml_node to, const std::vector<Vec2>& points, const char* i
 }
 
 void axes_draw(pugi::xml_node to, const Axes& at) {
-  const double step_x = tick_of(at.most_x), step_y = tick_of(at.most_y);
-  for (int k = 0; k * step_x <= at.most_x * (1 + 1e-9); ++k) {
+  const double step_x = tick_of(at.max_x), step_y = tick_of(at.max_y);
+  for (int k = 0; k * step_x <= at.max_x * (1 + 1e-9); ++k) {
     const double x = k * step_x;
-    line_draw(to, {at(x, 0), at(x, at.most_y)}, kGhostInk, "1");
+    line_draw(to, {at(x, 0), at(x, at.max_y)}, kGhostInk, "1");
     svg_text(to, {at(x, 0)[0], at(x, 0)[1] + 16}, tick_text(x),
              {{"text-anchor", "middle"}, {"font-size", "11"}});
   }
-  for (int k = 0; k * step_y <= at.most_y * (1 + 1e-9); ++k) {
+  for (int k = 0; k * step_y <= at.max_y * (1 + 1e-9); ++k) {
     const double y = k * step_y;
-    line_draw(to, {at(0, y), at(at.most_x, y)}, kGhostInk, "1");
+    line_draw(to, {at(0, y), at(at.max_x, y)}, kGhostInk, "1");
     svg_text(to, {at(0, y)[0] - 6, at(0, y)[1] + 4}, tick_text(y),
              {{"text-anchor", "end"}, {"font-size", "11"}});
   }
-  svg_text(to, {at(at.most_x / 2, 0)[0], at(0, 0)[1] + 34}, "elongation, %",
+  svg_text(to, {at(at.max_x / 2, 0)[0], at(0, 0)[1] + 34}, "elongation, %",
            {{"text-anchor", "middle"}, {"font-size", "11"}});
 }
 

@@ -20,9 +20,9 @@ inline void sewn_advance(Assembled& a, double length) {
   const dynamics::Advance how =
       dynamics::leapfrog_advance(a.system, a.motion, a.state, length, event, [&](double) {
         bool changed = dynamics::seams_pull_begin(a.system, a.state);
-        const std::vector<std::size_t> due = dynamics::seams_within_tolerance(a.system, a.state);
-        if (!due.empty()) dynamics::seams_weld(a.system, a.motion, a.state, due);
-        changed = changed || !due.empty();
+        const std::vector<std::size_t> within = dynamics::seams_within_tolerance(a.system, a.state);
+        if (!within.empty()) dynamics::seams_weld(a.system, a.motion, a.state, within);
+        changed = changed || !within.empty();
         if (changed) dynamics::leapfrog_retuned(a.system, a.motion, a.state);
         return changed;
       });

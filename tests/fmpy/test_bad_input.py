@@ -20,7 +20,7 @@ def cloth(fmu):
 
 
 def refused(cloth, *words):
-    """The one sentence in the log since the last call, which names all `words`."""
+    """The only sentence in the log since the last call; it contains all `words`."""
     sentences = [message for status, _, message in cloth.log if status >= DISCARD]
     cloth.log.clear()
     assert len(sentences) == 1, sentences

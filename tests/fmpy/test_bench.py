@@ -32,7 +32,7 @@ def test_scenes(drape, tmp_path):
 
 
 def test_absent(tmp_path):
-    """A command without the benchmark next to it reports how to get it."""
+    """A command without the benchmark beside it reports how to get it."""
     shutil.copy(ROOT / "build" / "drape", tmp_path)
     done = subprocess.run([tmp_path / "drape", "bench", "--quick", "kernel"], capture_output=True, text=True)
     assert done.returncode == 1 and done.stderr.count("\n") == 1 and "-DDRAPE_BENCH=ON" in done.stderr

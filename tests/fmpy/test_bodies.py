@@ -1,4 +1,4 @@
-"""Bodies through the packed FMU: what it contains, its inputs, its outputs."""
+"""Bodies through the packed FMU: its contents, its inputs, its outputs."""
 import re
 import subprocess
 import zipfile

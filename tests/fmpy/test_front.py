@@ -74,8 +74,8 @@ def test_links():
 
 
 def test_hanging_wool(tmp_path):
-    """The example ends with a check of its own; a failed one is a non-zero exit code. Its README states the pull on the peg
-    that it prints."""
+    """The example ends with a check of its own; a failed check gives a non-zero exit code. Its README
+    has the pull on the peg that it prints."""
     example = ROOT / "examples" / "hanging_wool"
     done = subprocess.run([sys.executable, example / "run.py", tmp_path], capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr

@@ -44,7 +44,7 @@ def test_order_6(tmp_path, damping):
 
 
 def compared(name, exact):
-    """The reference chooses its own steps, and has no energy balance."""
+    """The reference solver chooses its own steps, and has no energy balance."""
     return name in exact and not name.startswith(("time", "step."))
 
 

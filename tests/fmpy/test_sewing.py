@@ -1,4 +1,4 @@
-"""Seams through FMI: they close, at a given time or by an input; the same bits; the reference sews too."""
+"""Seams through FMI: they close, at a time or by a parameter; the same bits; the reference solver sews too."""
 import math
 import subprocess
 import sys
@@ -91,8 +91,8 @@ def test_closed_at_a_time(drape, write, tmp_path):
 
 
 def test_reference_sews_too(drape, write, tmp_path):
-    """The reference's run of a sewn and pinned cloth, before and after the weld, to the error of the step: closed gently, so
-    that the cloth does not buckle, which no two runs do alike."""
+    """The reference solver's run of a sewn and pinned cloth, before and after the weld, to the error of the step. The seam
+    closes gently, so that the cloth does not buckle, which no two runs do alike."""
     scene = two_strips(damping=5.0, energy=True)
     scene["seam"][0] |= {"pull": 400.0, "speed": 5.0}
     file = write(scene)

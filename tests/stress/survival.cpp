@@ -87,7 +87,7 @@ Scene scene_of(const Cloth& cloth, double damping, int order) {
       "[[pin]]\nname = \"peg\"\npiece = \"square\"\n" + cloth.pins;
   std::vector<Problem> problems;
   const Scene scene = validation::scene_load(folder.write("scene.toml", text), problems);
-  for (const Problem& p : problems) std::fprintf(stderr, "%s\n", problem_text(p).c_str());
+  for (const Problem& p : problems) std::fprintf(stderr, "%s\n", scene::problem_text(p).c_str());
   if (!problems.empty()) std::exit(1);
   return scene;
 }
@@ -224,15 +224,15 @@ int main(int argc, char** argv) {
   long steps = 100000;
   unsigned seeds = 4;
   const char* only = "";
-  double least = 0, most = INFINITY;
+  double min_ratio = 0, max_ratio = INFINITY;
   long order = 2;
   for (int k = 1; k < argc; ++k) {
     if (std::strcmp(argv[k], "--steps") == 0 && k + 1 < argc) steps = std::strtol(argv[++k], nullptr, 10);
     else if (std::strcmp(argv[k], "--seeds") == 0 && k + 1 < argc)
       seeds = unsigned(std::strtoul(argv[++k], nullptr, 10));
     else if (std::strcmp(argv[k], "--only") == 0 && k + 1 < argc) only = argv[++k];
-    else if (std::strcmp(argv[k], "--from") == 0 && k + 1 < argc) least = std::strtod(argv[++k], nullptr);
-    else if (std::strcmp(argv[k], "--to") == 0 && k + 1 < argc) most = std::strtod(argv[++k], nullptr);
+    else if (std::strcmp(argv[k], "--from") == 0 && k + 1 < argc) min_ratio = std::strtod(argv[++k], nullptr);
+    else if (std::strcmp(argv[k], "--to") == 0 && k + 1 < argc) max_ratio = std::strtod(argv[++k], nullptr);
     else if (std::strcmp(argv[k], "--order") == 0 && k + 1 < argc)
       order = std::strtol(argv[++k], nullptr, 10);
     else {
@@ -244,5 +244,5 @@ int main(int argc, char** argv) {
   }
   if (steps < 1 || seeds < 1) return std::fprintf(stderr, "--steps and --seeds: allowed: 1 or more\n"), 1;
   if (order != 2 && order != 4 && order != 6) return std::fprintf(stderr, "--order: allowed: 2, 4, 6\n"), 1;
-  return drape::stress::run(steps, seeds, only, least, most, int(order));
+  return drape::stress::run(steps, seeds, only, min_ratio, max_ratio, int(order));
 }

@@ -18,9 +18,9 @@ inline std::vector<double> spline_fit(const std::vector<double>& t, const std::v
   std::vector<double> second(n, 0), diagonal(n, 1);
   for (std::size_t k = 1; k + 1 < n; ++k) {
     const double before = t[k] - t[k - 1], after = t[k + 1] - t[k];
-    const double carried = k > 1 ? before / diagonal[k - 1] : 0;
-    diagonal[k] = 2 * (before + after) - carried * before;
-    second[k] = 6 * ((y[k + 1] - y[k]) / after - (y[k] - y[k - 1]) / before) - carried * second[k - 1];
+    const double factor = k > 1 ? before / diagonal[k - 1] : 0;
+    diagonal[k] = 2 * (before + after) - factor * before;
+    second[k] = 6 * ((y[k + 1] - y[k]) / after - (y[k] - y[k - 1]) / before) - factor * second[k - 1];
   }
   for (std::size_t k = n - 1; k-- > 1;)
     second[k] = (second[k] - (t[k + 1] - t[k]) * second[k + 1]) / diagonal[k];

@@ -14,8 +14,7 @@ struct PolyField {
 };
 
 struct PolyCells {
-  std::vector<std::int32_t> corner,
-      end;  // corner: indices of points; end: the end of each cell in `corner`, cumulative
+  std::vector<std::int32_t> corner, end;  // points; the end of each cell in `corner`, cumulative
 };
 
 struct PolyData {

@@ -15,22 +15,22 @@ namespace {
 
 constexpr double kDuration = 10;  // s, the latest end of a fit
 
-std::string with_number(const std::string& name, std::set<std::string>& taken) {
+std::string with_number(const std::string& name, std::set<std::string>& used) {
   std::string made = name;
-  for (int k = 2; !taken.insert(made).second; ++k) made = name + "_" + std::to_string(k);
+  for (int k = 2; !used.insert(made).second; ++k) made = name + "_" + std::to_string(k);
   return made;
 }
 
 // The name of the seam of a stitch. A panel sewn to itself along consecutive edges has a dart.
 std::string seam_name(const Pattern& pattern, const Scene& scene, const Stitch& s,
-                      std::set<std::string>& taken) {
+                      std::set<std::string>& used) {
   const auto piece = [&](std::size_t k) { return scene.pieces[std::size_t(s.panel[k])].name; };
   const int count = int(pattern.panels[std::size_t(s.panel[0])].outline.size());
   const int apart = std::abs(s.edge[0] - s.edge[1]);
   const bool dart = s.panel[0] == s.panel[1] && (apart == 1 || apart == count - 1);
   std::string name = piece(0) + "_" + (dart ? "dart" : piece(1));
   if (name.size() > 60) name = "seam";
-  return with_number(name, taken);
+  return with_number(name, used);
 }
 
 std::string metres(double value) {

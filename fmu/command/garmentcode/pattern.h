@@ -7,9 +7,8 @@
 namespace drape::command {
 
 struct Stitch {
-  int panel[2], edge[2];  // indices into Pattern::panels, of their edges
-  bool right_wrong =
-      false;  // true: both edges start where the seam starts; false: one runs against the other
+  int panel[2], edge[2];     // indices into Pattern::panels, of their edges
+  bool right_wrong = false;  // true: both edges start where the seam starts; false: opposite ends
 };
 
 struct Pattern {

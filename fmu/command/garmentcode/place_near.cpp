@@ -94,7 +94,7 @@ bool covers(const scene::PieceSpec& a, const Stand& as, const scene::PieceSpec& 
 
 // Separates layers. Panels that lay over another panel still do: from the body outwards, each moves out
 // until it covers none below.
-void layers_part(Scene& scene, const std::vector<Stand>& stands) {
+void layers_separate(Scene& scene, const std::vector<Stand>& stands) {
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < stands.size(); ++k)
     if (norm(stands[k].out) > 0) order.push_back(k);
@@ -139,7 +139,7 @@ void garment_place_near(Scene& scene, const std::vector<Vec3>& body) {
     piece.place.origin[1] += lift;
     stands.push_back(panel_approach(piece, body));
   }
-  layers_part(scene, stands);
+  layers_separate(scene, stands);
   std::vector<scene::SeamSpec*> later;
   for (scene::SeamSpec& seam : scene.seams) {
     const Vec3 gap = edge_of(scene, seam.side[1]).middle() - edge_of(scene, seam.side[0]).middle();

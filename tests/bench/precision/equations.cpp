@@ -44,11 +44,11 @@ void acceleration(const KernelForces& forces, std::size_t k, const double* v, do
   const System& system = forces.cloth.system;
   const double g = system.gravity[k], c = system.damping;
   for (const Stretch& s : forces.stretches) {
-    const double* __restrict pull = forces.f[k].data() + s.node, * __restrict inverse_mass_scale =
+    const double* __restrict pull = forces.f[k].data() + s.node, * __restrict inverse_mass =
                                                                      system.inverse_mass.data() + s.node;
     double* __restrict to = rate;
     const double* __restrict speed = v;
-    for (std::size_t n = 0; n < s.count; ++n) to[n] = pull[n] * inverse_mass_scale[n] + g - c * speed[n];
+    for (std::size_t n = 0; n < s.count; ++n) to[n] = pull[n] * inverse_mass[n] + g - c * speed[n];
     rate += s.count;
     v += s.count;
   }

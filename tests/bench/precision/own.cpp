@@ -43,7 +43,7 @@ bool own_fits(const Scene& scene, Own own) {
   return !scene.has_air || (own != Own::kOrder4 && own != Own::kOrder6);
 }
 
-double own_least_steps(const Scene& scene, Own own, double end) {
+double own_min_steps(const Scene& scene, Own own, double end) {
   const Ready r = ready_at_start(scene_for(scene, own));
   return end / dynamics::step_limit_of(r.system, r.state.omega2);
 }

@@ -10,7 +10,7 @@ enum class Own { kLeapfrog2, kOrder4, kOrder6, kPaper, kEuler };
 bool own_fits(const Scene& scene, Own own);
 
 // The number of steps (a real number) from the start to the end, at the step limit of the start.
-double own_least_steps(const Scene& scene, Own own, double end);
+double own_min_steps(const Scene& scene, Own own, double end);
 
 struct Stepped {
   Eigen::VectorXd r;  // [3 particles]; empty if the run reached numbers that are not finite

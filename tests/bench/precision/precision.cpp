@@ -71,7 +71,7 @@ struct Sweep {
 // Halves the step from the largest one that gives an answer.
 void sweep_own(const Sweep& s, const OwnMethod& m) {
   if (!own_fits(s.trial.scene, m.own)) return;
-  double largest = own_least_steps(s.trial.scene, m.own, s.trial.end);
+  double largest = own_min_steps(s.trial.scene, m.own, s.trial.end);
   const bool euler = m.own == Own::kEuler;
   long spent = 0;
   bool found = false;

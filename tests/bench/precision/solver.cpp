@@ -22,7 +22,7 @@ constexpr int kKrylov = 20;  // vectors of SPGMR, at most
 // The allocations of one run, and the data of its right-hand sides.
 struct Session {
   const Equations& equations;
-  long evaluations = 0, most;
+  long evaluations = 0, max_evaluations;
   SUNContext context = nullptr;
   N_Vector y = nullptr, tolerance = nullptr;
   SUNLinearSolver linear = nullptr;
@@ -44,7 +44,7 @@ void close(Session& s) {
 // The equations do not depend on time. Numbers that are not finite request a smaller step; too many
 // evaluations end the run.
 int evaluate(Session& s, const Rate& rate, N_Vector y, N_Vector ydot) {
-  if (++s.evaluations > s.most) return -1;
+  if (++s.evaluations > s.max_evaluations) return -1;
   double* to = N_VGetArrayPointer(ydot);
   rate(N_VGetArrayPointer(y), to);
   double sum[8] = {};  // independent sums, so that the check is cheap beside the forces
@@ -66,7 +66,7 @@ int outer(realtype, N_Vector y, N_Vector ydot, void* s) {
 int inner(realtype, N_Vector y, N_Vector ydot, void* s) {
   return evaluate(of(s), of(s).equations.inner, y, ydot);
 }
-void hear(int, const char*, const char*, char*, void*) {}  // a failed run gives no row
+void ignore_message(int, const char*, const char*, char*, void*) {}  // a failed run gives no row
 
 void demand(int flag, const char* call) {
   if (flag < 0)
@@ -90,7 +90,7 @@ void erk_table(Session& s, int order) {
 
 void open_erk(Session& s, const Method& m, double end, double rtol) {
   s.erk = ERKStepCreate(whole, 0, s.y, s.context);
-  demand(ERKStepSetErrHandlerFn(s.erk, hear, nullptr), "ERKStepSetErrHandlerFn");
+  demand(ERKStepSetErrHandlerFn(s.erk, ignore_message, nullptr), "ERKStepSetErrHandlerFn");
   demand(ERKStepSetUserData(s.erk, &s), "ERKStepSetUserData");
   erk_table(s, m.order);
   demand(ERKStepSVtolerances(s.erk, rtol, s.tolerance), "ERKStepSVtolerances");
@@ -102,7 +102,7 @@ void open_erk(Session& s, const Method& m, double end, double rtol) {
 void open_ark(Session& s, const Method& m, double end, double rtol) {
   const bool imex = m.family == Family::kImex;
   s.ark = ARKStepCreate(imex ? outer : nullptr, imex ? inner : whole, 0, s.y, s.context);
-  demand(ARKStepSetErrHandlerFn(s.ark, hear, nullptr), "ARKStepSetErrHandlerFn");
+  demand(ARKStepSetErrHandlerFn(s.ark, ignore_message, nullptr), "ARKStepSetErrHandlerFn");
   demand(ARKStepSetUserData(s.ark, &s), "ARKStepSetUserData");
   demand(ARKStepSetOrder(s.ark, m.order), "ARKStepSetOrder");
   demand(ARKStepSVtolerances(s.ark, rtol, s.tolerance), "ARKStepSVtolerances");
@@ -116,7 +116,7 @@ void open_ark(Session& s, const Method& m, double end, double rtol) {
 void open_cvode(Session& s, const Method& m, double end, double rtol) {
   s.cvode = CVodeCreate(m.family == Family::kBdf ? CV_BDF : CV_ADAMS, s.context);
   demand(CVodeInit(s.cvode, whole, 0, s.y), "CVodeInit");
-  demand(CVodeSetErrHandlerFn(s.cvode, hear, nullptr), "CVodeSetErrHandlerFn");
+  demand(CVodeSetErrHandlerFn(s.cvode, ignore_message, nullptr), "CVodeSetErrHandlerFn");
   demand(CVodeSetUserData(s.cvode, &s), "CVodeSetUserData");
   demand(CVodeSVtolerances(s.cvode, rtol, s.tolerance), "CVodeSVtolerances");
   if (m.family == Family::kAdams) {
@@ -160,7 +160,7 @@ const std::vector<Method>& methods() {
 }
 
 Solved solve(const Equations& e, const Method& m, double end, double rtol, long largest) {
-  Session s{.equations = e, .most = largest};
+  Session s{.equations = e, .max_evaluations = largest};
   if (SUNContext_Create(nullptr, &s.context) != 0) throw std::runtime_error("SUNDIALS gives no context");
   const auto size = sunindextype(e.start.size());
   s.y = N_VNew_Serial(size, s.context);

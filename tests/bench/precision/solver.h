@@ -22,7 +22,6 @@ struct Solved {
   long evaluations = 0;  // of forces, those of Krylov products included
   double seconds = 0;
 };
-Solved solve(const Equations& equations, const Method& method, double end, double rtol,
-             long most_evaluations);
+Solved solve(const Equations& equations, const Method& method, double end, double rtol, long max_evaluations);
 
 }  // namespace drape::bench

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <limits>
 
-#include "api/heard_cloth.h"
+#include "api/logged_cloth.h"
 
 extern "C" int header_is_c(void);
 
@@ -43,7 +43,7 @@ at = [%side, %side]
 
 class ClothTest : public testing::Test {
  protected:
-  Heard heard;
+  Logged logged;
   Cloth open(const std::string& scene_keys = "", const std::string& warp = "[0, 1, 3], force = [0, 1, 9]",
              const std::string& cell = "0.01", const std::string& side = "0.1") {
     const auto file = std::filesystem::path(testing::TempDir()) /
@@ -55,7 +55,7 @@ class ClothTest : public testing::Test {
     for (const auto& [from, to] : edits)
       for (std::size_t at; (at = text.find(from)) != std::string::npos;) text.replace(at, from.size(), to);
     std::ofstream(file) << text;
-    Cloth cloth(drape_open(file.c_str(), hear, &heard));
+    Cloth cloth(drape_open(file.c_str(), on_message, &logged));
     std::filesystem::remove(file);
     return cloth;
   }
@@ -86,23 +86,23 @@ TEST_F(ClothTest, AWholeRun) {
 
 TEST_F(ClothTest, RefusesAStepAboveTheLimitAndNamesWhatSetsIt) {
   EXPECT_FALSE(open("step = 1e-3"));
-  ASSERT_EQ(heard.errors.size(), 1u);
-  EXPECT_NE(heard.errors[0].find("scene.step = 0.001 s; allowed: above 0, at most the step limit"),
+  ASSERT_EQ(logged.errors.size(), 1u);
+  EXPECT_NE(logged.errors[0].find("scene.step = 0.001 s; allowed: above 0, at most the step limit"),
             std::string::npos)
-      << heard.errors[0];
-  EXPECT_NE(heard.errors[0].find("of piece 'sheet'"), std::string::npos);
+      << logged.errors[0];
+  EXPECT_NE(logged.errors[0].find("of piece 'sheet'"), std::string::npos);
 }
 
 TEST_F(ClothTest, DiscardsLengthsThatAreNoTimeStep) {
   const Cloth c = open();
   for (double length : {0.0, -0.001, std::nan(""), double(INFINITY)})
     EXPECT_EQ(drape_advance(c.get(), length), DRAPE_DISCARD);
-  EXPECT_EQ(heard.errors.size(), 4u);
+  EXPECT_EQ(logged.errors.size(), 4u);
   // At most 1e9 intervals of 1 ms: the clock counts intervals in an integer.
   EXPECT_EQ(drape_advance(c.get(), 1e20), DRAPE_DISCARD);
   EXPECT_EQ(drape_advance(c.get(), 1.001e6), DRAPE_DISCARD);
   EXPECT_EQ(
-      heard.errors.back(),
+      logged.errors.back(),
       "the length of an advance is 1.001e+06 s; allowed: at most 1e+06 s, 1e+09 communication intervals");
   EXPECT_EQ(drape_time(c.get()), 0);
 }
@@ -122,7 +122,7 @@ TEST_F(ClothTest, PutsBackOnlyWhatIsAtFault) {
   f.poisson = std::nan("");
   f.bending_warp = -1;
   EXPECT_EQ(drape_commit(c.get()), DRAPE_DISCARD);
-  EXPECT_EQ(heard.errors,
+  EXPECT_EQ(logged.errors,
             (std::vector<std::string>{"gravity[1] = inf m/s2; allowed: from -10000 to 10000 m/s2",
                                       "fabric.f.bending.warp = -1 N.m; allowed: from 0 to 1000 N.m",
                                       "fabric.f.poisson = nan; allowed: from 0 to 0.999",
@@ -152,11 +152,11 @@ TEST_F(ClothTest, PutsBackOnlyWhatIsAtFault) {
 TEST_F(ClothTest, TakesTheEndsOfEveryRange) {
   const Cloth c = open();
   drape_parameters& p = *drape_parameters_of(c.get());
-  const auto takes = [&](double& value, double low, double high) {
+  const auto expect_range = [&](double& value, double low, double high) {
     const double before = value;
     for (const double end : {low, high}) {
       value = end;
-      EXPECT_EQ(drape_commit(c.get()), DRAPE_OK) << heard.errors.back();
+      EXPECT_EQ(drape_commit(c.get()), DRAPE_OK) << logged.errors.back();
       EXPECT_EQ(value, end);
       const double beyond = end == low ? std::nextafter(low, -1e30) : std::nextafter(high, 1e30);
       value = beyond;
@@ -166,16 +166,16 @@ TEST_F(ClothTest, TakesTheEndsOfEveryRange) {
     value = before;
     EXPECT_EQ(drape_commit(c.get()), DRAPE_OK);
   };
-  takes(p.damping, 0, 1e6);
-  for (double& g : p.gravity) takes(g, -1e4, 1e4);
-  takes(p.step_max, 1e-9, 1e3);
-  takes(p.threads, 1, 64);
-  takes(p.fabric[0].areal_density, 1e-4, 100);
-  takes(p.fabric[0].bending_warp, 0, 1000);
-  takes(p.fabric[0].bending_weft, 0, 1000);
-  takes(p.fabric[0].poisson, 0, 0.999);
-  takes(p.fabric[0].compression, 0, 1);
-  takes(p.fabric[0].warp.force[1], 1, 1e6);  // the force before it is 1 N
+  expect_range(p.damping, 0, 1e6);
+  for (double& g : p.gravity) expect_range(g, -1e4, 1e4);
+  expect_range(p.step_max, 1e-9, 1e3);
+  expect_range(p.threads, 1, 64);
+  expect_range(p.fabric[0].areal_density, 1e-4, 100);
+  expect_range(p.fabric[0].bending_warp, 0, 1000);
+  expect_range(p.fabric[0].bending_weft, 0, 1000);
+  expect_range(p.fabric[0].poisson, 0, 0.999);
+  expect_range(p.fabric[0].compression, 0, 1);
+  expect_range(p.fabric[0].warp.force[1], 1, 1e6);  // the force before it is 1 N
 }
 
 // Twice the gravity moves the cloth twice as far in the first moment. Twice the density falls the same.
@@ -201,13 +201,13 @@ TEST_F(ClothTest, EndsARunThatNoStepCanFollowAtItsLastGoodState) {
   const double before = drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->probe[0].position[1];
   drape_parameters_of(c.get())->gravity[1] = 1000;
   EXPECT_EQ(drape_advance(c.get(), 0.01), DRAPE_ERROR);
-  ASSERT_EQ(heard.errors.size(), 1u);
-  EXPECT_NE(
-      heard.errors[0].find("more than 1e+06 steps in a communication interval, set by the warp link of piece "
-                           "'sheet'"),
-      std::string::npos)
-      << heard.errors[0];
-  EXPECT_EQ(heard.errors[0].find('%'), std::string::npos);
+  ASSERT_EQ(logged.errors.size(), 1u);
+  EXPECT_NE(logged.errors[0].find(
+                "more than 1e+06 steps in a communication interval, set by the warp link of piece "
+                "'sheet'"),
+            std::string::npos)
+      << logged.errors[0];
+  EXPECT_EQ(logged.errors[0].find('%'), std::string::npos);
   EXPECT_EQ(drape_time(c.get()), 0.01);
   EXPECT_EQ(drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->probe[0].position[1], before);
   EXPECT_FALSE(drape_step_above_limit(c.get()));
@@ -221,24 +221,24 @@ TEST_F(ClothTest, RefusesMoreThanAMillionStepsAnInterval) {
   EXPECT_FALSE(open("", "[0, 1e-6, 3], force = [0, 1e6, 1e6]"));
   EXPECT_FALSE(open("step = 0.999e-9"));
   EXPECT_TRUE(open("step = 1.001e-9"));
-  ASSERT_EQ(heard.errors.size(), 2u);
-  EXPECT_NE(heard.errors[0].find("scene.communication = 0.001 s takes "), std::string::npos)
-      << heard.errors[0];
-  EXPECT_NE(heard.errors[0].find(" steps; allowed: at most 1e+06, but the step limit is "),
+  ASSERT_EQ(logged.errors.size(), 2u);
+  EXPECT_NE(logged.errors[0].find("scene.communication = 0.001 s takes "), std::string::npos)
+      << logged.errors[0];
+  EXPECT_NE(logged.errors[0].find(" steps; allowed: at most 1e+06, but the step limit is "),
             std::string::npos);
-  EXPECT_NE(heard.errors[0].find(" s, set by the warp link of piece 'sheet', column 1, row "),
+  EXPECT_NE(logged.errors[0].find(" s, set by the warp link of piece 'sheet', column 1, row "),
             std::string::npos);
-  EXPECT_NE(heard.errors[1].find(
+  EXPECT_NE(logged.errors[1].find(
                 "scene.step = 9.99e-10 s takes 1.001e+06 steps in a communication interval of 0.001 s; "
                 "allowed: at most 1e+06, 1e-09 s or more each"),
             std::string::npos)
-      << heard.errors[1];
+      << logged.errors[1];
 
   const Cloth c = open("communication = 10");
   drape_parameters_of(c.get())->step_max = 1e-6;
   drape_parameters_of(c.get())->damping = 2;
   EXPECT_EQ(drape_commit(c.get()), DRAPE_DISCARD);
-  EXPECT_EQ(heard.errors.back(),
+  EXPECT_EQ(logged.errors.back(),
             "step.max = 1e-06 s takes 1e+07 steps in a communication interval of 10 s; allowed: at most "
             "1e+06, 1e-05 s "
             "or more each");
@@ -249,9 +249,9 @@ TEST_F(ClothTest, RefusesMoreThanAMillionStepsAnInterval) {
 // Lengths whose squares underflow would give no masses: the points coincide.
 TEST_F(ClothTest, RefusesAPieceWithoutExtent) {
   EXPECT_FALSE(open("", "[0, 1, 3], force = [0, 1, 9]", "1e-170", "1e-169"));
-  ASSERT_EQ(heard.errors.size(), 4u);
-  EXPECT_NE(heard.errors[0].find("outline[1] = [1e-169, 0] m repeats point 0"), std::string::npos)
-      << heard.errors[0];
+  ASSERT_EQ(logged.errors.size(), 4u);
+  EXPECT_NE(logged.errors[0].find("outline[1] = [1e-169, 0] m repeats point 0"), std::string::npos)
+      << logged.errors[0];
 }
 
 // Without laws there is no limit: the step is the communication interval.
@@ -261,7 +261,7 @@ TEST_F(ClothTest, NeedsNoStepLimitWhereNoLawActs) {
   drape_fabric& f = drape_parameters_of(c.get())->fabric[0];
   f.bending_warp = f.bending_weft = 0;
   for (double* force : {f.weft.force, f.bias.force}) force[0] = force[1] = 0;
-  ASSERT_EQ(drape_commit(c.get()), DRAPE_OK) << heard.errors[0];
+  ASSERT_EQ(drape_commit(c.get()), DRAPE_OK) << logged.errors[0];
   EXPECT_EQ(drape_step_limit(c.get(), nullptr), INFINITY);
   EXPECT_EQ(drape_advance(c.get(), 0.01), DRAPE_OK);
   EXPECT_EQ(drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->step_count, 10);
@@ -280,11 +280,11 @@ TEST_F(ClothTest, RefusesAFabricThatAGivenStepCannotFollow) {
   p.fabric[0].compression = 0.5;
   p.damping = 2;
   EXPECT_EQ(drape_advance(c.get(), 0.01), DRAPE_DISCARD);
-  ASSERT_EQ(heard.errors.size(), 1u);
-  EXPECT_EQ(heard.errors[0].find("fabric.f keeps its values: with those set, scene.step = "), 0u)
-      << heard.errors[0];
-  EXPECT_NE(heard.errors[0].find(" s; allowed: above 0, at most the step limit "), std::string::npos);
-  EXPECT_NE(heard.errors[0].find(" of piece 'sheet', column "), std::string::npos);
+  ASSERT_EQ(logged.errors.size(), 1u);
+  EXPECT_EQ(logged.errors[0].find("fabric.f keeps its values: with those set, scene.step = "), 0u)
+      << logged.errors[0];
+  EXPECT_NE(logged.errors[0].find(" s; allowed: above 0, at most the step limit "), std::string::npos);
+  EXPECT_NE(logged.errors[0].find(" of piece 'sheet', column "), std::string::npos);
   EXPECT_EQ(drape_time(c.get()), 0.01);
   EXPECT_FALSE(drape_step_above_limit(c.get()));
   EXPECT_EQ(p.fabric[0].areal_density, 0.15);
@@ -306,13 +306,13 @@ TEST_F(ClothTest, StopsWhereTheLimitFallsBelowAGivenStep) {
   drape_status status = DRAPE_OK;
   for (int k = 0; k < 1000 && status == DRAPE_OK; ++k) status = drape_advance(c.get(), 0.001);
   ASSERT_EQ(status, DRAPE_DISCARD);
-  EXPECT_NE(heard.errors[0].find("is above the step limit, which fell to"), std::string::npos)
-      << heard.errors[0];
+  EXPECT_NE(logged.errors[0].find("is above the step limit, which fell to"), std::string::npos)
+      << logged.errors[0];
   EXPECT_TRUE(drape_step_above_limit(c.get()));
   EXPECT_EQ(drape_advance(c.get(), 0.001), DRAPE_DISCARD);
   EXPECT_TRUE(drape_step_above_limit(c.get()));
   p.fabric[0].warp.force[1] = 0.3;  // softer again
-  EXPECT_EQ(drape_advance(c.get(), 0.001), DRAPE_OK) << heard.errors.back();
+  EXPECT_EQ(drape_advance(c.get(), 0.001), DRAPE_OK) << logged.errors.back();
   EXPECT_FALSE(drape_step_above_limit(c.get()));
 }
 

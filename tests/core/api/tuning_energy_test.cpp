@@ -23,8 +23,8 @@ void expect_work(const Cloth& c) {
 
 // Gravity doubled in free fall doubles the potential energy of the weight. The velocity does not change.
 TEST(TuningEnergy, WorkOfDoublingGravityInFreeFall) {
-  Heard heard;
-  const Cloth c = open_sheet(heard, false);
+  Logged logged;
+  const Cloth c = open_sheet(logged, false);
   ASSERT_TRUE(c);
   run(c, 10);
   const double mass = 0.15 * 0.05 * 0.05, work = mass * kG * (height(c) + 0.025);
@@ -38,8 +38,8 @@ TEST(TuningEnergy, WorkOfDoublingGravityInFreeFall) {
 // Doubling a diagram under strain doubles its energy. A density of 1.5 times multiplies the energies of
 // weight and motion by 1.5.
 TEST(TuningEnergy, WorkOfAStifferAndAHeavierCloth) {
-  Heard heard;
-  const Cloth c = open_sheet(heard, true);
+  Logged logged;
+  const Cloth c = open_sheet(logged, true);
   ASSERT_TRUE(c);
   run(c, 40);
   const drape_energy before = energy(c);
@@ -60,8 +60,8 @@ TEST(TuningEnergy, WorkOfAStifferAndAHeavierCloth) {
 TEST(TuningEnergy, BalanceAlongARamp) {
   double errors[2], inputs[2];
   for (int halved = 0; halved < 2; ++halved) {
-    Heard heard;
-    const Cloth c = open_sheet(heard, true, halved ? "0.0000152587890625" : "0.000030517578125");
+    Logged logged;
+    const Cloth c = open_sheet(logged, true, halved ? "0.0000152587890625" : "0.000030517578125");
     ASSERT_TRUE(c);
     run(c, 20);
     tune_everything(c);

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "api/heard_cloth.h"
+#include "api/logged_cloth.h"
 #include "scene_file.h"
 
 namespace drape::tests {
@@ -13,7 +13,7 @@ constexpr double kG = 9.81, kQ = 1.0 / 1024;
 constexpr int kSteps = 32;  // in an interval
 
 // A sheet of 0.05 m x 0.05 m with its lowest point 1 m above the origin. It is free, or held at a corner.
-inline Cloth open_sheet(Heard& heard, bool held, const std::string& step = "0.000030517578125",
+inline Cloth open_sheet(Logged& logged, bool held, const std::string& step = "0.000030517578125",
                         const std::string& pin_keys = "", int order = 2) {
   const SceneFolder folder;
   const std::string scene = R"(
@@ -41,7 +41,7 @@ name = "low"
 piece = "sheet"
 at = [0.03, 0]
 )" + std::string(held ? "[[pin]]\nname = \"corner\"\npiece = \"sheet\"\nat = [[0, 0.05]]\n" + pin_keys : "");
-  return Cloth(drape_open(folder.write("scene.toml", scene).c_str(), hear, &heard));
+  return Cloth(drape_open(folder.write("scene.toml", scene).c_str(), on_message, &logged));
 }
 
 inline void run(const Cloth& c, int intervals, int calls = 1) {

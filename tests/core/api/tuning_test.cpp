@@ -10,9 +10,9 @@ namespace {
 // from a synchronous velocity is exact on this piecewise parabola: v <- v - g_k q, z <- z + v q - g_k q^2/2.
 // The tolerance is 1e-13, for sums of a few hundred terms of 1e-3 m.
 TEST(Tuning, GravityAlongARampInFreeFall) {
-  Heard heard;
-  const Cloth c = open_sheet(heard, false);
-  ASSERT_TRUE(c) << heard.errors[0];
+  Logged logged;
+  const Cloth c = open_sheet(logged, false);
+  ASSERT_TRUE(c) << logged.errors[0];
   run(c, 4);
   drape_parameters_of(c.get())->ramp = 10 * kQ;
   drape_parameters_of(c.get())->gravity[2] = 0;
@@ -27,14 +27,14 @@ TEST(Tuning, GravityAlongARampInFreeFall) {
     run(c, 1);
     fall(kG * (1 - std::min(1.0, 0.1 * k)));
     EXPECT_NEAR(height(c), z, 1e-13) << k;
-    EXPECT_EQ(heard.events.size(), k < 10 ? 0u : 1u);
+    EXPECT_EQ(logged.events.size(), k < 10 ? 0u : 1u);
   }
 }
 
 // An advance that is no multiple of q is one interval of its own length, with the values at its end.
 TEST(Tuning, AnAdvanceOffTheGridMovesTheValuesByItsLength) {
-  Heard heard;
-  const Cloth c = open_sheet(heard, false), other = open_sheet(heard, false);
+  Logged logged;
+  const Cloth c = open_sheet(logged, false), other = open_sheet(logged, false);
   ASSERT_TRUE(c && other);
   run(c, 1), run(other, 1);
   drape_parameters_of(c.get())->ramp = 10 * kQ;
@@ -46,10 +46,10 @@ TEST(Tuning, AnAdvanceOffTheGridMovesTheValuesByItsLength) {
 }
 
 TEST(Tuning, GroupingOfStepsDoesNotChangeBits) {
-  Heard heard;
+  Logged logged;
   std::vector<std::vector<double>> ends;
   for (const int calls : {1, 2, 4, 12}) {
-    const Cloth c = open_sheet(heard, true);
+    const Cloth c = open_sheet(logged, true);
     ASSERT_TRUE(c);
     run(c, 12, calls);
     tune_everything(c);
@@ -60,8 +60,8 @@ TEST(Tuning, GroupingOfStepsDoesNotChangeBits) {
 }
 
 TEST(Tuning, ASavedStateKeepsItsRamp) {
-  Heard heard;
-  const Cloth c = open_sheet(heard, true);
+  Logged logged;
+  const Cloth c = open_sheet(logged, true);
   ASSERT_TRUE(c);
   run(c, 2);
   tune_everything(c);
@@ -81,8 +81,8 @@ TEST(Tuning, ASavedStateKeepsItsRamp) {
 // From the end of the ramp on, the cloth has the new values. A jump at that time from the same state gives
 // the same motion, except for the rounding of the half steps before and after a jump.
 TEST(Tuning, ValuesArriveExactly) {
-  Heard heard;
-  const Cloth c = open_sheet(heard, true);
+  Logged logged;
+  const Cloth c = open_sheet(logged, true);
   ASSERT_TRUE(c);
   run(c, 2);
   tune_everything(c);
@@ -109,8 +109,8 @@ TEST(Tuning, ValuesArriveExactly) {
 
 // Before the first step the start value applies at once, whatever the ramp.
 TEST(Tuning, StartValuesAreThereAtOnce) {
-  Heard heard;
-  const Cloth c = open_sheet(heard, true), other = open_sheet(heard, true);
+  Logged logged;
+  const Cloth c = open_sheet(logged, true), other = open_sheet(logged, true);
   ASSERT_TRUE(c && other);
   for (const Cloth* cloth : {&c, &other}) {
     tune_everything(*cloth);
@@ -123,8 +123,8 @@ TEST(Tuning, StartValuesAreThereAtOnce) {
 // The diagram is 1, 9 N. During the ramp to 3, 9 N it is set to 3, 2 N, which falls: the previous target
 // stays.
 TEST(Tuning, TheTargetIsValidated) {
-  Heard heard;
-  const Cloth c = open_sheet(heard, true), other = open_sheet(heard, true);
+  Logged logged;
+  const Cloth c = open_sheet(logged, true), other = open_sheet(logged, true);
   ASSERT_TRUE(c && other);
   for (const Cloth* cloth : {&c, &other}) {
     run(*cloth, 2);
@@ -134,8 +134,8 @@ TEST(Tuning, TheTargetIsValidated) {
   }
   drape_parameters_of(c.get())->fabric[0].warp.force[1] = 2;
   EXPECT_EQ(drape_advance(c.get(), kQ), DRAPE_DISCARD);
-  ASSERT_EQ(heard.errors.size(), 1u);
-  EXPECT_NE(heard.errors[0].find("fabric.f.warp.force[2] = 2 N"), std::string::npos) << heard.errors[0];
+  ASSERT_EQ(logged.errors.size(), 1u);
+  EXPECT_NE(logged.errors[0].find("fabric.f.warp.force[2] = 2 N"), std::string::npos) << logged.errors[0];
   EXPECT_EQ(drape_parameters_of(c.get())->fabric[0].warp.force[0], 3);
   EXPECT_EQ(drape_parameters_of(c.get())->fabric[0].warp.force[1], 9);
   run(c, 10), run(other, 10);
@@ -143,18 +143,18 @@ TEST(Tuning, TheTargetIsValidated) {
 }
 
 TEST(Tuning, RangesOfTheNewValues) {
-  Heard heard;
-  const Cloth c = open_sheet(heard, true);
+  Logged logged;
+  const Cloth c = open_sheet(logged, true);
   ASSERT_TRUE(c);
   drape_parameters& p = *drape_parameters_of(c.get());
   p.ramp = -1;
   p.fabric[0].damping = 11;
   p.fabric[0].friction = NAN;
   EXPECT_EQ(drape_commit(c.get()), DRAPE_DISCARD);
-  ASSERT_EQ(heard.errors.size(), 3u);
-  EXPECT_EQ(heard.errors[0], "parameter_ramp = -1 s; allowed: from 0 to 1000000 s");
-  EXPECT_EQ(heard.errors[1], "fabric.f.damping = 11 s; allowed: from 0 to 1 s");
-  EXPECT_EQ(heard.errors[2], "fabric.f.friction = nan; allowed: from 0 to 10");
+  ASSERT_EQ(logged.errors.size(), 3u);
+  EXPECT_EQ(logged.errors[0], "parameter_ramp = -1 s; allowed: from 0 to 1000000 s");
+  EXPECT_EQ(logged.errors[1], "fabric.f.damping = 11 s; allowed: from 0 to 1 s");
+  EXPECT_EQ(logged.errors[2], "fabric.f.friction = nan; allowed: from 0 to 10");
   EXPECT_EQ(p.ramp, 0);
   EXPECT_EQ(p.fabric[0].damping, 0);
   EXPECT_EQ(p.fabric[0].friction, 0.3);
@@ -163,16 +163,16 @@ TEST(Tuning, RangesOfTheNewValues) {
 // Above order 2 no force may depend on velocity. Such a value is refused with one sentence, and the motion
 // continues as if it had not been set.
 TEST(Tuning, NoDampingAlongSpringsAboveOrder2) {
-  Heard heard;
-  const Cloth c = open_sheet(heard, true, "0.000030517578125", "", 4),
-              other = open_sheet(heard, true, "0.000030517578125", "", 4);
+  Logged logged;
+  const Cloth c = open_sheet(logged, true, "0.000030517578125", "", 4),
+              other = open_sheet(logged, true, "0.000030517578125", "", 4);
   ASSERT_TRUE(c && other);
   run(c, 4), run(other, 4);
   drape_parameters_of(c.get())->fabric[0].damping = 1e-6;
   EXPECT_EQ(drape_advance(c.get(), kQ), DRAPE_DISCARD);
-  ASSERT_EQ(heard.errors.size(), 1u);
+  ASSERT_EQ(logged.errors.size(), 1u);
   EXPECT_EQ(
-      heard.errors[0],
+      logged.errors[0],
       "fabric.f.damping = 1e-06 s; allowed: 0 with scene.order = 4, whose steps go partly back in time, "
       "where it would speed the cloth up");
   EXPECT_EQ(drape_parameters_of(c.get())->fabric[0].damping, 0);
@@ -182,8 +182,8 @@ TEST(Tuning, NoDampingAlongSpringsAboveOrder2) {
 
 // Order 6 keeps its energy through a change of density and of c. A saved state continues to the same bits.
 TEST(Tuning, AboveOrder2AChangeIsCountedAndASavedStateGoesOn) {
-  Heard heard;
-  const Cloth c = open_sheet(heard, true, "0.000030517578125", "", 6);
+  Logged logged;
+  const Cloth c = open_sheet(logged, true, "0.000030517578125", "", 6);
   ASSERT_TRUE(c);
   run(c, 4);
   drape_parameters_of(c.get())->damping = 30;
@@ -205,15 +205,15 @@ TEST(Tuning, AboveOrder2AChangeIsCountedAndASavedStateGoesOn) {
 
 // One advance reports all problems of its parameters and of its inputs.
 TEST(Tuning, FaultsOfOneAdvanceAreReportedTogether) {
-  Heard heard;
-  const Cloth c = open_sheet(heard, true, "0.000030517578125", "drive = \"position\"\n");
+  Logged logged;
+  const Cloth c = open_sheet(logged, true, "0.000030517578125", "drive = \"position\"\n");
   ASSERT_TRUE(c);
   drape_parameters_of(c.get())->damping = -1;
   drape_inputs_of(c.get())->pin[0].position[2] = NAN;
   EXPECT_EQ(drape_advance(c.get(), kQ), DRAPE_DISCARD);
-  ASSERT_EQ(heard.errors.size(), 2u);
-  EXPECT_EQ(heard.errors[0].rfind("damping = -1 1/s; allowed: ", 0), 0u);
-  EXPECT_EQ(heard.errors[1].rfind("pin.corner.position[3] = nan m; allowed: ", 0), 0u);
+  ASSERT_EQ(logged.errors.size(), 2u);
+  EXPECT_EQ(logged.errors[0].rfind("damping = -1 1/s; allowed: ", 0), 0u);
+  EXPECT_EQ(logged.errors[1].rfind("pin.corner.position[3] = nan m; allowed: ", 0), 0u);
   EXPECT_EQ(drape_advance(c.get(), kQ), DRAPE_OK);
 }
 
@@ -221,8 +221,8 @@ TEST(Tuning, FaultsOfOneAdvanceAreReportedTogether) {
 // impulse is reported exactly once (h is 1/64 of an advance). A refused advance keeps the force of the last
 // one.
 TEST(Tuning, PinsReportEachImpulseOnce) {
-  Heard heard;
-  const Cloth c = open_sheet(heard, true), untouched = open_sheet(heard, true);
+  Logged logged;
+  const Cloth c = open_sheet(logged, true), untouched = open_sheet(logged, true);
   ASSERT_TRUE(c && untouched);
   run(c, 20), run(untouched, 20);
   drape_parameters_of(c.get())->ramp = 8 * kQ;
@@ -241,8 +241,8 @@ TEST(Tuning, PinsReportEachImpulseOnce) {
 
 // Neither friction without contact nor a ramp without a changed value alters a bit.
 TEST(Tuning, WhatMovesNothingChangesNoBits) {
-  Heard heard;
-  const Cloth c = open_sheet(heard, true), untouched = open_sheet(heard, true);
+  Logged logged;
+  const Cloth c = open_sheet(logged, true), untouched = open_sheet(logged, true);
   ASSERT_TRUE(c && untouched);
   for (int k = 0; k < 12; ++k) {
     if (k % 3 == 1) drape_parameters_of(c.get())->ramp = k * kQ;

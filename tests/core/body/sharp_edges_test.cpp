@@ -18,8 +18,8 @@ using namespace math::vector3;
 
 BodySurface surface_of(const Mesh& mesh) {
   SurfaceFindings findings;
-  std::string trouble;
-  return surface_make(mesh.point, mesh.corner, findings, trouble);
+  std::string problem;
+  return surface_make(mesh.point, mesh.corner, findings, problem);
 }
 
 std::array<int, 2> edges_and_tips(const Mesh& mesh) {

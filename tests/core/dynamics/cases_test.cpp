@@ -34,7 +34,7 @@ scene::FabricSpec measured_wool() {
 }
 
 // Prints the error of a case.
-void tell(const char* what, double error) { std::printf("%s: at most %.1e off\n", what, error); }
+void print_error(const char* what, double error) { std::printf("%s: at most %.1e off\n", what, error); }
 
 double elastic_energy(const Assembled& a) {
   const drape_energy e = outputs::energy_potential(a.system, a.state);
@@ -72,7 +72,7 @@ TEST(UniformStrip, GivesTheInputCurveAndTheDiagonalsShareAtEveryCell) {
       }
     }
   }
-  tell("case a, warp and weft", worst);
+  print_error("case a, warp and weft", worst);
 }
 
 // A trellis of inextensible yarns along x and y, stretched by l1 along the rising diagonal and by l2 =
@@ -101,7 +101,7 @@ TEST(BiasStrip, GivesTheInputCurveAtEveryPoint) {
     EXPECT_LE(error, 1e-6) << "point " << k;
     worst = std::max(worst, error);
   }
-  tell("case a, 45 degrees", worst);
+  print_error("case a, 45 degrees", worst);
 }
 
 // A square of side L in a hinged frame of inextensible sides, half angle phi at the pulled corners: gamma =
@@ -134,7 +134,7 @@ TEST(PictureFrame, ForceIsTheShearEnergysSlope) {
     EXPECT_LE(error, 1e-12) << phi;
     worst = std::max(worst, error);
   }
-  tell("case f", worst);
+  print_error("case f", worst);
 }
 
 // Bias and bending are off, and the ends of every warp yarn are held. With H the horizontal pull, tan
@@ -170,7 +170,7 @@ TEST(Catenary, IsTheDiscreteChain) {
       worst = std::max(worst, error);
     }
   }
-  tell("case d", worst);
+  print_error("case d", worst);
 }
 
 }  // namespace

@@ -10,15 +10,15 @@ using namespace tests;
 namespace {
 
 // A square cell of cloth, `height` contact distances above a roof's edge, or lying on a plate.
-Assembled held_up(const SceneFolder& folder, bool over_ridge, double height) {
+Assembled held_up(const SceneFolder& folder, bool over_edge, double height) {
   scene::FabricSpec fabric = linen(0.01);
   fabric.friction = {0.3, 0.3};
   Scene scene = reference::rectangle(fabric, 0.01, 0.01, 0.01);
   scene.pieces[0].place.origin = {-0.004, 0, 0.1};
-  const Mesh mesh = over_ridge ? roof(1.3) : box(1, 1, 0.1);
-  scene::BodySpec& body = body_add(scene, folder, over_ridge ? "roof" : "plate", mesh);
+  const Mesh mesh = over_edge ? roof(1.3) : box(1, 1, 0.1);
+  scene::BodySpec& body = body_add(scene, folder, over_edge ? "roof" : "plate", mesh);
   body.moves = true;
-  if (!over_ridge) body.position = {0, 0, -0.05};
+  if (!over_edge) body.position = {0, 0, -0.05};
   Assembled a = assemble(scene);
   for (std::size_t n : a.system.particle) a.state.z[n] = height * a.system.lattices[0].contact_law.distance;
   contact::begin(a.system, a.motion.kernel->contact, a.motion.contact, a.state);
@@ -43,16 +43,16 @@ double held(const Assembled& of, double a) {
 // those of a larger gravity.
 TEST(ContactStops, HoldInTheFrameOfTheBody) {
   const SceneFolder folder;
-  for (const bool over_ridge : {false, true}) {
-    Assembled a = held_up(folder, over_ridge, over_ridge ? 0.06 : 0.0999);
+  for (const bool over_edge : {false, true}) {
+    Assembled a = held_up(folder, over_edge, over_edge ? 0.06 : 0.0999);
     const double at_rest = held(a, -1e6), heavier = held(a, -1e6 - 2e5);
-    EXPECT_GT(at_rest, 0) << over_ridge;
+    EXPECT_GT(at_rest, 0) << over_edge;
     EXPECT_GT(heavier, 1.01 * at_rest);
     math::RigidMotion& frame = a.state.body[0].motion;
     frame.velocity = {0, 0, 3e5};
-    EXPECT_NEAR(held(a, -1e6), at_rest, 1e-12 * at_rest) << over_ridge;
+    EXPECT_NEAR(held(a, -1e6), at_rest, 1e-12 * at_rest) << over_edge;
     frame.acceleration = {0, 0, 2e5};
-    EXPECT_NEAR(held(a, -1e6), heavier, 1e-12 * heavier) << over_ridge;
+    EXPECT_NEAR(held(a, -1e6), heavier, 1e-12 * heavier) << over_edge;
   }
 }
 

@@ -63,8 +63,8 @@ TEST(EnergyBalance, ClosesExactlyWhereForcesAreConstant) {
   EXPECT_NEAR(e.balance_error, 0, m * 9.81 * 9.81 * 1e-8 / 4);
   // v = (g/c) (1 - exp(-c t)), and m c times the integral of its square to t = 0.1 s.
   const double c = 3, g = 9.81, t = 0.1, x = std::exp(-c * t);
-  const double taken = m * g * g / c * (t - 2 * (1 - x) / c + (1 - x * x) / (2 * c));
-  EXPECT_NEAR(e.dissipated, taken, 1e-6 * taken);  // (c h)^2 and (h/t)^2
+  const double dissipated = m * g * g / c * (t - 2 * (1 - x) / c + (1 - x * x) / (2 * c));
+  EXPECT_NEAR(e.dissipated, dissipated, 1e-6 * dissipated);  // (c h)^2 and (h/t)^2
 }
 
 }  // namespace

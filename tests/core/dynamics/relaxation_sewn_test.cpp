@@ -101,8 +101,8 @@ TEST(RelaxationInertia, ShrinksByAHundredthACheck) {
   const double grown = 1 / before[stiffest];
   ASSERT_GT(grown, 2);
   a.state.y = flat;
-  const int looks = int(std::ceil(std::log(grown) / -std::log(0.99)));
-  for (int k = 1; k < looks; ++k) {
+  const int checks = int(std::ceil(std::log(grown) / -std::log(0.99)));
+  for (int k = 1; k < checks; ++k) {
     relaxation_scale_masses(a.system, a.motion.constraints, a.state, h);
     EXPECT_NEAR(before[stiffest] / a.state.inverse_mass_scale[stiffest], 0.99, 1e-12) << k;
     for (std::size_t n : a.system.particle)

@@ -205,9 +205,9 @@ TEST(Relaxation, StaysAtRestUntilSomethingChanges) {
 // a cloth that starts far from rest both end where the reference solver finds no residual beyond the share
 // of the present load.
 TEST(Relaxation, RestIsMeasuredByThePresentLoad) {
-  for (const double carried : {0.0, 0.1, 1.0})
+  for (const double displaced : {0.0, 0.1, 1.0})
     for (const double weight : {9.81, 0.0}) {
-      if (carried == 0 && weight == 0) continue;
+      if (displaced == 0 && weight == 0) continue;
       Scene scene = reference::rectangle(reference::curved_fabric(), 0.05, 0.05, 0.01, true);
       scene.mode = scene::Mode::kFit;
       scene.gravity = {0, 0, -weight};
@@ -217,17 +217,17 @@ TEST(Relaxation, RestIsMeasuredByThePresentLoad) {
       Assembled a = assemble(scene);
       std::string event;
       const Vec3 from = a.motion.inputs.pin[0].position;
-      a.motion.inputs.pin[0].position = {from[0], from[1] + carried, from[2] + carried};
+      a.motion.inputs.pin[0].position = {from[0], from[1] + displaced, from[2] + displaced};
       ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 1e-4, event), Advance::kDone);
       a.motion.inputs.pin[0].position = {from[0], from[1], from[2] + 0.002};  // 4 % longer than it was
       ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 1e-4, event), Advance::kDone);
-      ASSERT_TRUE(fit_run(a, 60)) << carried << " m, " << weight << " m/s^2, residual "
+      ASSERT_TRUE(fit_run(a, 60)) << displaced << " m, " << weight << " m/s^2, residual "
                                   << a.state.relaxation.residual;
       const reference::Motion motion = reference::motion_make(scene);
       reference::Outside outside = motion.start;
       outside.pins[0].p[2] += 0.002;
       const reference::Residual left = reference::residual(motion, outside, positions(a));
-      EXPECT_LE(left.ratio, 1.001e-5) << carried << " m, " << weight << " m/s^2";
+      EXPECT_LE(left.ratio, 1.001e-5) << displaced << " m, " << weight << " m/s^2";
       // Without weight the load may be a share of earlier forces (core/README.md, section 4).
       const double load = left.force / left.ratio, reported = a.state.relaxation.load;
       EXPECT_NEAR(left.force, a.state.relaxation.residual * reported, 1e-3 * left.force + 1e-12 * reported);
@@ -285,14 +285,14 @@ TEST(Relaxation, ChecksSoonerWhereTheClothMovesFast) {
   scene.mode = scene::Mode::kFit;
   Assembled a = assemble(scene);
   const double h = 1e-5;
-  const auto looks_after = [&](double steps) {
+  const auto steps_to_check = [&](double steps) {
     a.state.vz[a.system.particle[7]] = -0.01 / (50 * steps * h);
     relaxation_scale_masses(a.system, a.motion.constraints, a.state, h);
     return a.state.steps_to_limit_check;
   };
-  EXPECT_EQ(looks_after(1e6), 16);
-  EXPECT_EQ(looks_after(5.001), 5);
-  EXPECT_EQ(looks_after(0.01), 1);
+  EXPECT_EQ(steps_to_check(1e6), 16);
+  EXPECT_EQ(steps_to_check(5.001), 5);
+  EXPECT_EQ(steps_to_check(0.01), 1);
 }
 
 }  // namespace

@@ -98,8 +98,7 @@ TEST(Fields, AParticleCountsOnceByHoweverManySurfaces) {
       body_add(scene, folder, "groove", groove);
     }
     Assembled a = assemble(scene);
-    for (std::size_t n :
-         a.system.particle) {  // all into the bottom, within the contact distance of both sides
+    for (std::size_t n : a.system.particle) {  // all into the bottom, in contact with both sides
       a.state.x[n] = 0;
       a.state.z[n] = 0.0004 * std::sqrt(2.0);
     }

@@ -88,13 +88,13 @@ TEST(Picture, ShowsWhatTheGridMakesOfAPiece) {
   EXPECT_EQ(elements["part"].size(), grid.parts.size());
   ASSERT_GT(grid.twin.size(), 0u);
   EXPECT_EQ(elements["twin"].size(), grid.twin.size() + 1);  // one more in the legend
-  std::size_t particles = 0, whole = 0, takers = 0;
+  std::size_t particles = 0, whole = 0, merged = 0;
   for (const double a : grid.area) particles += a > 0;
   for (const piece::GridCell& c : grid.cells) {
     whole += !piece::grid_is_cut(grid, c.i, c.j);
-    takers += !piece::grid_is_cut(grid, c.i, c.j) && c.share > 1;
+    merged += !piece::grid_is_cut(grid, c.i, c.j) && c.share > 1;
   }
-  EXPECT_EQ(elements["taker"].size(), takers);
+  EXPECT_EQ(elements["taker"].size(), merged);
   const std::vector<std::string> texts = texts_of(document);
   for (const std::string& text : {std::string("front"), std::string("warp"), std::string("5 cm"),
                                   "cell 10 mm, " + std::to_string(particles) + " particles"})

@@ -24,7 +24,7 @@ TEST(Logging, RefusalsPassEveryFilter) {
 
 // The end of initialization reports the step limit; so does a stiffer warp, which shortens the step.
 TEST(Logging, CategoriesAreObeyed) {
-  const auto categories_heard = [](bool on, std::vector<fmi2String> categories) {
+  const auto categories_logged = [](bool on, std::vector<fmi2String> categories) {
     Slave slave;
     EXPECT_EQ(fmi2().SetDebugLogging(slave.component, on, categories.size(), categories.data()), fmi2OK);
     slave.initialize();
@@ -34,20 +34,20 @@ TEST(Logging, CategoriesAreObeyed) {
       EXPECT_EQ(slave.set(force, 16 * slave.get(force)), fmi2OK);
     }
     EXPECT_EQ(slave.step(0.001, 0.01), fmi2OK);
-    std::vector<std::string> heard;
+    std::vector<std::string> logged;
     for (const LogEntry& entry : slave.log) {
       EXPECT_EQ(entry.status, entry.category == "logStatusWarning" ? fmi2Warning : fmi2OK) << entry.message;
-      heard.push_back(entry.category);
+      logged.push_back(entry.category);
     }
-    return heard;
+    return logged;
   };
-  const std::vector<std::string> all = categories_heard(true, {});
-  const std::vector<std::string> stability = categories_heard(true, {"logStability"});
+  const std::vector<std::string> all = categories_logged(true, {});
+  const std::vector<std::string> stability = categories_logged(true, {"logStability"});
   EXPECT_EQ(stability.size(), 2u);
   EXPECT_EQ(std::size_t(std::count(all.begin(), all.end(), "logStability")), stability.size());
   EXPECT_EQ(std::size_t(std::count(stability.begin(), stability.end(), "logStability")), stability.size());
-  for (const std::string& category : categories_heard(true, {"logEvents"})) EXPECT_EQ(category, "logEvents");
-  for (const std::string& category : categories_heard(false, {})) EXPECT_EQ(category, "logStatusWarning");
+  for (const std::string& category : categories_logged(true, {"logEvents"})) EXPECT_EQ(category, "logEvents");
+  for (const std::string& category : categories_logged(false, {})) EXPECT_EQ(category, "logStatusWarning");
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ TEST(EdgeContact, MomentumIsBalancedOverEveryAdvance) {
     return momentum(a, v);
   };
   Vec3 before = now();
-  std::size_t on_ridges = 0;
+  std::size_t on_edges = 0;
   for (int k = 1; k <= 60; ++k) {
     math::RigidMotion& to = a.motion.inputs.body[0];
     to.position = {0, 0, 0.02 * std::sin(0.05 * k)};
@@ -58,15 +58,15 @@ TEST(EdgeContact, MomentumIsBalancedOverEveryAdvance) {
     };
     ASSERT_EQ(dynamics::leapfrog_advance(a.system, a.motion, a.state, 1e-3, event, anew),
               dynamics::Advance::kDone);
-    on_ridges += a.motion.contact.edge_pairs.size();
+    on_edges += a.motion.contact.edge_pairs.size();
     const Vec3 after = now(), gained = after - before;
     const Vec3 reported = a.state.body[0].impulse.force + a.motion.contact.load[0].force;
     worst = std::max(worst, norm(gained - (Vec3{0, 0, -9.81e-3 * mass} - reported)));
     largest = std::max(largest, norm(reported));
     before = after;
   }
-  std::printf("momentum: off by %.3g of %.3g, touches on ridges %zu\n", worst, largest, on_ridges);
-  EXPECT_GT(on_ridges, 100u);
+  std::printf("momentum: off by %.3g of %.3g, touches on ridges %zu\n", worst, largest, on_edges);
+  EXPECT_GT(on_edges, 100u);
   EXPECT_GT(largest, 1e-4 * mass);
   EXPECT_LT(worst, 1e-9 * largest);
 }

@@ -27,7 +27,7 @@ TEST(Proximity, FindsWhatEveryComparisonWould) {
       const dynamics::Kernel* kernel = dynamics::kernel_named(name);
       if (!kernel) continue;  // not on this processor
       std::mt19937 random(7);
-      std::uniform_real_distribution<double> speed(-1, 1), budget(0.002, 0.05);
+      std::uniform_real_distribution<double> speed(-1, 1), free_distance(0.002, 0.05);
       Array r[3], v[3];
       for (Array& of : r) of.assign(kNodes, 0.0);
       for (Array& of : v) of.assign(kNodes, 0.0);
@@ -36,8 +36,8 @@ TEST(Proximity, FindsWhatEveryComparisonWould) {
       body.x = body.y = body.z = Array(kNodes, 0.0);
       body.free_distance2.assign(kNodes, 0.0);
       body.group_clearance.assign(kBlocks, 0.0);
-      std::vector<std::size_t> due(kBlocks);
-      std::size_t asleep = 0, awake = 0;
+      std::vector<std::size_t> stale(kBlocks);
+      std::size_t none = 0, some = 0;
       for (int step = 0; step < 400; ++step)
         for (const double share : drifts(order)) {
           const double fast = step % 40 < 8 ? 5 : 0.1;
@@ -46,14 +46,14 @@ TEST(Proximity, FindsWhatEveryComparisonWould) {
               v[k][n] = fast * speed(random);
               r[k][n] += share * kStep * v[k][n];
             }
-          const ProximityPass watch{&body,
-                                    {r[0].data(), r[1].data(), r[2].data()},
-                                    {v[0].data(), v[1].data(), v[2].data()},
-                                    share * kStep,
-                                    kStep,
-                                    0,
-                                    kNodes};
-          const std::size_t count = kernel->contact.update_proximity[0](watch, due.data());
+          const ProximityPass pass{&body,
+                                   {r[0].data(), r[1].data(), r[2].data()},
+                                   {v[0].data(), v[1].data(), v[2].data()},
+                                   share * kStep,
+                                   kStep,
+                                   0,
+                                   kNodes};
+          const std::size_t count = kernel->contact.update_proximity[0](pass, stale.data());
           std::vector<std::size_t> expected;
           for (std::size_t b = 0; b < kNodes; b += math::kRowUnit) {
             bool is = false;
@@ -65,17 +65,17 @@ TEST(Proximity, FindsWhatEveryComparisonWould) {
             }
             if (is) expected.push_back(b);
           }
-          ASSERT_EQ(std::vector<std::size_t>(due.begin(), due.begin() + std::ptrdiff_t(count)), expected)
+          ASSERT_EQ(std::vector<std::size_t>(stale.begin(), stale.begin() + std::ptrdiff_t(count)), expected)
               << name << ", order " << order << ", step " << step;
-          (expected.empty() ? asleep : awake) += 1;
+          (expected.empty() ? none : some) += 1;
           for (std::size_t b : expected)
             for (std::size_t n = b; n < b + math::kRowUnit; ++n) {
               body.x[n] = r[0][n], body.y[n] = r[1][n], body.z[n] = r[2][n];
-              body.free_distance2[n] = budget(random) * budget(random) * 10;
+              body.free_distance2[n] = free_distance(random) * free_distance(random) * 10;
             }
         }
-      EXPECT_GT(asleep, 40u);
-      EXPECT_GT(awake, 40u);
+      EXPECT_GT(none, 40u);
+      EXPECT_GT(some, 40u);
     }
 }
 

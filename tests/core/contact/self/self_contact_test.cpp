@@ -134,10 +134,10 @@ TEST(SelfContact, SticksUpToTheCoefficient) {
   Assembled below = leaning(mu, std::atan(0.999 * mu)), above = leaning(mu, std::atan(1.001 * mu));
   const double x = mean_x(below);
   advance(below, 0.2);
-  const double settled = mean_x(below);
+  const double at_rest = mean_x(below);
   advance(below, 0.8);
-  EXPECT_LT(std::abs(settled - x), 1e-5);  // the sudden inclination of gravity shakes it
-  EXPECT_LT(std::abs(mean_x(below) - settled), 1e-8);
+  EXPECT_LT(std::abs(at_rest - x), 1e-5);  // the sudden inclination of gravity shakes it
+  EXPECT_LT(std::abs(mean_x(below) - at_rest), 1e-8);
   advance(above, 0.2);
   const double angle = std::atan(1.001 * mu), way = 9.81 * (std::sin(angle) - mu * std::cos(angle)) * 0.02;
   EXPECT_GT(mean_x(above) - x, 0.5 * way);
@@ -177,7 +177,7 @@ Scene loop() {
   return scene;
 }
 
-double least_distance(const Assembled& a) {
+double min_distance(const Assembled& a) {
   double smallest = INFINITY;
   const model::SelfPairs pairs = self_search(a.system, a.system.self, a.state, 1e-3);
   for (const model::SelfPoint& p : pairs.point) {
@@ -196,7 +196,7 @@ TEST(SelfContact, AFoldStaysApart) {
   std::size_t largest = 0;
   for (int k = 0; k < 40; ++k) {
     advance(a, 0.01);
-    smallest = std::min(smallest, least_distance(a));
+    smallest = std::min(smallest, min_distance(a));
     largest = std::max(largest, self_summary(a.system, a.state).count);
     ASSERT_EQ(crossings(a), 0) << k;
   }
@@ -294,8 +294,8 @@ TEST(SelfContact, SeamsCloseThroughIt) {
   for (int k = 0; k < 300; ++k) {
     if (dynamics::seams_pull_begin(a.system, a.state))
       dynamics::leapfrog_retuned(a.system, a.motion, a.state);
-    if (const auto due = dynamics::seams_within_tolerance(a.system, a.state); !due.empty()) {
-      dynamics::seams_weld(a.system, a.motion, a.state, due);
+    if (const auto within = dynamics::seams_within_tolerance(a.system, a.state); !within.empty()) {
+      dynamics::seams_weld(a.system, a.motion, a.state, within);
       dynamics::leapfrog_retuned(a.system, a.motion, a.state);
     }
     advance(a, 1e-3);

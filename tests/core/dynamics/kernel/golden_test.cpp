@@ -49,8 +49,7 @@ Eigen::VectorXd moved(const char* kernel, int threads, int rounding = FE_TONEARE
   return positions(a);
 }
 
-std::uint64_t hash(
-    const Eigen::VectorXd& v) {  // the FNV hash of Fowler, Noll and Vo, applied to whole numbers
+std::uint64_t hash(const Eigen::VectorXd& v) {  // the FNV hash of Fowler, Noll and Vo, of whole numbers
   std::uint64_t h = 14695981039346656037u;
   for (double x : v) h = (h ^ std::bit_cast<std::uint64_t>(x)) * 1099511628211u;
   return h;

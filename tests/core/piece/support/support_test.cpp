@@ -175,8 +175,7 @@ TEST(Clamp, ObliqueEdge) {
       const Held h = held(piece, edges_pin({reversed ? 0 : 1}), true);
       for (const bool warp : {true, false}) {
         const std::vector<Slope> slopes = slopes_along(h, warp);
-        EXPECT_EQ(slopes.size(), shift == 0 ? 6u : 7u)
-            << shift;  // the one past the sharp corner leaves no cloth
+        EXPECT_EQ(slopes.size(), shift == 0 ? 6u : 7u) << shift;  // one past the corner leaves no cloth
         for (const Slope& k : slopes) {
           EXPECT_EQ(k.from[warp], k.to[warp] + 1);
           EXPECT_EQ(k.from[!warp], k.to[!warp]);

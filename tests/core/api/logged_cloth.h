@@ -1,4 +1,4 @@
-// A cloth behind the C interface, and what it says.
+// A cloth behind the C interface, and what it logs.
 #pragma once
 #include <memory>
 #include <string>
@@ -13,13 +13,13 @@ struct Close {
 };
 using Cloth = std::unique_ptr<drape_cloth, Close>;
 
-struct Heard {
+struct Logged {
   std::vector<std::string> errors, events;
 };
-inline void hear(void* user, drape_log_kind kind, const char* message) {
-  Heard& heard = *static_cast<Heard*>(user);
-  if (kind == DRAPE_LOG_ERROR) heard.errors.push_back(message);
-  if (kind == DRAPE_LOG_EVENT) heard.events.push_back(message);
+inline void on_message(void* user, drape_log_kind kind, const char* message) {
+  Logged& logged = *static_cast<Logged*>(user);
+  if (kind == DRAPE_LOG_ERROR) logged.errors.push_back(message);
+  if (kind == DRAPE_LOG_EVENT) logged.events.push_back(message);
 }
 
 }  // namespace drape::tests
