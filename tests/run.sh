@@ -6,7 +6,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 failed=0
 run_ctest() { ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)" 2>&1 | tee "$build/ctest.log" || failed=1; }
-run_pytest() { (cd "$root" && "$python" -m pytest tests/fmpy) 2>&1 | tee "$build/pytest.log" || failed=1; }
+run_pytest() { (cd "$root" && "$python" -m pytest -n "$(nproc)" --dist loadfile --no-loadscope-reorder tests/fmpy) 2>&1 | tee "$build/pytest.log" || failed=1; }
 
 stage "Debian packages" install_debian_packages "${test_packages[@]}"
 stage "Python packages" install_python_packages
