@@ -111,11 +111,11 @@ inline double grid_area(const piece::Grid& g) {
 
 // The cells as a complex: the number of connected pieces, and nodes - sides + cells, which is the number of
 // connected pieces less that of their holes.
-struct Shape {
+struct Topology {
   int pieces = 0, euler = 0;
 };
 
-inline Shape shape_of(const piece::Grid& g) {
+inline Topology topology_of(const piece::Grid& g) {
   std::map<int, int> root;
   const auto find = [&](int n) {
     while (root[n] != n) n = root[n];
@@ -127,10 +127,10 @@ inline Shape shape_of(const piece::Grid& g) {
     for (int k = 1; k < 4; ++k) root[find(c.node[k])] = find(c.node[0]);
     for (const auto& [k, l] : {std::pair{0, 1}, {0, 2}, {1, 3}, {2, 3}}) sides.insert({c.node[k], c.node[l]});
   }
-  Shape shape;
-  for (const auto& [n, r] : root) shape.pieces += n == r;
-  shape.euler = int(root.size()) - int(sides.size()) + int(g.cells.size());
-  return shape;
+  Topology topology;
+  for (const auto& [n, r] : root) topology.pieces += n == r;
+  topology.euler = int(root.size()) - int(sides.size()) + int(g.cells.size());
+  return topology;
 }
 
 }  // namespace drape::tests

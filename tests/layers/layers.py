@@ -1,4 +1,5 @@
-"""Holds the rooms to their order: no include runs up, no file is too long. The order is data: rooms.toml.
+"""Holds the rooms to their order: no include runs up, no type is defined twice, no file is too long. The order is data:
+rooms.toml.
 
     python3 tests/layers/layers.py                what is wrong, a line each; exit code 1 if anything is
     python3 tests/layers/layers.py --self-test    plants faults in memory and checks that each is found
@@ -14,6 +15,8 @@ from tracked import C_FILES, ROOT, tracked  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
 HOUSE = ("core/", "fmu/", "modelDescription/", "tests/")
+NAMESPACE = re.compile(r"^(?:inline )?namespace(?: ([\w:]+))? \{$|^\}  // namespace\b|^(?:struct|class|union|enum class|enum)"
+                       r" (?:alignas\([^)]*\) )?(\w+)[^;{]*\{", re.M)
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:"([^"\n]+)"|<([^>\n]+)>)', re.M)
 
 
@@ -85,6 +88,28 @@ def include_faults(texts, rooms):
     return faults
 
 
+def types_of(text):
+    """The types that a formatted source defines for all others to see: (name with its namespaces, line)."""
+    spaces = []
+    for match in NAMESPACE.finditer(text):
+        if match[0].startswith("}"):
+            spaces.pop()
+        elif match[2] is None:
+            spaces.append(match[1])
+        elif None not in spaces:  # within an unnamed namespace a type is its file's own
+            yield "::".join([*spaces, match[2]]), text.count("\n", 0, match.start()) + 1
+
+
+def twin_faults(texts):
+    """One line for every type whose name another file has given to another type: linked together, one of the two is lost."""
+    first, faults = {}, []
+    for file in texts:
+        for name, line in types_of(texts[file]):
+            if first.setdefault(name, file) != file:
+                faults.append(f"{file}:{line} defines {name}, as does {first[name]}")
+    return faults
+
+
 def length_faults(lines, most):
     """lines: their number by file."""
     return [f"{file}:{count} has {count} lines: {most} are allowed" for file, count in lines.items() if count > most]
@@ -122,6 +147,13 @@ def self_test(rooms):
             failed.append(f"not found as planted: {kind}: {faults}")
         else:
             print(f"planted, {kind}: {faults[0]}")
+    range_of = "namespace drape%s {\n%sstruct Range {\n  int low;\n};\n%s}  // namespace drape\n"
+    twin = {"core/scene/limits.h": range_of % ("", "", ""), "core/api/limits.cpp": "\n" + range_of % ("", "", "")}
+    apart = {"core/scene/limits.h": range_of % ("", "", ""), "core/scene/units.h": range_of % ("::scene", "", ""),
+             "core/api/limits.cpp": range_of % ("", "namespace {\n", "}  // namespace\n")}
+    if twin_faults(twin) != ["core/api/limits.cpp:3 defines drape::Range, as does core/scene/limits.h"]:
+        failed.append("not found as planted: two types of one name")
+    failed += twin_faults(apart)
     if length_faults({"core/math/long.h": 401, "core/math/short.h": 400}, 400) != [
             "core/math/long.h:401 has 401 lines: 400 are allowed"]:
         failed.append("not found as planted: a long file")
@@ -137,7 +169,7 @@ def main():
     else:
         texts = {file: text_of(file) for file in tracked(*C_FILES) if file.startswith(HOUSE)}
         lines = {file: text_of(file).count("\n") for file in tracked(*C_FILES, ".py", ".sh")}
-        faults = include_faults(texts, rooms) + length_faults(lines, rooms["most_lines"])
+        faults = include_faults(texts, rooms) + twin_faults(texts) + length_faults(lines, rooms["most_lines"])
         print(f"{len(texts)} files in {len(rooms['order'])} rooms: {len(faults) or 'no'} faults")
     print(*faults, sep="\n", end="\n" if faults else "")
     sys.exit(bool(faults))

@@ -34,9 +34,9 @@ TEST(GridTopology, CellsHangTogetherAsThePieceDoes) {
           random.star({0.15 * std::cos(f), 0.15 * std::sin(f)}, 0.05, 0.08, random.count(5, 9)));
     }
     if (!is_sound(piece)) continue;
-    const Shape shape = shape_of(grid_of(piece));
-    ASSERT_EQ(shape.pieces, 1) << "trial " << trial;
-    ASSERT_EQ(shape.euler, 1 - int(piece.holes.size())) << "trial " << trial;
+    const Topology topology = topology_of(grid_of(piece));
+    ASSERT_EQ(topology.pieces, 1) << "trial " << trial;
+    ASSERT_EQ(topology.euler, 1 - int(piece.holes.size())) << "trial " << trial;
   }
 }
 
@@ -49,9 +49,9 @@ TEST(GridTopology, SlitPartsTheClothUpToItsEnd) {
     ASSERT_TRUE(is_sound(piece));
     const Grid g = grid_of(piece);
     EXPECT_NEAR(grid_area(g), 25 - 2.5 * w, 1e-13);
-    const Shape shape = shape_of(g);
-    EXPECT_EQ(shape.pieces, 1);
-    EXPECT_EQ(shape.euler, 1);
+    const Topology topology = topology_of(g);
+    EXPECT_EQ(topology.pieces, 1);
+    EXPECT_EQ(topology.euler, 1);
     // The part of row 2 goes round the slit's end and joins both sides at y = 2. In the two rows below, the
     // slit separates two columns of nodes, or one that it runs along.
     EXPECT_EQ(twins_per_place(g), (std::vector<int>{x == 2.5 ? 4 : 2}));
@@ -74,16 +74,16 @@ TEST(GridTopology, NotchDartAndComb) {
       piece_of({{0, 0}, {1.3, 0}, {1.3, 3.5}, {1.7, 3.5}, {1.7, 0}, {3, 0}, {3, 5}, {0, 5}}, 1);
   Grid g = grid_of(notch);
   EXPECT_NEAR(grid_area(g), 15 - 0.4 * 3.5, 1e-13);
-  EXPECT_EQ(shape_of(g).pieces, 1);
-  EXPECT_EQ(shape_of(g).euler, 1);
+  EXPECT_EQ(topology_of(g).pieces, 1);
+  EXPECT_EQ(topology_of(g).euler, 1);
   EXPECT_EQ(twins_per_place(g), (std::vector<int>{6}));  // nodes (1,0..2) and (2,0..2)
 
   // a dart narrows from 1.5 cells to a point
   scene::PieceSpec dart = piece_of({{0, 0}, {2, 0}, {2.75, 4.5}, {3.5, 0}, {6, 0}, {6, 6}, {0, 6}}, 1);
   g = grid_of(dart);
   EXPECT_NEAR(grid_area(g), 36 - 1.5 * 4.5 / 2, 1e-13);
-  EXPECT_EQ(shape_of(g).pieces, 1);
-  EXPECT_EQ(shape_of(g).euler, 1);
+  EXPECT_EQ(topology_of(g).pieces, 1);
+  EXPECT_EQ(topology_of(g).euler, 1);
 
   // a comb: teeth and gaps 0.3 cells wide, several in a cell
   std::vector<Vec2> outline{{0, 0}};
@@ -94,8 +94,8 @@ TEST(GridTopology, NotchDartAndComb) {
   outline.insert(outline.end(), {{6.3, 0}, {6.3, 6}, {0, 6}});
   g = grid_of(piece_of(outline, 1));
   EXPECT_NEAR(grid_area(g), 6.3 * 6 - 10 * 0.3 * 4, 1e-13);
-  EXPECT_EQ(shape_of(g).pieces, 1);
-  EXPECT_EQ(shape_of(g).euler, 1);
+  EXPECT_EQ(topology_of(g).pieces, 1);
+  EXPECT_EQ(topology_of(g).euler, 1);
 }
 
 TEST(GridTopology, NarrowPiecesStayWhole) {
@@ -117,13 +117,13 @@ TEST(GridTopology, NarrowPiecesStayWhole) {
     ASSERT_TRUE(is_sound(neck));
     const Grid g = grid_of(neck);
     EXPECT_NEAR(grid_area(g), 8.2, 1e-13);
-    EXPECT_EQ(shape_of(g).pieces, 1);
-    EXPECT_EQ(shape_of(g).euler, 1);
+    EXPECT_EQ(topology_of(g).pieces, 1);
+    EXPECT_EQ(topology_of(g).euler, 1);
   }
   // the tip of a triangle, thinner than a cell over most of its length
   Grid g = grid_of(piece_of({{0, 0}, {20, 0.3}, {0, 1.7}}, 1));
   EXPECT_NEAR(grid_area(g), 17, 1e-13);
-  EXPECT_EQ(shape_of(g).pieces, 1);
+  EXPECT_EQ(topology_of(g).pieces, 1);
   EXPECT_EQ(g.columns, 21);
   // a band of 0.4 cells turned in a spiral of gaps of 0.4 cells
   std::vector<Vec2> out, in;
@@ -137,8 +137,8 @@ TEST(GridTopology, NarrowPiecesStayWhole) {
   ASSERT_TRUE(is_sound(spiral));
   g = grid_of(spiral);
   EXPECT_NEAR(grid_area(g) / outline_area(outline_flatten(spiral)), 1, 1e-13);
-  EXPECT_EQ(shape_of(g).pieces, 1);
-  EXPECT_EQ(shape_of(g).euler, 1);
+  EXPECT_EQ(topology_of(g).pieces, 1);
+  EXPECT_EQ(topology_of(g).euler, 1);
 }
 
 }  // namespace

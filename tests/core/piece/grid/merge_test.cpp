@@ -22,7 +22,7 @@ Cut cut_of(const scene::PieceSpec& piece) {
 
 // The parts that remain, with the node sets of their corners as nodes. Parts of the same four nodes count
 // once.
-Shape shape_of_parts(const Cut& cut, const Merged& merged) {
+Topology topology_of_parts(const Cut& cut, const Merged& merged) {
   std::map<PartRef, GridCell> cells;
   int nodes = 0;
   for (int place = cut.columns + 1; place < int(cut.first.size()); ++place)
@@ -38,7 +38,7 @@ Shape shape_of_parts(const Cut& cut, const Merged& merged) {
     if (std::none_of(grid.cells.begin(), grid.cells.end(),
                      [&](const GridCell& c) { return std::equal(c.node, c.node + 4, cell.node); }))
       grid.cells.push_back(cell);
-  return shape_of(grid);
+  return topology_of(grid);
 }
 
 // The number of connected pieces stays; nodes - sides + cells moves no farther from 1 - holes. (Before
@@ -51,7 +51,7 @@ TEST(Merge, KeepsTheShape) {
     if (trial % 2 == 0) piece.cell = random(0.03, 0.2);
     const Cut cut = cut_of(piece);
     const Merged merged = merge_make(cut);
-    const Shape before = shape_of_parts(cut, merge_none(cut)), after = shape_of_parts(cut, merged);
+    const Shape before = topology_of_parts(cut, merge_none(cut)), after = topology_of_parts(cut, merged);
     const int exact = 1 - int(piece.holes.size());
     ASSERT_EQ(before.pieces, 1) << "trial " << trial;
     ASSERT_EQ(after.pieces, 1) << "trial " << trial;
