@@ -94,7 +94,9 @@ def main():
         for done in pool.map(read, sources):
             failed |= done.returncode != 0
             for finding in re.split(r"^(?=\S+:\d+:\d+: (?:warning|error):)", done.stdout, flags=re.M):
-                if finding.strip() and finding not in found:  # a header's finding comes with every source
+                # a header's finding comes with every source; one in a library's header is about the library
+                own = finding.startswith(str(ROOT)) or ": error:" in finding.split("\n")[0]
+                if own and finding not in found:
                     found[finding] = True
                     print(finding.replace(f"{ROOT}/", "").rstrip(), flush=True)
     print(f"{len(sources)} sources: {len(found) or 'no'} findings")
