@@ -3,6 +3,7 @@
 namespace drape::description {
 namespace {
 
+// NOLINTNEXTLINE(modernize-use-using): __extension__ goes before a typedef only
 __extension__ typedef unsigned __int128 Hash;
 
 // FNV-1a with 128 bits: h <- (h xor byte) (2^88 + 2^8 + 0x3b).

@@ -151,10 +151,10 @@ void drape_close(drape_cloth* c) { delete c; }
 const char* drape_scene_name(const drape_cloth* c) { return c->scene.name.c_str(); }
 const char* drape_scene_text(const drape_cloth* c) { return c->text.c_str(); }
 int drape_file_count(const drape_cloth* c) { return int(c->scene.bodies.size()); }
-const char* drape_file_path(const drape_cloth* c, int k) {
-  return c->scene.bodies[std::size_t(k)].mesh.c_str();
+const char* drape_file_path(const drape_cloth* c, int index) {
+  return c->scene.bodies[std::size_t(index)].mesh.c_str();
 }
-const char* drape_file_name(const drape_cloth* c, int k) { return c->files[std::size_t(k)].c_str(); }
+const char* drape_file_name(const drape_cloth* c, int index) { return c->files[std::size_t(index)].c_str(); }
 double drape_duration(const drape_cloth* c) { return c->scene.duration; }
 double drape_communication(const drape_cloth* c) { return c->system.communication; }
 

@@ -1,6 +1,7 @@
 // The inputs of the C interface: their checks, and how they become the end of the paths of the next advance.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "api/cloth.h"
 #include "scene/limits.h"
@@ -148,7 +149,7 @@ bool inputs_apply(drape_cloth& c, double length, std::vector<Problem>& problems)
                   &c.state.body[c.moving[k]].motion},
                  length, to.body[c.moving[k]], problems);
   if (problems.size() > before) return false;
-  c.motion.inputs = to;
+  c.motion.inputs = std::move(to);
   return true;
 }
 

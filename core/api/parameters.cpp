@@ -104,14 +104,14 @@ std::string fall_text(const std::vector<double>& force, std::size_t i) {
 
 }  // namespace
 
-std::string limits_text(const scene::Quantity& q, double value) {
-  const std::string unit = std::string(q.unit) == "1" ? "" : std::string(" ") + q.unit;
+std::string limits_text(const scene::Quantity& limits, double value) {
+  const std::string unit = std::string(limits.unit) == "1" ? "" : std::string(" ") + limits.unit;
   char text[160];
   std::snprintf(text, sizeof text, "= %.9g%s; allowed: %s %.9g to %.9g%s", value, unit.c_str(),
-                q.above   ? "above"
-                : q.whole ? "a whole number from"
-                          : "from",
-                q.low, q.high, unit.c_str());
+                limits.above   ? "above"
+                : limits.whole ? "a whole number from"
+                               : "from",
+                limits.low, limits.high, unit.c_str());
   return text;
 }
 
@@ -249,7 +249,7 @@ bool parameters_restore(Parameters& p, const Scene& scene, const ParameterValues
   const ParameterValues now = parameters_read(p);
   ParameterValues restored = now;
   for (std::size_t k = 0; k < rows.size(); ++k)
-    if (rows[k].place.compare(0, stem.size(), stem) == 0) restored.value[k] = in_force.value[k];
+    if (rows[k].place.starts_with(stem)) restored.value[k] = in_force.value[k];
   parameters_write(p, restored);
   return !(restored == now);
 }

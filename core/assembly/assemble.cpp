@@ -271,7 +271,7 @@ void system_retune(System& system, const std::vector<scene::FabricSpec>& fabrics
   if (problems.size() > before) return;
   for (std::size_t k = 0; k < laws.size(); ++k) {
     model::Lattice& l = system.lattices[k];
-    l.law = std::move(laws[k]);
+    l.law = laws[k];
     l.contact_law = contact_law_of(l, fabrics[std::size_t(l.fabric)], system.communication, system.fit);
   }
   masses_set(system);

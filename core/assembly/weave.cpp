@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace drape::assembly {
 namespace {
@@ -180,7 +181,7 @@ void links_lay(System& system, int lattice, const std::vector<Span>& spans, mode
 }
 void cells_lay(System& system, int lattice, const piece::Grid& grid) {
   const model::Lattice& l = system.lattices[std::size_t(lattice)];
-  const double diagonal = std::sqrt(2.0) * l.cell;
+  const double diagonal = std::numbers::sqrt2 * l.cell;
   for (std::size_t c = std::size_t(grid.regular); c < grid.cells.size(); ++c) {
     const piece::GridCell& cell = grid.cells[c];
     model::IrregularCell laid{{}, {}, lattice, cell.share};

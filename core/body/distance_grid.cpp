@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numbers>
 
 #include "body/closest_features.h"
 #include "math/vector3.h"
@@ -17,7 +18,7 @@ constexpr double kEdges = 2;         // size of the smallest voxels over the mea
 constexpr double kRounding = 1e-12;  // relative, of the distance
 constexpr std::uint64_t kSpread = 0x9E3779B97F4A7C15;  // hash multiplier: 2^64 over the golden ratio
 constexpr int kSpreadShift = 64 - std::countr_zero(kVoxelsRecent);
-const double kHalfDiagonal = std::sqrt(3.0) / 2;
+const double kHalfDiagonal = std::numbers::sqrt3 / 2;
 
 // Voxel indices run from -2^20 to 2^20 along each axis; at 1 mm that is a kilometre. Points beyond have no
 // unique voxel name and are queried without a cache.
@@ -34,38 +35,38 @@ bool voxel_name(const Vec3& x, double size, std::uint64_t& name, Vec3& centre) {
   return true;
 }
 
-double half_diagonal(const DistanceGrid& v, int level) { return kHalfDiagonal * v.size[level]; }
+double half_diagonal(const DistanceGrid& grid, int level) { return kHalfDiagonal * grid.size[level]; }
 
 // Makes a voxel of the largest size.
-Voxel voxel_query(const DistanceGrid& v, const Vec3& centre) {
+Voxel voxel_query(const DistanceGrid& grid, const Vec3& centre) {
   Voxel voxel;
-  voxel.distance = v.library->distance(v.query, centre.data(), nullptr) * (1 - kRounding);
-  voxel.far = voxel.distance > half_diagonal(v, 0) + v.size[0] / kFiner;
+  voxel.distance = grid.library->distance(grid.query, centre.data(), nullptr) * (1 - kRounding);
+  voxel.far = voxel.distance > half_diagonal(grid, 0) + grid.size[0] / kFiner;
   if (voxel.far) return voxel;
-  voxel.distance = half_diagonal(v, 0) + v.reach;
-  voxel.triangle.resize(v.surface->corner.size());
-  voxel.triangle.resize(v.library->within(v.query, centre.data(), voxel.distance, voxel.triangle.data(),
-                                          voxel.triangle.size()));
+  voxel.distance = half_diagonal(grid, 0) + grid.reach;
+  voxel.triangle.resize(grid.surface->corner.size());
+  voxel.triangle.resize(grid.library->within(grid.query, centre.data(), voxel.distance, voxel.triangle.data(),
+                                             voxel.triangle.size()));
   voxel.triangle.shrink_to_fit();
   return voxel;
 }
 
 // Makes a voxel at `centre` from the triangles of the larger voxel that contains it, at `middle`.
-Voxel voxel_subdivide(const DistanceGrid& v, int level, const Voxel& whole, const Vec3& middle,
+Voxel voxel_subdivide(const DistanceGrid& grid, int level, const Voxel& whole, const Vec3& middle,
                       const Vec3& centre) {
   Voxel voxel;
-  const double listed = half_diagonal(v, level) + v.reach;
+  const double listed = half_diagonal(grid, level) + grid.reach;
   double clear = whole.distance * (1 - kRounding) - norm(centre - middle);
   for (int t : whole.triangle) {
-    const Facet& f = v.surface->facet[std::size_t(t)];
+    const Facet& f = grid.surface->facet[std::size_t(t)];
     const Vec3 d = centre - f.middle;
     const double far = f.radius + std::max(listed, clear);
     if (dot(d, d) > far * far) continue;
-    const double distance = closest_features_distance(*v.surface, t, centre);
+    const double distance = closest_features_distance(*grid.surface, t, centre);
     clear = std::min(clear, distance);
     if (distance <= listed) voxel.triangle.push_back(t);
   }
-  voxel.far = level + 1 < kVoxelLevels ? clear > half_diagonal(v, level) + v.size[level] / kFiner
+  voxel.far = level + 1 < kVoxelLevels ? clear > half_diagonal(grid, level) + grid.size[level] / kFiner
                                        : voxel.triangle.empty();
   voxel.distance = voxel.far ? clear * (1 - kRounding) : listed;
   return voxel;
@@ -75,15 +76,15 @@ Voxel voxel_subdivide(const DistanceGrid& v, int level, const Voxel& whole, cons
 
 DistanceGrid distance_grid_make(const drape_contact_library& library, const drape_query& query,
                                 const BodySurface& surface, double reach) {
-  DistanceGrid v;
-  v.library = &library;
-  v.query = &query;
-  v.surface = &surface;
-  v.recent = std::make_unique<DistanceGrid::Recent[]>(kVoxelsRecent);
-  v.reach = reach;
+  DistanceGrid grid;
+  grid.library = &library;
+  grid.query = &query;
+  grid.surface = &surface;
+  grid.recent = std::make_unique<DistanceGrid::Recent[]>(kVoxelsRecent);
+  grid.reach = reach;
   double size = std::max(kEdges * surface.edge_mean, 2 * reach);
-  for (int level = kVoxelLevels - 1; level >= 0; --level, size *= kFiner) v.size[level] = size;
-  return v;
+  for (int level = kVoxelLevels - 1; level >= 0; --level, size *= kFiner) grid.size[level] = size;
+  return grid;
 }
 
 namespace {
@@ -93,20 +94,21 @@ struct Found {
   Voxel* voxel;
   Vec3 centre;
 };
-Found voxel_at(DistanceGrid& v, const Vec3& x) {
+Found voxel_at(DistanceGrid& grid, const Vec3& x) {
   constexpr int kLast = kVoxelLevels - 1;
   std::uint64_t last = 0;
   Vec3 centre{}, above{};
-  if (!voxel_name(x, v.size[kLast], last, centre)) return {nullptr, {}};
-  DistanceGrid::Recent& recent = v.recent[last * kSpread >> kSpreadShift];
+  if (!voxel_name(x, grid.size[kLast], last, centre)) return {nullptr, {}};
+  DistanceGrid::Recent& recent = grid.recent[last * kSpread >> kSpreadShift];
   if (recent.voxel && recent.name == last) return {recent.voxel, centre};
   Voxel* whole = nullptr;
   for (int level = 0; level < kVoxelLevels; ++level) {
     std::uint64_t name = 0;
-    voxel_name(x, v.size[level], name, centre);
-    const auto [at, fresh] = v.known[level].try_emplace(name);
+    voxel_name(x, grid.size[level], name, centre);
+    const auto [at, fresh] = grid.known[level].try_emplace(name);
     if (fresh)
-      at->second = level == 0 ? voxel_query(v, centre) : voxel_subdivide(v, level, *whole, above, centre);
+      at->second =
+          level == 0 ? voxel_query(grid, centre) : voxel_subdivide(grid, level, *whole, above, centre);
     whole = &at->second;
     above = centre;
     if (whole->far) break;
@@ -115,30 +117,31 @@ Found voxel_at(DistanceGrid& v, const Vec3& x) {
   return {whole, centre};
 }
 
-double signed_distance(const DistanceGrid& v, const Vec3& x) {
+double signed_distance(const DistanceGrid& grid, const Vec3& x) {
   int triangle = 0;
-  v.library->distance(v.query, x.data(), &triangle);
-  return closest_features_signed(*v.surface, triangle, x);
+  grid.library->distance(grid.query, x.data(), &triangle);
+  return closest_features_signed(*grid.surface, triangle, x);
 }
 
 }  // namespace
 
-Neighbourhood distance_grid_at(DistanceGrid& v, const Vec3& x) {
-  const Found found = voxel_at(v, x);
-  if (!found.voxel) return {v.library->distance(v.query, x.data(), nullptr) * (1 - kRounding), nullptr, 0};
+Neighbourhood distance_grid_at(DistanceGrid& grid, const Vec3& x) {
+  const Found found = voxel_at(grid, x);
+  if (!found.voxel)
+    return {grid.library->distance(grid.query, x.data(), nullptr) * (1 - kRounding), nullptr, 0};
   if (found.voxel->far) return {found.voxel->distance - norm(x - found.centre), nullptr, 0};
   return {0, &found.voxel->triangle, found.voxel->distance * (1 - kRounding) - norm(x - found.centre)};
 }
 
-double distance_grid_depth(DistanceGrid& v, const Vec3& x) {
-  if (!v.surface->solid) return 0;
-  const Found found = voxel_at(v, x);
+double distance_grid_depth(DistanceGrid& grid, const Vec3& x) {
+  if (!grid.surface->solid) return 0;
+  const Found found = voxel_at(grid, x);
   if (found.voxel && found.voxel->far) {
     int& side = found.voxel->side;
-    if (side == 0) side = signed_distance(v, found.centre) < 0 ? -1 : 1;
+    if (side == 0) side = signed_distance(grid, found.centre) < 0 ? -1 : 1;
     if (side > 0) return 0;
   }
-  return std::max(-signed_distance(v, x), 0.0);
+  return std::max(-signed_distance(grid, x), 0.0);
 }
 
 }  // namespace drape::body

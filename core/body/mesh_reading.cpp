@@ -119,7 +119,7 @@ std::string stl_read(const char* file, Triangles& to) {
   const bool binary =
       bytes.size() >= kHead && bytes.size() == kHead + kFacet * std::size_t(binary_count(bytes));
   if (!binary) {
-    if (bytes.compare(0, 5, "solid") == 0) return stl_text_read(bytes, to);
+    if (bytes.starts_with("solid")) return stl_text_read(bytes, to);
     return "is no STL file: neither text nor as long as its number of facets says";
   }
   Merged merged{to, {}};

@@ -19,7 +19,7 @@ void entries_fill(const std::vector<HeldRow>& rows, const std::vector<FixedNode>
   for (const FixedNode& f : fixed) held.insert(f.node);
   const auto add = [&](std::size_t node, int axis, double weight) {
     rigid.node.push_back(node);
-    rigid.fixed.push_back(held.count(node) > 0);
+    rigid.fixed.push_back(held.contains(node));
     rigid.axis.push_back(axis);
     rigid.weight.push_back(weight);
   };

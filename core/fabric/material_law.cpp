@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace drape::fabric {
 namespace {
 
 // The locking strain of a trellis, where its yarns touch: 1 + L = sqrt(2), less a margin that keeps l2 above
 // 0.
-const double kLocked = std::sqrt(2.0) - 1 - 1e-6;
+const double kLocked = std::numbers::sqrt2 - 1 - 1e-6;
 
 std::vector<double> below_locking(std::vector<double> e) {
   e.erase(std::lower_bound(e.begin(), e.end(), kLocked), e.end());
@@ -72,7 +73,7 @@ math::Curve odd_law(std::vector<double> e, const std::vector<double>& p, bool& c
 math::Curve bias_law(const scene::FabricSpec& fabric, const LawOptions& options, double cell,
                      const std::string& place, std::vector<Problem>& problems) {
   const double scale =
-      options.scaling == scene::Scaling::kPaperArea ? std::sqrt(2.0) * cell / fabric.strip_gauge : 1.0;
+      options.scaling == scene::Scaling::kPaperArea ? std::numbers::sqrt2 * cell / fabric.strip_gauge : 1.0;
   const bool corrected = !fabric.bias.correction.empty();
   const double k =
       law_corrects_for_jaws(fabric, options) ? jaw_factor(fabric.strip_gauge / fabric.strip_width) : 1.0;

@@ -30,7 +30,7 @@ bool law_corrects_for_jaws(const scene::FabricSpec& fabric, const LawOptions& op
 
 // The law of a fabric on cells of edge length `cell` (m). `place` names the fabric in problems. A bias law
 // that cannot be found is a problem, and is then off or not converged.
-Law law_make(const scene::FabricSpec& fabric, const LawOptions& options, double cell,
+Law law_make(const scene::FabricSpec& stated, const LawOptions& options, double cell,
              const std::string& place, std::vector<Problem>& problems);
 
 }  // namespace drape::fabric

@@ -32,6 +32,7 @@ DRAPE_INLINE simd::Vec<L> air_quarter(const model::Air& air, const Vec3& wind, s
 // Cells between two rows of nodes, with the positions r and velocities u of both. Node i is a corner of cells
 // i - 1 and i. The accumulator of the row above holds the negative sum, so that row subtracts.
 template <class L>
+// NOLINTNEXTLINE(readability-function-size): a kernel, whose parts share their registers
 DRAPE_INLINE void air_cells(model::Columns reach, const model::Air& air, const Vec3& wind, simd::ConstRow r,
                             simd::ConstRow r_above, simd::ConstRow u, simd::ConstRow u_above,
                             const double* share, simd::PackedRow force, simd::PackedRow force_above) {

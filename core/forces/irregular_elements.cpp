@@ -83,16 +83,16 @@ Vec3 clamp_direction(const model::ClampHinge& c, const State& s) {
 }
 
 void irregular_forces(const System& system, const State& s, bool rates, double extrapolation,
-                      HingeKernel hinges, model::SlotForces out) {
-  const NodeForces f{out.x, out.y, out.z};
+                      HingeKernel hinges, model::SlotForces force) {
+  const NodeForces f{force.x, force.y, force.z};
   for (double* to : {f.x, f.y, f.z})
     for (std::size_t k = 0; k < system.irregular.node.size(); ++k) to[k] = 0;
   links_add(system, s, rates, extrapolation, f);
   hinges_add(system, s, f);
   clamps_add(system, s, f);
   if (rates && model::system_has_air(system)) air_add(system, s, extrapolation, f);
-  seams_closing_forces(system, s, extrapolation, out);
-  seams_bending_forces(system, s, hinges, out);
+  seams_closing_forces(system, s, extrapolation, force);
+  seams_bending_forces(system, s, hinges, force);
 }
 
 void clamp_torques(const System& system, const State& s, std::vector<Vec3>& torque) {

@@ -137,7 +137,7 @@ bool sweep(scene::FabricSpec& f, bool placing, Anderson& mixing, Calibration& c,
   }
   c.residuals.push_back(residual);
   c.fabric = f;
-  f = next;
+  f = std::move(next);
   return true;
 }
 

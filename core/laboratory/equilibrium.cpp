@@ -202,7 +202,8 @@ Equilibrium equilibrium_find(EquilibriumSearch& search, const System& system, dy
   rows_satisfy(search, motion.held, s);
   search.last_step = std::numeric_limits<double>::infinity();
   for (found.steps = 0; found.steps < kMaxSteps; ++found.steps) {
-    if ((found.found = equilibrium_check(search, system, motion, s, found))) break;
+    found.found = equilibrium_check(search, system, motion, s, found);
+    if (found.found) break;
     if (!step_apply(search, system, motion, s)) break;
   }
   return found;

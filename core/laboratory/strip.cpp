@@ -145,7 +145,7 @@ StripPull strip_pull(const scene::FabricSpec& fabric, model::YarnDirection along
 
 std::vector<double> strip_elongations(const scene::FabricSpec& fabric, model::YarnDirection along,
                                       double pull) {
-  const double locked = std::sqrt(2.0) - 1 - 1e-6;  // core/README.md, section 3
+  const double locked = std::numbers::sqrt2 - 1 - 1e-6;  // core/README.md, section 3
   std::vector<double> elongation;
   for (double e : strip_diagram(fabric, along).elongation)
     if (e > 0 && e <= pull * (1 + 1e-12) && (along != model::YarnDirection::kBias || e < locked))

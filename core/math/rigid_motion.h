@@ -31,10 +31,10 @@ struct Wrench {
 Quaternion quaternion_product(const Quaternion& a, const Quaternion& b);
 Quaternion quaternion_normalised(const Quaternion& q);  // q must have a length above 0
 
-std::array<Vec3, 3> rotation_matrix(const Quaternion& rotation);  // row by row
+std::array<Vec3, 3> rotation_matrix(const Quaternion& q);  // row by row
 
 // R x - x; exactly 0 where R is the identity.
-Vec3 rotation_displacement(const Quaternion& rotation, const Vec3& x);
+Vec3 rotation_displacement(const Quaternion& q, const Vec3& x);
 
 Quaternion rotation_exp(const Vec3& f);
 // The rotation vector (rad, length at most pi) from one orientation to another; exactly 0 where they are

@@ -2,6 +2,7 @@
 // energy balance and messages. Widths: core/README.md, section 1.
 #pragma once
 #include <cmath>
+#include <numbers>
 
 #include "model/system.h"
 
@@ -30,7 +31,7 @@ inline double link_strain(const State& s, const Link& link) {
 
 template <class Visit>
 void links_visit(const System& system, const Lattice& l, Visit visit) {
-  const double b = l.cell, diagonal = std::sqrt(2.0) * b;
+  const double b = l.cell, diagonal = std::numbers::sqrt2 * b;
   for (int j = 0; j < l.rows; ++j)
     for (int i = 0; i < l.columns; ++i) {
       const std::size_t n = l.node(i, j), up = n + std::size_t(l.stride);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace drape::reference {
@@ -117,7 +118,7 @@ double curve_energy(const Curve& c, double e) {
 std::vector<double> below_locking(const std::vector<double>& e) {
   std::vector<double> kept;
   for (double x : e) {
-    if (1 + x < std::sqrt(2.0) - kLockingGap) kept.push_back(x);
+    if (1 + x < std::numbers::sqrt2 - kLockingGap) kept.push_back(x);
   }
   return kept;
 }

@@ -66,7 +66,7 @@ Fold fold_of(const Vector3d& a, const Vector3d& c) {
   if (theta <= 2 * pi / 3) return {y, angle_over_sine(theta), theta * theta / 2};
 
   // Taylor coefficients at y_0 = -1/2, where 1 - y_0^2 = 3/4
-  const double psi_0 = 4 * pi / (3 * std::sqrt(3.0));
+  const double psi_0 = 4 * pi / (3 * std::numbers::sqrt3);
   const double psi_1 = (-0.5 * psi_0 - 1) / 0.75;
   const double psi_2 = (psi_0 + 3 * -0.5 * psi_1) / 0.75;
   const double x = y + 0.5, d = -x;

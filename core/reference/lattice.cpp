@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include "piece/place.h"
@@ -14,7 +15,7 @@
 namespace drape::reference {
 namespace {
 
-const double kRoot2 = std::sqrt(2.0);
+const double kRoot2 = std::numbers::sqrt2;
 
 // One piece with its grid and the numbers of its particles.
 struct Net {
@@ -109,7 +110,7 @@ void add_hinges(const Net& net, bool warp, Lattice& lattice) {
   }
   for (const auto& [first, w0] : links) {
     const auto [i, j] = first;
-    if (clamped.pivots.count(j)) continue;
+    if (clamped.pivots.contains(j)) continue;
     for (auto next = links.lower_bound({j, 0}); next != links.end() && next->first.first == j; ++next) {
       const auto& [second, w1] = *next;
       const double q0 = clamped.q(i, j), q1 = clamped.q(second.second, j);

@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace drape::reference {
 namespace {
 
-const double kRoot2 = std::sqrt(2.0);
+const double kRoot2 = std::numbers::sqrt2;
 
 bool switched_on(const scene::DiagramSpec& d) {
   return std::any_of(d.force.begin(), d.force.end(), [](double f) { return f != 0; });

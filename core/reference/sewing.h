@@ -11,8 +11,8 @@ Eigen::VectorXd integral_rates(const Motion& motion, double time, const Eigen::V
                                const Eigen::VectorXd& v);
 
 // Adds the closing forces of all pairs that are kPulled to F [3 N], N, and returns their power on the cloth,
-// W. s [pairs] m: integral terms.
-double add_closing(const Lattice& lattice, const Sewing& sewing, const Eigen::VectorXd& s,
+// W. integral [pairs]: integral terms, m.
+double add_closing(const Lattice& lattice, const Sewing& sewing, const Eigen::VectorXd& integral,
                    const Eigen::VectorXd& r, const Eigen::VectorXd& v, Eigen::VectorXd& F);
 
 // The hinges across welded pairs and the links along them: their forces, N, and energies, J.

@@ -41,7 +41,7 @@ void fault_add(Faults& faults, const std::string& path, const std::string& messa
 
 bool fault_within(const Faults& faults, const std::string& path) {
   return std::any_of(faults.found.begin(), faults.found.end(), [&](const Faults::Found& f) {
-    return f.path.compare(0, path.size(), path) == 0 &&
+    return f.path.starts_with(path) &&
            (f.path.size() == path.size() || f.path[path.size()] == '.' || f.path[path.size()] == '[');
   });
 }

@@ -25,6 +25,7 @@ struct Avx2Lane {
   static DRAPE_INLINE void truncate(int* to, Avx2Lane a) {
     _mm_store_si128(reinterpret_cast<__m128i*>(to), _mm256_cvttpd_epi32(a.v));
   }
+  // NOLINTNEXTLINE(readability-function-size): six columns
   static DRAPE_INLINE void columns(const double* const* rows, Avx2Lane& c0, Avx2Lane& c1, Avx2Lane& c2,
                                    Avx2Lane& c3, Avx2Lane& c4, Avx2Lane& c5) {
     const __m256d r0 = _mm256_load_pd(rows[0]), r1 = _mm256_load_pd(rows[1]), r2 = _mm256_load_pd(rows[2]),

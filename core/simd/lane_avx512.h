@@ -27,6 +27,7 @@ struct Avx512Lane {
   static DRAPE_INLINE void truncate(int* to, Avx512Lane a) {
     _mm256_store_si256(reinterpret_cast<__m256i*>(to), _mm512_cvttpd_epi32(a.v));
   }
+  // NOLINTNEXTLINE(readability-function-size): six columns
   static DRAPE_INLINE void columns(const double* const* rows, Avx512Lane& c0, Avx512Lane& c1, Avx512Lane& c2,
                                    Avx512Lane& c3, Avx512Lane& c4, Avx512Lane& c5) {
     __m512d even[4], odd[4];  // columns 0 2 4 6 and 1 3 5 7 of two rows, pair by pair

@@ -25,9 +25,11 @@ struct ScalarLane {
   static DRAPE_INLINE ScalarLane loadu(const double* p) { return *p; }
   static DRAPE_INLINE void store(double* p, ScalarLane a) { *p = a.v; }
   static DRAPE_INLINE void truncate(int* to, ScalarLane a) { *to = int(a.v); }
+  // NOLINTNEXTLINE(readability-function-size): six columns
   static DRAPE_INLINE void columns(const double* const* rows, ScalarLane& c0, ScalarLane& c1, ScalarLane& c2,
                                    ScalarLane& c3, ScalarLane& c4, ScalarLane& c5) {
     const double* row = rows[0];
+    // NOLINTNEXTLINE(clang-analyzer-security.ArrayBound): a row goes on past the member that it begins with
     c0 = row[0], c1 = row[1], c2 = row[2], c3 = row[3], c4 = row[4], c5 = row[5];
   }
 

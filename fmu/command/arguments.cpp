@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <utility>
 
 #include "command/command.h"
 #include "scene/spelling.h"
@@ -29,7 +30,7 @@ std::vector<std::string> arguments_of(int argc, char** argv) {
   bool setting = false;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
-    const bool option = word == "--set" || word.rfind("--set=", 0) == 0;
+    const bool option = word == "--set" || word.starts_with("--set=");
     const bool value = !option && !word.empty() && word[0] != '-' && word.find('=') != std::string::npos;
     if (setting && value && arguments.back() != "--set") arguments.push_back("--set");
     setting = option || (setting && value);
@@ -85,7 +86,7 @@ template CLI::Option* option_add(CLI::App&, const char*, std::optional<double>&,
 template CLI::Option* option_add(CLI::App&, const char*, int&, const char*, const OptionSpec&);
 CLI::Option* option_add(CLI::App& command, const char* names, std::function<void(const std::string&)> take,
                         const char* text, const OptionSpec& spec) {
-  return specified(command.add_option_function<std::string>(names, take, text), spec);
+  return specified(command.add_option_function<std::string>(names, std::move(take), text), spec);
 }
 void flag_add(CLI::App& command, const char* names, bool& to, const char* text) {
   command.add_flag(names, to, text);

@@ -93,11 +93,11 @@ void print_jaws(const Scene& scene) {
 }
 
 // Returns false if the file cannot be written, with the reason in errno.
-bool write_picture(const Options& options) {
+bool write_picture(const Options& options, const std::string& picture) {
   std::vector<Problem> problems;  // stays empty: the cloth has just been opened from the same file
   const std::string svg = figures::picture_svg(validation::scene_load(options.scene_file, problems));
   errno = 0;
-  std::ofstream file(*options.picture, std::ios::binary);
+  std::ofstream file(picture, std::ios::binary);
   file << svg;
   file.close();
   return !file.fail();
@@ -138,7 +138,8 @@ int check(const Options& options) {
       return fail(kBadInput, problem);
   const Cloth cloth = cloth_open(options.scene_file);
   if (!cloth) return kBadInput;
-  if (options.picture && !write_picture(options)) return fail(kBadInput, cannot_write(*options.picture));
+  if (options.picture && !write_picture(options, *options.picture))
+    return fail(kBadInput, cannot_write(*options.picture));
   std::printf("scene %s: %.6g s, communication interval %.6g s\n", drape_scene_name(cloth.get()),
               drape_duration(cloth.get()), drape_communication(cloth.get()));
   print_pieces(cloth.get());

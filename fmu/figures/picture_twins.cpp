@@ -23,7 +23,7 @@ void twins_draw(pugi::xml_node parent, const View& view) {
   std::map<int, std::vector<Vec2>> cloth;  // centres of the cells of these nodes
   const auto note = [&](const piece::GridCell& c, Vec2 centre) {
     for (const int n : c.node)
-      if (nodes.count(n)) cloth[n].push_back(centre);
+      if (nodes.contains(n)) cloth[n].push_back(centre);
   };
   for (const piece::GridCell& c : grid.cells)
     if (!piece::grid_is_cut(grid, c.i, c.j)) note(c, piece::grid_plane(grid, {c.i + 0.5, c.j + 0.5}));

@@ -23,8 +23,8 @@ void component_log(const Component& component, fmi2Status status, const char* ca
                              category, format.c_str());
 }
 
-fmi2Status component_discard(Component& k, const std::string& sentence) {
-  return status_fmi2(instance::instance_refuse(*k.instance, DRAPE_DISCARD, sentence));
+fmi2Status component_discard(Component& component, const std::string& sentence) {
+  return status_fmi2(instance::instance_refuse(*component.instance, DRAPE_DISCARD, sentence));
 }
 
 fmi2Status component_illegal(Component& component, const Rule& rule) {
@@ -37,7 +37,7 @@ fmi2Status component_illegal(Component& component, const Rule& rule) {
     for (unsigned phase = 0; phase < std::size(kPhaseNames); ++phase)
       if (rule.legal & 1u << phase)
         message += std::string(separator) + kPhaseNames[phase], separator = "', '";
-    message += "'";
+    message += '\'';
   }
   component_log(component, fmi2Error, "logStatusError", message);
   return fmi2Error;

@@ -11,9 +11,9 @@ namespace {
 
 // Times this close to the clock are the same. A master that adds up its own clock is off by half a unit in
 // the last place for each step it has made, and may have rounded its own step.
-double same_time(const Instance& s, double clock, double length) {
+double same_time(const Instance& instance, double clock, double length) {
   constexpr double kUlp = std::numeric_limits<double>::epsilon();
-  return 1e-9 * length + double(4 + s.steps) * kUlp * std::max(std::abs(clock), length);
+  return 1e-9 * length + double(4 + instance.steps) * kUlp * std::max(std::abs(clock), length);
 }
 
 bool log_passes(const LogFilter& filter, drape_log_kind kind) {
@@ -30,8 +30,9 @@ bool log_passes(const LogFilter& filter, drape_log_kind kind) {
   return true;
 }
 
-void log_write(Instance& s, drape_status status, drape_log_kind kind, const std::string& message) {
-  if (s.log && log_passes(s.filter, kind)) s.log(s.log_user, status, kind, message);
+void log_write(Instance& instance, drape_status status, drape_log_kind kind, const std::string& message) {
+  if (instance.log && log_passes(instance.filter, kind))
+    instance.log(instance.log_user, status, kind, message);
 }
 
 void core_logged(void* user, drape_log_kind kind, const char* message) {
@@ -39,23 +40,23 @@ void core_logged(void* user, drape_log_kind kind, const char* message) {
 }
 
 // Logs the messages that the core sent during a call that returned `status`.
-drape_status log_flush(Instance& s, drape_status status) {
-  for (const auto& [kind, message] : s.pending_messages)
-    log_write(s, kind == DRAPE_LOG_ERROR ? status : DRAPE_OK, kind, message);
-  s.pending_messages.clear();
+drape_status log_flush(Instance& instance, drape_status status) {
+  for (const auto& [kind, message] : instance.pending_messages)
+    log_write(instance, kind == DRAPE_LOG_ERROR ? status : DRAPE_OK, kind, message);
+  instance.pending_messages.clear();
   return status;
 }
 
 // The choice of node variables under which the scene has this guid. Returns false if there is none.
-bool nodes_of_guid(Instance& s, const std::string& guid, description::Nodes& nodes) {
-  const char* text = drape_scene_text(s.cloth);
+bool nodes_of_guid(Instance& instance, const std::string& guid, description::Nodes& nodes) {
+  const char* text = drape_scene_text(instance.cloth);
   for (const description::Nodes candidate :
        {description::Nodes::kNone, description::Nodes::kOutline, description::Nodes::kAll})
     if (description::guid_of(text, candidate) == guid) {
       nodes = candidate;
       return true;
     }
-  instance_refuse(s, DRAPE_ERROR,
+  instance_refuse(instance, DRAPE_ERROR,
                   "the guid is " + guid + ", but this scene and version of Drape have " +
                       description::guid_of(text, description::Nodes::kNone) + ", " +
                       description::guid_of(text, description::Nodes::kOutline) + " or " +
@@ -64,17 +65,17 @@ bool nodes_of_guid(Instance& s, const std::string& guid, description::Nodes& nod
   return false;
 }
 
-std::string step_problem(const Instance& s, double time, double length) {
-  const double clock = drape_time(s.cloth), same = same_time(s, clock, length);
+std::string step_problem(const Instance& instance, double time, double length) {
+  const double clock = drape_time(instance.cloth), same = same_time(instance, clock, length);
   if (!(length > 0) || !std::isfinite(length))
     return "the communication step is " + description::decimal_text(length) +
            " s; allowed: above 0 s, finite";
   if (!(std::abs(time - clock) <= same))
     return "the communication point is " + description::decimal_text(time) +
            " s; expected: the cloth's time, " + description::decimal_text(clock) + " s";
-  if (clock + length > s.stop_time + same)
+  if (clock + length > instance.stop_time + same)
     return "the communication step ends at " + description::decimal_text(clock + length) +
-           " s; allowed: up to the stop time, " + description::decimal_text(s.stop_time) + " s";
+           " s; allowed: up to the stop time, " + description::decimal_text(instance.stop_time) + " s";
   return "";
 }
 
@@ -82,75 +83,75 @@ std::string step_problem(const Instance& s, double time, double length) {
 
 Instance* instance_open(const std::string& scene_file, const std::string& guid, LogFilter filter, LogFn* log,
                         void* user) {
-  auto s = std::make_unique<Instance>();
-  s->log = log;
-  s->log_user = user;
-  s->filter = filter;
-  s->cloth = drape_open(scene_file.c_str(), core_logged, s.get());
-  log_flush(*s, s->cloth ? DRAPE_OK : DRAPE_ERROR);
-  if (!s->cloth) return nullptr;
+  auto instance = std::make_unique<Instance>();
+  instance->log = log;
+  instance->log_user = user;
+  instance->filter = filter;
+  instance->cloth = drape_open(scene_file.c_str(), core_logged, instance.get());
+  log_flush(*instance, instance->cloth ? DRAPE_OK : DRAPE_ERROR);
+  if (!instance->cloth) return nullptr;
   description::Nodes nodes = description::Nodes::kNone;
-  if (!nodes_of_guid(*s, guid, nodes)) {
-    drape_close(s->cloth);
+  if (!nodes_of_guid(*instance, guid, nodes)) {
+    drape_close(instance->cloth);
     return nullptr;
   }
-  s->table = description::variables_of(s->cloth, nodes);
-  s->initial = instance_save(*s, nullptr);
-  return s.release();
+  instance->table = description::variables_of(instance->cloth, nodes);
+  instance->initial = instance_save(*instance, nullptr);
+  return instance.release();
 }
 
-void instance_close(Instance* s) {
-  if (!s) return;
-  for (const auto& saved : s->saved) drape_snapshot_free(saved->cloth);
-  drape_close(s->cloth);
-  delete s;
+void instance_close(Instance* instance) {
+  if (!instance) return;
+  for (const auto& saved : instance->saved) drape_snapshot_free(saved->cloth);
+  drape_close(instance->cloth);
+  delete instance;
 }
 
-drape_status instance_refuse(Instance& s, drape_status status, const std::string& sentence) {
-  log_write(s, status, DRAPE_LOG_ERROR, sentence);
+drape_status instance_refuse(Instance& instance, drape_status status, const std::string& sentence) {
+  log_write(instance, status, DRAPE_LOG_ERROR, sentence);
   return status;
 }
 
-drape_status instance_setup(Instance& s, double start_time, double stop_time) {
+drape_status instance_setup(Instance& instance, double start_time, double stop_time) {
   if (!std::isfinite(start_time))
     return instance_refuse(
-        s, DRAPE_DISCARD,
+        instance, DRAPE_DISCARD,
         "the start time is " + description::decimal_text(start_time) + " s; allowed: any finite number");
   if (!(stop_time > start_time))
-    return instance_refuse(s, DRAPE_DISCARD,
+    return instance_refuse(instance, DRAPE_DISCARD,
                            "the stop time is " + description::decimal_text(stop_time) +
                                " s; allowed: above the start time, " + description::decimal_text(start_time) +
                                " s");
-  const drape_status status = log_flush(s, drape_start(s.cloth, start_time));
-  if (status == DRAPE_OK) s.stop_time = stop_time;
-  s.read = 0;
+  const drape_status status = log_flush(instance, drape_start(instance.cloth, start_time));
+  if (status == DRAPE_OK) instance.stop_time = stop_time;
+  instance.read = 0;
   return status;
 }
 
-drape_status instance_exit_initialization(Instance& s) {
-  s.read = 0;
-  const drape_status status = log_flush(s, drape_commit(s.cloth));
+drape_status instance_exit_initialization(Instance& instance) {
+  instance.read = 0;
+  const drape_status status = log_flush(instance, drape_commit(instance.cloth));
   if (status != DRAPE_OK) return status;
-  s.phase = Phase::kStepComplete;
-  if (s.filter.stability) {
+  instance.phase = Phase::kStepComplete;
+  if (instance.filter.stability) {
     const char* set_by = "";
-    const double limit = drape_step_limit(s.cloth, &set_by);
-    log_write(s, DRAPE_OK, DRAPE_LOG_STABILITY,
+    const double limit = drape_step_limit(instance.cloth, &set_by);
+    log_write(instance, DRAPE_OK, DRAPE_LOG_STABILITY,
               "the step limit is " + description::decimal_text(limit) + " s, set by the " + set_by);
   }
   return status;
 }
 
-drape_status instance_step(Instance& s, double time, double length) {
-  if (const std::string problem = step_problem(s, time, length); !problem.empty())
-    return instance_refuse(s, DRAPE_DISCARD, problem);
-  const drape_status status = log_flush(s, drape_advance(s.cloth, length));
-  if (status == DRAPE_ERROR) s.phase = Phase::kError;
-  if (status == DRAPE_OK) ++s.steps;
-  s.read = 0;
+drape_status instance_step(Instance& instance, double time, double length) {
+  if (const std::string problem = step_problem(instance, time, length); !problem.empty())
+    return instance_refuse(instance, DRAPE_DISCARD, problem);
+  const drape_status status = log_flush(instance, drape_advance(instance.cloth, length));
+  if (status == DRAPE_ERROR) instance.phase = Phase::kError;
+  if (status == DRAPE_OK) ++instance.steps;
+  instance.read = 0;
   return status;
 }
 
-void instance_reset(Instance& s) { instance_restore(s, s.initial); }
+void instance_reset(Instance& instance) { instance_restore(instance, instance.initial); }
 
 }  // namespace drape::instance

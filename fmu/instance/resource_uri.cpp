@@ -33,9 +33,9 @@ std::string resource_path(const std::string& location, std::string& problem) {
     return std::string();
   };
   std::string path = location;
-  if (path.rfind("file:", 0) == 0) {
+  if (path.starts_with("file:")) {
     path.erase(0, 5);
-    if (path.rfind("//", 0) == 0) {
+    if (path.starts_with("//")) {
       const std::size_t host_end = path.find('/', 2);
       const std::string host =
           path.substr(2, host_end == std::string::npos ? std::string::npos : host_end - 2);

@@ -6,31 +6,31 @@
 namespace drape::instance {
 namespace {
 
-const description::Variable* row_of(const Instance& s, std::uint32_t reference) {
-  return reference >= 1 && reference <= s.table.size() ? &s.table[reference - 1] : nullptr;
+const description::Variable* row_of(const Instance& instance, std::uint32_t reference) {
+  return reference >= 1 && reference <= instance.table.size() ? &instance.table[reference - 1] : nullptr;
 }
 
-std::string no_row(const Instance& s, std::uint32_t reference) {
+std::string no_row(const Instance& instance, std::uint32_t reference) {
   return "value reference " + std::to_string(reference) + " names no Real variable; allowed: 1 to " +
-         std::to_string(s.table.size());
+         std::to_string(instance.table.size());
 }
 
 // Why a variable may not be set to a value now; empty if it may.
-std::string set_problem(const Instance& s, std::uint32_t reference, double value) {
-  const description::Variable* v = row_of(s, reference);
-  if (!v) return no_row(s, reference);
+std::string set_problem(const Instance& instance, std::uint32_t reference, double value) {
+  const description::Variable* v = row_of(instance, reference);
+  if (!v) return no_row(instance, reference);
   if (v->causality == description::Causality::kOutput)
     return v->name() + " is an output; allowed: setting parameters and inputs";
-  const bool initialized = s.phase != Phase::kInstantiated && s.phase != Phase::kInitialization;
+  const bool initialized = instance.phase != Phase::kInstantiated && instance.phase != Phase::kInitialization;
   if (v->variability == description::Variability::kFixed && initialized)
     return v->name() + " is fixed; allowed: setting it until initialization ends";
   return description::range_problem(*v, value);
 }
 
 // The same for the derivative of an input.
-std::string rate_problem(const Instance& s, std::uint32_t reference, int order, double value) {
-  const description::Variable* v = row_of(s, reference);
-  if (!v) return no_row(s, reference);
+std::string rate_problem(const Instance& instance, std::uint32_t reference, int order, double value) {
+  const description::Variable* v = row_of(instance, reference);
+  if (!v) return no_row(instance, reference);
   if (!v->rate) return v->name() + " is no input; allowed: setting derivatives of inputs";
   if (order != 1)
     return "the order of the derivative of " + v->name() + " is " + std::to_string(order) + "; allowed: 1";
@@ -42,42 +42,44 @@ std::string rate_problem(const Instance& s, std::uint32_t reference, int order, 
 
 }  // namespace
 
-drape_status instance_get(Instance& s, const std::uint32_t* references, std::size_t count, double* values) {
+drape_status instance_get(Instance& instance, const std::uint32_t* references, std::size_t count,
+                          double* values) {
   int needs = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const description::Variable* v = row_of(s, references[i]);
-    if (!v) return instance_refuse(s, DRAPE_DISCARD, no_row(s, references[i]));
+    const description::Variable* v = row_of(instance, references[i]);
+    if (!v) return instance_refuse(instance, DRAPE_DISCARD, no_row(instance, references[i]));
     needs |= v->needs;
   }
-  if (const int missing = needs & ~s.read) drape_get_outputs(s.cloth, missing);
-  s.read |= needs;
-  for (std::size_t i = 0; i < count; ++i) values[i] = *s.table[references[i] - 1].value;
+  if (const int missing = needs & ~instance.read) drape_get_outputs(instance.cloth, missing);
+  instance.read |= needs;
+  for (std::size_t i = 0; i < count; ++i) values[i] = *instance.table[references[i] - 1].value;
   return DRAPE_OK;
 }
 
-drape_status instance_set(Instance& s, const std::uint32_t* references, std::size_t count,
+drape_status instance_set(Instance& instance, const std::uint32_t* references, std::size_t count,
                           const double* values) {
   drape_status status = DRAPE_OK;
   for (std::size_t i = 0; i < count; ++i)
-    if (const std::string problem = set_problem(s, references[i], values[i]); !problem.empty())
-      status = instance_refuse(s, DRAPE_DISCARD, problem);
+    if (const std::string problem = set_problem(instance, references[i], values[i]); !problem.empty())
+      status = instance_refuse(instance, DRAPE_DISCARD, problem);
   if (status != DRAPE_OK) return status;
-  for (std::size_t i = 0; i < count; ++i) *s.table[references[i] - 1].setting = values[i];
-  if (s.phase == Phase::kInstantiated || s.phase == Phase::kInitialization) {
-    drape_inputs_start(s.cloth);
-    s.read = 0;
+  for (std::size_t i = 0; i < count; ++i) *instance.table[references[i] - 1].setting = values[i];
+  if (instance.phase == Phase::kInstantiated || instance.phase == Phase::kInitialization) {
+    drape_inputs_start(instance.cloth);
+    instance.read = 0;
   }
   return DRAPE_OK;
 }
 
-drape_status instance_set_rates(Instance& s, const std::uint32_t* references, std::size_t count,
+drape_status instance_set_rates(Instance& instance, const std::uint32_t* references, std::size_t count,
                                 const int* orders, const double* values) {
   drape_status status = DRAPE_OK;
   for (std::size_t i = 0; i < count; ++i)
-    if (const std::string problem = rate_problem(s, references[i], orders[i], values[i]); !problem.empty())
-      status = instance_refuse(s, DRAPE_DISCARD, problem);
+    if (const std::string problem = rate_problem(instance, references[i], orders[i], values[i]);
+        !problem.empty())
+      status = instance_refuse(instance, DRAPE_DISCARD, problem);
   if (status != DRAPE_OK) return status;
-  for (std::size_t i = 0; i < count; ++i) *s.table[references[i] - 1].rate = values[i];
+  for (std::size_t i = 0; i < count; ++i) *instance.table[references[i] - 1].rate = values[i];
   return DRAPE_OK;
 }
 

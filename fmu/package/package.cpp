@@ -76,7 +76,7 @@ std::vector<std::filesystem::path> contact_files() {
         const std::filesystem::path file = info->dlpi_name;
         for (const char* name : {"libdrape_contact.", "libfcl.", "libccd.", "liboctomap.", "liboctomath.",
                                  "libstdc++.", "libgcc_s."})
-          if (file.filename().string().rfind(name, 0) == 0)
+          if (file.filename().string().starts_with(name))
             static_cast<std::vector<std::filesystem::path>*>(to)->push_back(file);
         return 0;
       },

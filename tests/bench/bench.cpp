@@ -116,7 +116,7 @@ std::vector<Row> bound_rows(const Patience& patience) {
       cloths[0].motion.kernel = kernel;
       const double rate = rates_of(cloths, patience)[0];
       rows.push_back({"bound", features.name, cloths[0].system.particle.size(), kernel->name, rate,
-                      rate / bound, "port bound " + std::to_string(int(bound + 0.5))});
+                      rate / bound, "port bound " + std::to_string(std::lround(bound))});
     }
   }
   return rows;

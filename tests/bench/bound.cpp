@@ -4,10 +4,11 @@
 
 namespace drape::bench {
 
-double port_bound(const Operations& n, const Ports& p) {
-  const double lane =
-      std::max({n.fma * p.fma, n.add * p.add, n.sqrt * p.sqrt + n.division * p.division, n.load * p.load});
-  return p.width / lane / 1e6;
+double port_bound(const Operations& operations, const Ports& ports) {
+  const double lane = std::max({operations.fma * ports.fma, operations.add * ports.add,
+                                operations.sqrt * ports.sqrt + operations.division * ports.division,
+                                operations.load * ports.load});
+  return ports.width / lane / 1e6;
 }
 
 }  // namespace drape::bench

@@ -96,20 +96,26 @@ void options_add(CLI::App& app, Options& options) {
   app.add_flag("--quick", options.quick, "seconds in all, no figures to rely on");
 }
 
-}  // namespace
-}  // namespace drape::bench
-
-int main(int argc, char** argv) {
-  using namespace drape::bench;
+int command_run(int argc, char** argv) {
   CLI::App app{"measure particle-steps per second; pin it to one core", "drape bench"};
   Options options;
   options_add(app, options);
   try {
     app.parse(argc, argv);
-    return run_bench(options);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);  // --help
     return fail(kBadInput, std::string(e.what()) + "; see drape --help");
+  }
+  return run_bench(options);
+}
+
+}  // namespace
+}  // namespace drape::bench
+
+int main(int argc, char** argv) {
+  using namespace drape::bench;
+  try {
+    return command_run(argc, argv);
   } catch (const std::exception& e) {
     return fail(kFailedRun, e.what());
   }

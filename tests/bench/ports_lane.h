@@ -1,6 +1,7 @@
 // Throughput of a lane's operations: as many independent ones in a row as hide their latency; the best of
 // many short runs.
 #pragma once
+#include <algorithm>
 #include <chrono>
 
 #include "bench/ports.h"
@@ -26,7 +27,7 @@ double seconds_per_op(Op op) {
     for (int k = 0; k < kChains; ++k) L::store(numbers + k * L::kWidth, chain[k]);
     asm volatile("" : : "r"(numbers) : "memory");  // keeps the compiler from removing them
     const double spent = std::chrono::duration<double>(Clock::now() - start).count();
-    if (spent < best) best = spent;
+    best = std::min(best, spent);
   }
   return best / (kRounds * kChains);
 }

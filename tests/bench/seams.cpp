@@ -248,7 +248,7 @@ bool seams_print(const std::string& csv_file, bool quick) {
   std::printf("%-11s %6s  %-8s %18s %18s %18s %7s\n", "cut", "ratio", "ties", "W/20", "W/40", "W/80",
               "order");
   for (SeamCut cut : {SeamCut::kWeft, SeamCut::kWarp, SeamCut::kOblique})
-    for (double ratio : {1.0, std::sqrt(2.0), 2.0, 3.0})
+    for (double ratio : {1.0, std::numbers::sqrt2, 2.0, 3.0})
       for (bool paper : {false, true}) {
         std::printf("%-11s %6.3f  %-8s", name_of(cut), ratio, paper ? "paper" : "cutcell");
         double first = 0, last = 0;

@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <numbers>
 #include <random>
 #include <thread>
 
@@ -139,7 +140,7 @@ bool survives(const Cloth& cloth, double damping, int order, double ratio, unsig
   double mass = 0, h = INFINITY, smallest = INFINITY;
   for (std::size_t n : r.system.particle) mass += r.system.mass[n];
   const Energy start = energy_of(r);
-  const double largest = start.total + kRise * (mass * 9.81 * kSide * std::sqrt(2.0) + start.moving);
+  const double largest = start.total + kRise * (mass * 9.81 * kSide * std::numbers::sqrt2 + start.moving);
   for (long n = 0; n < steps; ++n) {
     if (n % kLook == 0) {
       const double ahead = std::isfinite(h) ? kLook * h : 0;

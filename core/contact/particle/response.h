@@ -71,6 +71,7 @@ struct ContactHit {
 };
 
 template <class L>
+// NOLINTNEXTLINE(readability-function-size): a kernel, whose parts share their registers
 DRAPE_INLINE ContactHit<L> contact_hit(const ContactLanes<L>& k, const simd::Vec<L>& n, L distance,
                                        const simd::Vec<L>& w, const simd::Vec<L>& before, L sticking,
                                        L penalty_scale) {
@@ -199,6 +200,7 @@ DRAPE_INLINE simd::Row row_of(const ContactMoves& moves, std::size_t n) {
 }
 
 template <class L, bool kMoves>
+// NOLINTNEXTLINE(readability-function-size): a kernel, whose parts share their registers
 void contact_run(const ContactPass& pass) {
   const PoseLanes<L, kMoves> pose(*pass.body);
   const ContactCoefficients& c = pass.c;

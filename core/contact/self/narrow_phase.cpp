@@ -59,7 +59,7 @@ struct NarrowPhase {
   const System& system;
   const Vec3* place;
   double reach;
-  SelfContactPairs& all;
+  SelfContactPairs& pairs;
 };
 
 // Writes the unit vectors from an edge into its triangles to `into` [2]; returns their number.
@@ -83,7 +83,7 @@ double sine_of(const NarrowPhase& l, model::NodeIndex edge) {
 // where sine^2 = (1 + m_1.m_2)/2.
 bool may_protrude(const NarrowPhase& l, model::NodeIndex edge) {
   enum : char { kUnknown, kYes, kNo };
-  char& known = l.all.protrudes[edge];
+  char& known = l.pairs.protrudes[edge];
   if (known == kUnknown) {
     Vec3 into[2];
     const double sine = sine_of(l, edge);
@@ -113,7 +113,7 @@ double point_narrow_phase(const NarrowPhase& l, const model::SelfPoint& p) {
   SelfContactPair t = pair_of(p.node, false, closest.arm, distance, p.contact_distance);
   t.weight[0] = 1;
   for (int k = 0; k < 3; ++k) t.weight[k + 1] = -closest.weight[k], t.turn[k + 1] = 1;
-  l.all.pair.push_back(t);
+  l.pairs.pair.push_back(t);
   return 0;
 }
 
@@ -131,7 +131,7 @@ double cross_narrow_phase(const NarrowPhase& l, const model::SelfCross& p) {
   t.share = rise * rise * (3 - 2 * rise);
   const double weight[4] = {1 - closest.share[0], closest.share[0], closest.share[1] - 1, -closest.share[1]};
   for (int k = 0; k < 4; ++k) t.weight[k] = weight[k], t.turn[k] = 1;
-  l.all.pair.push_back(t);
+  l.pairs.pair.push_back(t);
   return 0;
 }
 
@@ -143,17 +143,17 @@ void places_copy(const model::SelfMesh& mesh, const State& s, std::vector<Vec3>&
 
 }  // namespace
 
-void self_narrow_phase(const System& system, const State& s, double reach, SelfContactPairs& all,
+void self_narrow_phase(const System& system, const State& s, double reach, SelfContactPairs& pairs,
                        model::SelfState* schedule) {
-  all.pair.clear();
+  pairs.pair.clear();
   const std::vector<double>& blocks = s.self.block_active_after_travel;
   const double now = s.self.travel;
   if (std::none_of(blocks.begin(), blocks.end(), [&](double b) { return b <= now + reach; })) return;
-  const model::SelfPairs& pairs = *s.self.pairs;
-  const std::size_t points = pairs.point.size(), size = pairs.size();
-  places_copy(system.self, s, all.place);
-  all.protrudes.assign(system.self.edge.size(), 0);
-  const NarrowPhase narrow_phase{system, all.place.data(), reach, all};
+  const model::SelfPairs& candidates = *s.self.pairs;
+  const std::size_t points = candidates.point.size(), size = candidates.size();
+  places_copy(system.self, s, pairs.place);
+  pairs.protrudes.assign(system.self.edge.size(), 0);
+  const NarrowPhase narrow_phase{system, pairs.place.data(), reach, pairs};
   std::size_t first = 0;  // pair of the present particle
   model::NodeIndex particle = model::kNoNode;
   for (std::size_t begin = 0, block = 0; begin < size; begin += model::kPairsPerBlock, ++block) {
@@ -164,13 +164,13 @@ void self_narrow_phase(const System& system, const State& s, double reach, SelfC
       double until = s.self.active_after_travel[k];
       if (until <= now + reach) {
         const bool point = k < points;
-        if (const model::NodeIndex n = point ? pairs.point[k].node[0] : model::kNoNode; n != particle) {
-          minima_select(all.pair, first);
-          first = all.pair.size();
+        if (const model::NodeIndex n = point ? candidates.point[k].node[0] : model::kNoNode; n != particle) {
+          minima_select(pairs.pair, first);
+          first = pairs.pair.size();
           particle = n;
         }
-        const double left = point ? point_narrow_phase(narrow_phase, pairs.point[k])
-                                  : cross_narrow_phase(narrow_phase, pairs.cross[k - points]);
+        const double left = point ? point_narrow_phase(narrow_phase, candidates.point[k])
+                                  : cross_narrow_phase(narrow_phase, candidates.cross[k - points]);
         until = now + left;
         if (schedule) schedule->active_after_travel[k] = until;
       }
@@ -178,7 +178,7 @@ void self_narrow_phase(const System& system, const State& s, double reach, SelfC
     }
     if (schedule) schedule->block_active_after_travel[block] = soonest;
   }
-  if (particle != model::kNoNode) minima_select(all.pair, first);
+  if (particle != model::kNoNode) minima_select(pairs.pair, first);
 }
 
 }  // namespace drape::contact

@@ -1,4 +1,4 @@
-// Self-contact: cloth that touches cloth, at the kick of t_n. core/README.md, section 8.
+// Self-contact: cloth that pairs cloth, at the kick of t_n. core/README.md, section 8.
 //
 // A pair is a weighted sum over four nodes with sum W_k = 0. It is a particle less its closest point on a
 // triangle, W = (1, -w_a, -w_b, -w_c), or a point of an edge less one of another, W = (1 - s, s, -(1 - t),
@@ -58,19 +58,19 @@ struct SelfContactPairs {
 // Finds the pairs of a state that are nearer than their contact distance and `reach` (m), each local minimum
 // of the distance once; points first, in the order of their nodes. With `schedule`, which is null or the
 // state's own, records there after what travel each pair is to be examined again.
-void self_narrow_phase(const System& system, const State& state, double reach, SelfContactPairs& touches,
+void self_narrow_phase(const System& system, const State& state, double reach, SelfContactPairs& pairs,
                        model::SelfState* schedule);
 
 // Collects the nodes of the pairs, and computes all that does not depend on velocities. Removes pairs that
 // pins hold on both sides. `inertia_of_fit`: with the inverse mass scales.
-void self_prepare(const System& system, const State& state, bool inertia_of_fit, SelfContactPairs& touches);
+void self_prepare(const System& system, const State& state, bool inertia_of_fit, SelfContactPairs& pairs);
 
 // Computes the impulses of all nodes in a kick. Needs old and v of the nodes. Sweeps over the pairs until the
 // velocities change by less than `tolerance` of the first change, at most `sweeps` times.
-void self_respond(const ContactCoefficients& c, double tolerance, int sweeps, SelfContactPairs& touches);
+void self_respond(const ContactCoefficients& c, double tolerance, int sweeps, SelfContactPairs& pairs);
 
 // Energy (J) that damping, stops and friction have dissipated.
-double self_dissipated(const ContactCoefficients& c, SelfContactPairs& touches);
+double self_dissipated(const ContactCoefficients& c, SelfContactPairs& pairs);
 
 // Of the contact distance, which in self-contact is that of two layers.
 inline constexpr double kSelfBlend = kContactBlend / 2;

@@ -42,12 +42,12 @@ void inverse_set(const double* i, double* to) {
 }
 
 // Sets p_k and I^-1, once; only friction needs them.
-void levers_set(const SelfContactPairs& all, SelfContactPair& t) {
+void levers_set(const SelfContactPairs& pairs, SelfContactPair& t) {
   if (t.inverse[0] > 0) return;
   Vec3 mean{0, 0, 0};
   double sum = 0;
   for (int k = 0; k < 4; ++k) {
-    t.lever[k] = all.place[t.node[std::size_t(k)]];
+    t.lever[k] = pairs.place[t.node[std::size_t(k)]];
     mean += t.turn[k] * t.lever[k];
     sum += t.turn[k];
   }
@@ -85,18 +85,19 @@ void law_set(const System& system, const std::vector<SelfNode>& node, SelfContac
 }
 
 // sum W_k of a field of the nodes
-Vec3 gap_rate(const SelfContactPairs& all, const SelfContactPair& t, Vec3 SelfNode::* field) {
+Vec3 gap_rate(const SelfContactPairs& pairs, const SelfContactPair& t, Vec3 SelfNode::* field) {
   Vec3 sum{0, 0, 0};
-  for (int k = 0; k < 4; ++k) sum += t.weight[k] * (all.node[std::size_t(t.at[k])].*field);
+  for (int k = 0; k < 4; ++k) sum += t.weight[k] * (pairs.node[std::size_t(t.at[k])].*field);
   return sum;
 }
 
 // The tangential w.
-Vec3 slip(const SelfContactPairs& all, SelfContactPair& t, Vec3 SelfNode::* field) {
-  levers_set(all, t);
+Vec3 slip(const SelfContactPairs& pairs, SelfContactPair& t, Vec3 SelfNode::* field) {
+  levers_set(pairs, t);
   Vec3 turning{0, 0, 0};
-  for (int k = 0; k < 4; ++k) turning += t.turn[k] * cross(t.lever[k], all.node[std::size_t(t.at[k])].*field);
-  const Vec3 w = gap_rate(all, t, field) - cross(times(t.inverse, turning), t.arm);
+  for (int k = 0; k < 4; ++k)
+    turning += t.turn[k] * cross(t.lever[k], pairs.node[std::size_t(t.at[k])].*field);
+  const Vec3 w = gap_rate(pairs, t, field) - cross(times(t.inverse, turning), t.arm);
   return w - dot(w, t.n) * t.n;
 }
 
@@ -105,49 +106,49 @@ void node_push(SelfNode& n, const Vec3& f) {
   n.impulse += f;
 }
 
-void normal_push(SelfContactPairs& all, const SelfContactPair& t, double p) {
-  for (int k = 0; k < 4; ++k) node_push(all.node[std::size_t(t.at[k])], (t.weight[k] * p) * t.n);
+void normal_push(SelfContactPairs& pairs, const SelfContactPair& t, double p) {
+  for (int k = 0; k < 4; ++k) node_push(pairs.node[std::size_t(t.at[k])], (t.weight[k] * p) * t.n);
 }
 
-void tangential_push(SelfContactPairs& all, SelfContactPair& t, const Vec3& j) {
-  levers_set(all, t);
+void tangential_push(SelfContactPairs& pairs, SelfContactPair& t, const Vec3& j) {
+  levers_set(pairs, t);
   const Vec3 turned = times(t.inverse, cross(t.arm, j));
   for (int k = 0; k < 4; ++k)
-    node_push(all.node[std::size_t(t.at[k])], t.weight[k] * j - t.turn[k] * cross(turned, t.lever[k]));
+    node_push(pairs.node[std::size_t(t.at[k])], t.weight[k] * j - t.turn[k] * cross(turned, t.lever[k]));
 }
 
 // Applies the penalty; returns the change of w_n, m/s.
-double normal_begin(const ContactCoefficients& c, SelfContactPairs& all, SelfContactPair& t) {
+double normal_begin(const ContactCoefficients& c, SelfContactPairs& pairs, SelfContactPair& t) {
   const double blend = kSelfBlend * t.contact_distance, depth = t.contact_distance - t.distance;
   if (!(depth > 0)) return 0;
   const double u = std::min(depth / blend, 1.0);
   t.resist = t.inverse_effective_mass * t.drag * u * u * (3 - 2 * u);
-  t.before = dot(t.n, gap_rate(all, t, &SelfNode::old));
+  t.before = dot(t.n, gap_rate(pairs, t, &SelfNode::old));
   t.stored = t.normal = c.kick * t.stiffness * math::smooth_ramp(blend, depth);
-  normal_push(all, t, t.normal);
+  normal_push(pairs, t, t.normal);
   return t.inverse_effective_mass * t.normal;
 }
 
 // Updates P with damping, the impulses of all others fixed; returns the change of w_n, m/s.
-double normal_sweep(const ContactCoefficients& c, SelfContactPairs& all, SelfContactPair& t) {
+double normal_sweep(const ContactCoefficients& c, SelfContactPairs& pairs, SelfContactPair& t) {
   if (t.stored == 0) return 0;
-  const double rest = dot(t.n, gap_rate(all, t, &SelfNode::v)) - t.inverse_effective_mass * t.normal;
+  const double rest = dot(t.n, gap_rate(pairs, t, &SelfNode::v)) - t.inverse_effective_mass * t.normal;
   const double after = (rest + t.inverse_effective_mass * t.stored - t.resist * c.old_time * t.before) /
                        (1 + t.resist * c.new_time);
   const double normal = std::max((after - rest) / t.inverse_effective_mass, 0.0), more = normal - t.normal;
   t.normal = normal;
-  normal_push(all, t, more);
+  normal_push(pairs, t, more);
   return t.inverse_effective_mass * std::abs(more);
 }
 
-double stop_sweep(const ContactCoefficients& c, SelfContactPairs& all, SelfContactPair& t) {
-  const double w = dot(t.n, gap_rate(all, t, &SelfNode::v)),
+double stop_sweep(const ContactCoefficients& c, SelfContactPairs& pairs, SelfContactPair& t) {
+  const double w = dot(t.n, gap_rate(pairs, t, &SelfNode::v)),
                clearance = t.distance - kMin * t.contact_distance;
   const double expected = -clearance * (clearance >= 0 ? c.stop_rate : c.push_rate);
   const double stop = std::max(t.stop + (expected - w) / t.inverse_effective_mass, 0.0), more = stop - t.stop;
   if (more == 0) return 0;
   t.stop = stop;
-  normal_push(all, t, more);
+  normal_push(pairs, t, more);
   return t.inverse_effective_mass * std::abs(more);
 }
 
@@ -159,45 +160,45 @@ Vec3 friction_bounded(SelfContactPair& t, const Vec3& j) {
   return size > 0 ? (t.slide * pressed / size) * j : j;
 }
 
-double friction_change(SelfContactPairs& all, SelfContactPair& t, const Vec3& expected) {
+double friction_change(SelfContactPairs& pairs, SelfContactPair& t, const Vec3& expected) {
   const Vec3 j = friction_bounded(t, expected), more = j - t.friction;
   const double size = norm(more);
   if (size == 0) return 0;
   t.friction = j;
-  tangential_push(all, t, more);
+  tangential_push(pairs, t, more);
   return t.inverse_effective_mass * size;
 }
 
 }  // namespace
 
-void self_prepare(const System& system, const State& s, bool inertia_of_fit, SelfContactPairs& all) {
-  all.node.clear();
-  all.index.resize(system.nodes, -1);
-  for (SelfContactPair& t : all.pair)
+void self_prepare(const System& system, const State& s, bool inertia_of_fit, SelfContactPairs& pairs) {
+  pairs.node.clear();
+  pairs.index.resize(system.nodes, -1);
+  for (SelfContactPair& t : pairs.pair)
     for (int k = 0; k < 4; ++k) {
       const model::NodeIndex n = t.node[std::size_t(k)];
-      int& at = all.index[n];
+      int& at = pairs.index[n];
       if (at < 0) {
-        at = int(all.node.size());
+        at = int(pairs.node.size());
         const double inverse_scale =
             inertia_of_fit && !s.inverse_mass_scale.empty() ? s.inverse_mass_scale[n] : 1;
         const bool fixed = system.self.fixed[n];
-        all.node.push_back({n,
-                            fixed,
-                            fixed ? 0 : inverse_scale * system.inverse_mass[n],
-                            system.mass[n] / inverse_scale,
-                            {s.vx[n], s.vy[n], s.vz[n]},
-                            {}});
+        pairs.node.push_back({n,
+                              fixed,
+                              fixed ? 0 : inverse_scale * system.inverse_mass[n],
+                              system.mass[n] / inverse_scale,
+                              {s.vx[n], s.vy[n], s.vz[n]},
+                              {}});
       }
       t.at[k] = at;
     }
-  for (const SelfNode& n : all.node) all.index[n.node] = -1;
-  for (SelfContactPair& t : all.pair) law_set(system, all.node, t);
-  std::erase_if(all.pair, [](const SelfContactPair& t) {
+  for (const SelfNode& n : pairs.node) pairs.index[n.node] = -1;
+  for (SelfContactPair& t : pairs.pair) law_set(system, pairs.node, t);
+  std::erase_if(pairs.pair, [](const SelfContactPair& t) {
     return !(t.inverse_effective_mass > 0);
   });                               // held on both sides
   auto held = s.self.hold.begin();  // in the same order
-  for (SelfContactPair& t : all.pair) {
+  for (SelfContactPair& t : pairs.pair) {
     const auto before = [&](const model::SelfHold& h) {
       return h.cross != t.cross ? t.cross : h.node < t.node;
     };
@@ -208,31 +209,31 @@ void self_prepare(const System& system, const State& s, bool inertia_of_fit, Sel
   }
 }
 
-void self_respond(const ContactCoefficients& c, double tolerance, int sweeps, SelfContactPairs& all) {
+void self_respond(const ContactCoefficients& c, double tolerance, int sweeps, SelfContactPairs& pairs) {
   double first = 0;
-  for (SelfContactPair& t : all.pair) first = std::max(first, normal_begin(c, all, t));
-  for (SelfContactPair& t : all.pair)
-    if (t.normal > 0) friction_change(all, t, c.kick * t.hold);
+  for (SelfContactPair& t : pairs.pair) first = std::max(first, normal_begin(c, pairs, t));
+  for (SelfContactPair& t : pairs.pair)
+    if (t.normal > 0) friction_change(pairs, t, c.kick * t.hold);
   for (int k = 0; k < sweeps; ++k) {
     double largest = 0;
-    for (SelfContactPair& t : all.pair) {
-      largest = std::max(largest, normal_sweep(c, all, t));
-      largest = std::max(largest, stop_sweep(c, all, t));
+    for (SelfContactPair& t : pairs.pair) {
+      largest = std::max(largest, normal_sweep(c, pairs, t));
+      largest = std::max(largest, stop_sweep(c, pairs, t));
       if (!(t.normal + t.stop > 0) && dot(t.friction, t.friction) == 0) continue;
-      const Vec3 w = slip(all, t, &SelfNode::v);
-      largest = std::max(largest, friction_change(all, t, t.friction - (1 / t.inverse_effective_mass) * w));
+      const Vec3 w = slip(pairs, t, &SelfNode::v);
+      largest = std::max(largest, friction_change(pairs, t, t.friction - (1 / t.inverse_effective_mass) * w));
     }
     if (k == 0) first = std::max(first, largest);
     if (!(largest > tolerance * first)) break;
   }
 }
 
-double self_dissipated(const ContactCoefficients& c, SelfContactPairs& all) {
+double self_dissipated(const ContactCoefficients& c, SelfContactPairs& pairs) {
   double sum = 0;
-  for (SelfContactPair& t : all.pair) {
+  for (SelfContactPair& t : pairs.pair) {
     if (!(t.stored + t.stop > 0)) continue;
-    const double w = dot(t.n, gap_rate(all, t, &SelfNode::old) + gap_rate(all, t, &SelfNode::v)) / 2;
-    const Vec3 along = 0.5 * (slip(all, t, &SelfNode::old) + slip(all, t, &SelfNode::v));
+    const double w = dot(t.n, gap_rate(pairs, t, &SelfNode::old) + gap_rate(pairs, t, &SelfNode::v)) / 2;
+    const Vec3 along = 0.5 * (slip(pairs, t, &SelfNode::old) + slip(pairs, t, &SelfNode::v));
     sum -= c.impulse * ((t.normal + t.stop - (t.normal > 0 ? t.stored : 0)) * w + dot(t.friction, along));
   }
   return sum;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "contact/particle/contact.h"
 #include "dynamics/step_size/cell_bound.h"
@@ -37,7 +38,7 @@ double distance(const State& s, std::size_t a, std::size_t b, double ahead) {
 
 // rho b^2 omega^2 of a cell.
 double cell_bound(const model::Lattice& l, const State& s, const std::size_t* corner, double ahead) {
-  const double inverse_diagonal = 1 / (std::sqrt(2.0) * l.cell);
+  const double inverse_diagonal = 1 / (std::numbers::sqrt2 * l.cell);
   simd::Vec<Lane> r[4];
   for (int k = 0; k < 4; ++k) r[k] = node_ahead(s, corner[k], ahead);
   Lane bound = edges_bound(r[0], r[1], r[2], r[3], l);
@@ -162,7 +163,7 @@ void seams_offer(WorstPart& worst, const System& system, const Scene& scene, con
     worst.bound = welded;
     worst.words = "hinges and links of " + seam_words(system, scene, s, model::Sewn::kWelded,
                                                       [](const model::Seam& seam, std::size_t) {
-                                                        return seam.link_count + seam.tape;
+                                                        return double(seam.link_count + seam.tape);
                                                       });
   }
 }

@@ -301,8 +301,8 @@ const drape_outputs* drape_get_outputs(drape_cloth*, int mask);
  * direction has no law. */
 const drape_fields* drape_fields_at(drape_cloth*);
 drape_elongation drape_elongation_of(drape_cloth*, int piece, drape_yarn_direction along, double limit);
-drape_seam_lines drape_seam_lines_at(drape_cloth*, int seam);
-drape_surface drape_surface_at(drape_cloth*, int body);
+drape_seam_lines drape_seam_lines_at(drape_cloth*, int index);
+drape_surface drape_surface_at(drape_cloth*, int index);
 
 /* The step limit at the present state, s, without the safety factor. `set_by`, unless NULL, receives the name
  * of the link that sets the limit. */

@@ -53,8 +53,8 @@ Vec2 grid_coordinates(const Grid& grid, Vec2 p) {
   return {cut_snapped((x - grid.x0) / grid.cell), cut_snapped((y - grid.y0) / grid.cell)};
 }
 
-Vec2 grid_plane(const Grid& grid, Vec2 at) {
-  const double x = grid.x0 + at[0] * grid.cell, y = grid.y0 + at[1] * grid.cell;
+Vec2 grid_plane(const Grid& grid, Vec2 coordinates) {
+  const double x = grid.x0 + coordinates[0] * grid.cell, y = grid.y0 + coordinates[1] * grid.cell;
   return {x * grid.cosine - y * grid.sine, x * grid.sine + y * grid.cosine};
 }
 
@@ -94,9 +94,9 @@ GridPoint grid_locate(const Grid& grid, Vec2 point) {
   return grid_point(grid, grid_cell_of(grid, point), grid_coordinates(grid, point));
 }
 
-GridPoint grid_point(const Grid& grid, int cell, Vec2 at) {
+GridPoint grid_point(const Grid& grid, int cell, Vec2 coordinates) {
   const GridCell& c = grid.cells[std::size_t(cell)];
-  const double s = at[0] - c.i, t = at[1] - c.j;
+  const double s = coordinates[0] - c.i, t = coordinates[1] - c.j;
   return {{c.node[0], c.node[1], c.node[2], c.node[3]}, {(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t}};
 }
 

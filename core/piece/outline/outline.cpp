@@ -73,6 +73,7 @@ bool crosses_ray(Vec2 p, Vec2 q, Vec2 point) {  // the ray runs along +x
 }
 
 const std::vector<Vec2>& points_of(const OutlineLoop& loop) { return loop.points; }
+// NOLINTNEXTLINE(bugprone-return-const-ref-from-parameter): the loops outlive the calls
 const std::vector<Vec2>& points_of(const std::vector<Vec2>& loop) { return loop; }
 const std::vector<Vec2>& points_of(const std::vector<Vec2>* loop) { return *loop; }
 

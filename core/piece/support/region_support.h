@@ -8,6 +8,6 @@ struct RegionSupport {
   std::vector<int> nodes;  // increasing
   std::vector<HeldSlope> slopes;
 };
-RegionSupport region_support(const Grid& grid, const std::vector<Vec2>& region, bool clamp);
+RegionSupport region_support(const Grid& grid, const std::vector<Vec2>& polygon, bool clamp);
 
 }  // namespace drape::piece

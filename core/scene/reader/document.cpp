@@ -140,10 +140,10 @@ Document document_load(const std::filesystem::path& file, Faults& faults) {
   Document document = document_load_file(file, faults);
   if (toml::table* fabrics = document.root["fabric"].as_table())
     for (auto&& [name, node] : *fabrics)
-      if (toml::table* fabric = node.as_table())
-        if (!fabric_file_merge(*fabric, "fabric." + std::string(name.str()), file.parent_path(), faults,
-                               document.files))
-          document.unread.emplace(name.str());
+      if (toml::table* fabric = node.as_table();
+          fabric && !fabric_file_merge(*fabric, "fabric." + std::string(name.str()), file.parent_path(),
+                                       faults, document.files))
+        document.unread.emplace(name.str());
   return document;
 }
 

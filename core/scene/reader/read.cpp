@@ -26,7 +26,7 @@ std::vector<FabricSpec> fabrics_read(Faults& faults, const Document& document) {
     if (!name_fits(name)) fault_add(faults, path, kNameRule);
     if (!entry.is_table())
       fault_add(faults, path, std::string("is ") + node_kind(entry) + "; wanted: a table [" + path + "]");
-    else if (!document.unread.count(name)) fabric = fabric_read(faults, *entry.as_table(), path).spec;
+    else if (!document.unread.contains(name)) fabric = fabric_read(faults, *entry.as_table(), path).spec;
     fabric.name = name;
   }
   return fabrics;

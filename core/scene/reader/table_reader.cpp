@@ -16,7 +16,7 @@ std::string joined(const std::string& path, const std::string& key) {
 
 // The component of a row's name directly below the table `prefix`; "" if the row is not in that table.
 std::string key_within(const Key& key, const std::string& prefix) {
-  if (key.name.compare(0, prefix.size(), prefix) != 0) return "";
+  if (!key.name.starts_with(prefix)) return "";
   return key.name.substr(prefix.size(), key.name.find('.', prefix.size()) - prefix.size());
 }
 

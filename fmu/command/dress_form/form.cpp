@@ -84,7 +84,7 @@ std::string mesh_obj(const Mesh& mesh, const std::string& title) {
 double tape_length(std::vector<Vec2> points) {
   std::sort(points.begin(), points.end());
   std::vector<Vec2> hull;
-  const auto pass = [&](auto begin, auto end) {
+  const auto pass = [&](const auto& begin, const auto& end) {
     const std::size_t base = hull.size();
     for (auto p = begin; p != end; ++p) {
       const auto outward = [&] {

@@ -159,8 +159,8 @@ const std::vector<Method>& methods() {
   return kMethods;
 }
 
-Solved solve(const Equations& e, const Method& m, double end, double rtol, long largest) {
-  Session s{.equations = e, .max_evaluations = largest};
+Solved solve(const Equations& e, const Method& m, double end, double rtol, long max_evaluations) {
+  Session s{.equations = e, .max_evaluations = max_evaluations};
   if (SUNContext_Create(nullptr, &s.context) != 0) throw std::runtime_error("SUNDIALS gives no context");
   const auto size = sunindextype(e.start.size());
   s.y = N_VNew_Serial(size, s.context);

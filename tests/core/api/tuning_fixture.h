@@ -45,7 +45,7 @@ at = [0.03, 0]
 }
 
 inline void run(const Cloth& c, int intervals, int calls = 1) {
-  for (int k = 0; k < calls; ++k) ASSERT_EQ(drape_advance(c.get(), intervals / calls * kQ), DRAPE_OK);
+  for (int k = 0; k < calls; ++k) ASSERT_EQ(drape_advance(c.get(), double(intervals / calls) * kQ), DRAPE_OK);
 }
 
 inline std::vector<double> nodes(const Cloth& c) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 
 #include "assembly/bodies.h"
@@ -132,7 +133,7 @@ TEST(ClosestFeatures, CountsLocalMinima) {
   closest_features_find(body.mesh.surface, all, {{0, 0, 0.01}, 0.01, 0.02, 1, 1, nullptr}, scratch, found);
   ASSERT_EQ(found.feature.size(), 2u);
   for (const ClosestFeature& t : found.feature) {
-    EXPECT_NEAR(t.distance, 0.01 / std::sqrt(2.0), 1e-15);
+    EXPECT_NEAR(t.distance, 0.01 / std::numbers::sqrt2, 1e-15);
     EXPECT_GT(t.side[2], 0);
   }
   closest_features_find(body.mesh.surface, all, {{0, 0, -0.01}, 0.01, 0.02, 1, 1, nullptr}, scratch, found);

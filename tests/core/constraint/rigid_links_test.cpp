@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "model/seam_rows.h"
@@ -26,7 +27,7 @@ Scene two_pieces(Vec3 gap) {
   scene.pieces[0].grain = 0.3;
   scene.pieces.push_back(scene.pieces[0]);
   scene.pieces[1].name = "right";
-  scene.pieces[1].cell = 0.008 * std::sqrt(2.0);
+  scene.pieces[1].cell = 0.008 * std::numbers::sqrt2;
   scene.pieces[1].grain = -0.4;
   scene.pieces[1].place.origin = {0.05 + gap[0], gap[1], gap[2]};
   scene.seams = {seam_join()};

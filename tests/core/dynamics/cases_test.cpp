@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <numbers>
 
 #include "cloth_fixture.h"
 #include "outputs/energy.h"
@@ -62,8 +63,9 @@ TEST(UniformStrip, GivesTheInputCurveAndTheDiagonalsShareAtEveryCell) {
         for (Eigen::Index n = 0; n < r.size(); n += 3)
           if (r[n + warp] < (1 + e) * H / 2) pull += f[n + warp];
         const fabric::Law& law = a.system.lattices[0].law;
-        const double share = std::sqrt(2.0) * math::curve_value(law.bias, length / (std::sqrt(2.0) * b) - 1) *
-                             (1 + e) * b / length;
+        const double share = std::numbers::sqrt2 *
+                             math::curve_value(law.bias, length / (std::numbers::sqrt2 * b) - 1) * (1 + e) *
+                             b / length;
         const double input = diagram.force[k] / wool.strip_width;
         // strains of 1e-4 of links at 0.1 m: 1e-17/1e-6; slopes up to 1e5 N/m
         const double error = std::abs(pull / W / (input + share) - 1);
@@ -125,7 +127,7 @@ TEST(PictureFrame, ForceIsTheShearEnergysSlope) {
       force -= (f[n] * -u * std::sin(phi) + f[n + 1] * v * std::cos(phi)) / (-2 * L * std::sin(phi));
     }
     const math::Curve& g = a.system.lattices[0].law.bias;
-    const double root2 = std::sqrt(2.0), e1 = root2 * std::cos(phi) - 1, e2 = root2 * std::sin(phi) - 1;
+    const double root2 = std::numbers::sqrt2, e1 = root2 * std::cos(phi) - 1, e2 = root2 * std::sin(phi) - 1;
     const double slope =  // dW/dgamma = -dW/dphi / 2
         -(math::curve_value(g, e1) * -root2 * std::sin(phi) +
           math::curve_value(g, e2) * root2 * std::cos(phi)) /

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "bench/seams.h"
 
@@ -31,7 +32,7 @@ TEST(CutAndSewn, HasNoEffectOnGridsThatCoincide) {
 // meet the first of these figures.
 TEST(CutAndSewn, HardlyChangesTheStrip) {
   for (SeamCut cut : kCuts)
-    for (double ratio : {1.0, std::sqrt(2.0), 2.0, 3.0})
+    for (double ratio : {1.0, std::numbers::sqrt2, 2.0, 3.0})
       for (int across : {20, 40}) {
         const SeamFigure f = seam_figure({cut, ratio, across, false});
         const bool coarse = across == 20 || (cut == SeamCut::kOblique && ratio == 3);
@@ -46,7 +47,7 @@ TEST(CutAndSewn, HardlyChangesTheStrip) {
 // The paper's rigid links stiffen a cut at 30 degrees, and about half as much on cells half as large. A
 // strip cut along the pull cannot be stretched at all.
 TEST(CutAndSewn, IsStiffWithRigidLinks) {
-  for (double ratio : {1.0, std::sqrt(2.0), 2.0}) {
+  for (double ratio : {1.0, std::numbers::sqrt2, 2.0}) {
     const double coarse = seam_figure({SeamCut::kOblique, ratio, 20, true}).stiffness,
                  fine = seam_figure({SeamCut::kOblique, ratio, 40, true}).stiffness;
     EXPECT_GT(coarse, 0.02);

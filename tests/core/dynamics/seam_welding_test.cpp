@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "forces/seam_bending.h"
 #include "forces/seam_closing.h"
@@ -98,7 +99,7 @@ Momentum momentum_of(Assembled& a) {
 
 // Closing and welding conserve linear momentum; closing conserves angular momentum too.
 TEST(SeamWelding, KeepsMomentum) {
-  for (double ratio : {1.0, std::sqrt(2.0), 2.0}) {
+  for (double ratio : {1.0, std::numbers::sqrt2, 2.0}) {
     Scene scene = pair_of(curved_fabric(), 0.05, 0.01, ratio, {0.004, 0.001, 0.003});
     scene.pieces[0].velocity = {0.3, -0.2, 0.1};
     Assembled a = assemble(scene);
@@ -153,7 +154,7 @@ TEST(SeamWelding, AgreesWithTheReference) {
   for (double until : {0.012, 0.06}) {
     std::vector<double> errors;
     for (double h : {2e-5, 1e-5, 5e-6}) {
-      Scene scene = pair_of(curved_fabric(), 0.04, 0.01, std::sqrt(2.0), {0.001, 0, 0.0005});
+      Scene scene = pair_of(curved_fabric(), 0.04, 0.01, std::numbers::sqrt2, {0.001, 0, 0.0005});
       scene.seams[0].pull = 400;
       scene.seams[0].speed = 10;
       if (until < 0.02) scene.seams[0].gap_tolerance = 1e-9;
@@ -256,7 +257,7 @@ TEST(SeamWelding, LeavesToPinsWhatTheyHold) {
 // Sewing does not distort the outlines. Once pieces are joined, free and unloaded, their edges have the
 // length and their corners the angle of the pattern, within 0.5 %; a whole corner has pi/2.
 TEST(SeamWelding, KeepsTheShapeOfOutlines) {
-  for (double ratio : {1.0, std::sqrt(2.0), 3.0}) {
+  for (double ratio : {1.0, std::numbers::sqrt2, 3.0}) {
     Scene scene = pair_of(curved_fabric(), 0.06, 0.006, ratio, {0.004, 0.001, 0.003});
     scene.damping = 20;
     scene.pieces[1].grain = 0.3;

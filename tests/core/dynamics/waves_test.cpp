@@ -98,11 +98,12 @@ TEST(PlaneWave, RunsAtItsFrequency) {
       const double w = std::sqrt(modes.eigenvalues()[branch]);
       const Eigen::Vector2d way = modes.eigenvectors().col(branch);
       const model::Lattice& l = a.system.lattices[0];
-      const std::size_t middle = l.node(n / 2, n / 2);
+      const int half = n / 2;
+      const std::size_t middle = l.node(half, half);
       const double x0 = a.state.x[middle], y0 = a.state.y[middle];
       for (int j = 0; j <= n; ++j)
         for (int i = 0; i <= n; ++i) {
-          const double u = amplitude * std::cos(kx * (i - n / 2) + ky * (j - n / 2));
+          const double u = amplitude * std::cos(kx * (i - half) + ky * (j - half));
           a.state.x[l.node(i, j)] += u * way[0];
           a.state.y[l.node(i, j)] += u * way[1];
         }

@@ -2,6 +2,8 @@
 // symmetries of space. Equations: core/README.md, section 3.
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include <Eigen/Geometry>
 
 #include "cloth_fixture.h"
@@ -170,7 +172,7 @@ TEST(Patch, LinearDisplacementGivesTheExactStressOnEveryCutPiece) {
     };
     double virial = stress(l.law.weft, (map * weft).norm()) + stress(l.law.warp, (map * warp).norm());
     for (double sign : {1.0, -1.0})
-      virial += stress(l.law.bias, (map * (weft + sign * warp)).norm() / std::sqrt(2.0));
+      virial += stress(l.law.bias, (map * (weft + sign * warp)).norm() / std::numbers::sqrt2);
     double area = 0;
     for (double of_node : a.system.area) area += of_node;
     const Eigen::VectorXd f = forces_by(dynamics::kernel_pick(), a);

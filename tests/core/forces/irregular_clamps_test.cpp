@@ -41,7 +41,7 @@ const ClampCase kClamps[] = {{"node", {{0.03, 0.02}}, {}, {}},
                               {{0.022, 0.012}, {0.067, 0.013}, {0.064, 0.047}, {0.021, 0.046}},
                               Shape::kSlits}};
 
-Scene clamped(const ClampCase& c, scene::FabricSpec fabric = reference::curved_fabric()) {
+Scene clamped(const ClampCase& c, const scene::FabricSpec& fabric = reference::curved_fabric()) {
   Scene scene = cut_piece(fabric, c.shape);
   if (c.origin != Vec2{0, 0}) scene.pieces[0].grid_origin = c.origin;
   scene::PinSpec pin;

@@ -27,7 +27,7 @@ TEST(BendingTests, GiveBackTheRigidityWithOrderTwo) {
   std::vector<Problem> problems;
   for (bool warp : {true, false}) {
     const double b = warp ? f.bending_warp : f.bending_weft;
-    double off[2][2];
+    double off[2][2]{};
     for (int k : {0, 1}) {
       const BendingTest drop = pt2_test(f, warp, k ? 0.0025 : 0.005, problems),
                         length = overhang_test(f, warp, k ? 24 : 12, problems);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "cloth_fixture.h"
 #include "laboratory/equilibrium.h"
@@ -193,7 +194,7 @@ TEST(StripExcess, OfWeftIsTheShareOfTheDiagonalsAtMost) {
   std::vector<Problem> problems;
   const fabric::Law law = fabric::law_make(f, {}, 0.01, "fabric.f", problems);
   const double l = std::hypot(1 + e.elongation, 1),
-               share = std::sqrt(2.0) * math::curve_value(law.bias, l / std::sqrt(2.0) - 1) *
+               share = std::numbers::sqrt2 * math::curve_value(law.bias, l / std::numbers::sqrt2 - 1) *
                        (1 + e.elongation) / l * f.strip_width / f.weft.force[1];
   std::printf("wool's weft at %.3f %%: %.1f %% too hard, at most %.1f %%\n", 100 * e.elongation,
               100 * e.excess, 100 * share);

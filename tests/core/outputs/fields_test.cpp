@@ -1,6 +1,8 @@
 // Fields of particles and elongations of pieces, against the summaries of the whole cloth.
 #include "outputs/fields.h"
 
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "body_fixture.h"
@@ -100,7 +102,7 @@ TEST(Fields, AParticleCountsOnceByHoweverManySurfaces) {
     Assembled a = assemble(scene);
     for (std::size_t n : a.system.particle) {  // all into the bottom, in contact with both sides
       a.state.x[n] = 0;
-      a.state.z[n] = 0.0004 * std::sqrt(2.0);
+      a.state.z[n] = 0.0004 * std::numbers::sqrt2;
     }
     contact::begin(a.system, a.motion.kernel->contact, a.motion.contact, a.state);
     EXPECT_EQ(contact::contact_summary(a.system, a.state, {}).count, a.system.particle.size()) << halves;

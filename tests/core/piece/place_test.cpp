@@ -1,6 +1,8 @@
 // Pieces in space: core/README.md, section 1.
 #include "piece/place.h"
 
+#include <numbers>
+
 #include "piece_fixture.h"
 
 namespace drape::piece {
@@ -31,7 +33,7 @@ TEST(Place, CylinderKeepsHeightsAndLengths) {
         EXPECT_NEAR(p[0], -normal * 0.5 * std::sin(f), 1e-15);
         const double d = 1e-5;
         const Vec3 q = minus(place_point(place, {x + d, y + d}), p);
-        EXPECT_NEAR(std::sqrt(dot(q, q)), d * std::sqrt(2.0), 1e-14);
+        EXPECT_NEAR(std::sqrt(dot(q, q)), d * std::numbers::sqrt2, 1e-14);
       }
   }
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <stdexcept>
 
@@ -183,7 +184,7 @@ TEST(ReferenceOddLaw, StraightDiagramHasAClosedForm) {
 }
 
 TEST(ReferenceOddLaw, LeavesOutPointsBeyondLocking) {
-  const double lock = std::sqrt(2.0) - 1;
+  const double lock = std::numbers::sqrt2 - 1;
   EXPECT_EQ(below_locking({0, 0.1, lock - 2e-6, lock - 0.5e-6, lock, 0.5}).size(), 3u);
   const Curve g = odd_law({0, 0.1, 0.45}, {0, 5, 40});
   EXPECT_EQ(g.e.size(), 2u);

@@ -257,7 +257,7 @@ TEST(ReferenceFold, IsAngleOverSineToBeyondARightAngle) {
 // curvature are those of the angle. psi_3 = (5 y psi_2 + 4 psi_1)/(1 - y^2) at y = -1/2: differentiate (1 -
 // y^2) psi' = y psi - 1 three times.
 TEST(ReferenceFold, ContinuationAgreesToThirdOrder) {
-  const double psi_0 = 4 * kPi / (3 * std::sqrt(3.0)), psi_1 = (-psi_0 / 2 - 1) / 0.75;
+  const double psi_0 = 4 * kPi / (3 * std::numbers::sqrt3), psi_1 = (-psi_0 / 2 - 1) / 0.75;
   const double psi_2 = (psi_0 - 1.5 * psi_1) / 0.75, psi_3 = (-2.5 * psi_2 + 4 * psi_1) / 0.75;
   for (double d : {1e-3, 2e-3, 4e-3}) {
     const double theta = std::acos(-0.5 - d), gap = fold_at(theta).psi - theta / std::sin(theta);
@@ -272,7 +272,7 @@ TEST(ReferenceFold, ContinuationAgreesToThirdOrder) {
 TEST(ReferenceFold, FullFoldIsFinite) {
   const Fold full = fold_at(kPi);
   EXPECT_NEAR(full.y, -1, kEpsilon);
-  const double psi_0 = 4 * kPi / (3 * std::sqrt(3.0)), psi_1 = (-psi_0 / 2 - 1) / 0.75;
+  const double psi_0 = 4 * kPi / (3 * std::numbers::sqrt3), psi_1 = (-psi_0 / 2 - 1) / 0.75;
   const double psi_2 = (psi_0 - 1.5 * psi_1) / 0.75;
   EXPECT_NEAR(full.psi, psi_0 - psi_1 / 2 + psi_2 / 8, 1e-14);
   EXPECT_GT(full.energy, fold_at(2.9).energy);

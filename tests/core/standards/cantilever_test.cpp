@@ -5,11 +5,12 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace drape::standards {
 namespace {
 
-constexpr double kDegrees = 180 / 3.14159265358979323846;
+constexpr double kDegrees = 180 / std::numbers::pi;
 
 // The same equation from the clamp: th'' = -beta (1 - s) cos th, th(0) = 0, with the slope at the clamp that
 // gives th'(1) = 0.
@@ -60,7 +61,7 @@ TEST(Elastica, Limits) {
   const Cantilever stiff = cantilever_with(0.001);
   EXPECT_NEAR(stiff.drop / (stiff.beta / 8), 1, stiff.beta * stiff.beta);
   const Cantilever soft = cantilever_with(0.98);
-  const double contact_distance = (2 - std::sqrt(2.0)) / std::sqrt(soft.beta);
+  const double contact_distance = (2 - std::numbers::sqrt2) / std::sqrt(soft.beta);
   EXPECT_NEAR((1 - soft.drop) / contact_distance, 1, 1 / std::sqrt(soft.beta));
 }
 

@@ -2,6 +2,7 @@
 #include "piece/grid/grid.h"
 
 #include <chrono>
+#include <numbers>
 
 #include "piece_fixture.h"
 
@@ -125,7 +126,7 @@ TEST(Grid, AreasOfNodesAddUpToThePolygon) {
     const double error = std::abs(grid_area(g) / outline_area(outline_flatten(piece)) - 1);
     ASSERT_LE(error, 1e-12) << "trial " << trial;
     worst = std::max(worst, error);
-    ASSERT_EQ(shape_of(g).pieces, 1) << "trial " << trial;
+    ASSERT_EQ(topology_of(g).pieces, 1) << "trial " << trial;
     for (const GridCell& c : g.cells) ASSERT_GT(c.share, 0);
     for (const GridPart& p : g.parts) ASSERT_TRUE(p.cell >= 0 && p.cell < int(g.cells.size()));
     Scene paper = scene_of(piece);
@@ -146,7 +147,7 @@ TEST(Grid, CornersOnGridLinesLoseNoArea) {
     const scene::PieceSpec piece = random.snapped_piece();
     const Grid g = grid_of(piece);
     ASSERT_NEAR(grid_area(g) / outline_area(outline_flatten(piece)), 1, 1e-13) << "trial " << trial;
-    ASSERT_EQ(shape_of(g).pieces, 1) << "trial " << trial;
+    ASSERT_EQ(topology_of(g).pieces, 1) << "trial " << trial;
   }
 }
 
@@ -155,7 +156,7 @@ TEST(Grid, PiecesOfOneCell) {
     const Grid g = grid_of(piece);
     EXPECT_EQ(g.cells.size(), cells);
     EXPECT_NEAR(grid_area(g), area, 1e-14);
-    EXPECT_EQ(shape_of(g).pieces, 1);
+    EXPECT_EQ(topology_of(g).pieces, 1);
   };
   check(rectangle(0, 0, 1, 1, 1), 1, 1);
   scene::PieceSpec inside = rectangle(0.25, 0.25, 0.5, 0.5, 0.5);
@@ -174,7 +175,7 @@ TEST(Grid, PiecesOfOneCell) {
   scene::PieceSpec frame = rectangle(0, 0, 3, 3, 1);  // one cell left out
   frame.holes = {{{1, 1}, {2, 1}, {2, 2}, {1, 2}}};
   check(frame, 8, 8);
-  EXPECT_EQ(shape_of(grid_of(frame)).euler, 0);
+  EXPECT_EQ(topology_of(grid_of(frame)).euler, 0);
   scene::PieceSpec small = rectangle(0, 0, 3, 3, 1);  // a hole within one cell
   small.holes = {{{1.25, 1.25}, {1.75, 1.25}, {1.75, 1.75}, {1.25, 1.75}}};
   check(small, 9, 8.75);
@@ -207,15 +208,15 @@ TEST(Grid, WidthsCarryTheAreaOnce) {
     for (const GridCell& c : g.cells) {
       for (const auto& [k, l] : {std::pair{0, 1}, {2, 3}, {0, 2}, {1, 3}})
         width[{c.node[k], c.node[l]}] += g.cell * c.share / 2;
-      width[{c.node[0], c.node[3]}] += g.cell * c.share / std::sqrt(2.0);
-      width[{c.node[1], c.node[2]}] += g.cell * c.share / std::sqrt(2.0);
+      width[{c.node[0], c.node[3]}] += g.cell * c.share / std::numbers::sqrt2;
+      width[{c.node[1], c.node[2]}] += g.cell * c.share / std::numbers::sqrt2;
     }
     double sums[4] = {};
     for (const auto& [ends, w] : width) {
       const auto a = g.index(ends.first), b = g.index(ends.second);
       const int di = b[0] - a[0], dj = b[1] - a[1];
       ASSERT_TRUE((di == 1 && dj == 0) || (di == 0 && dj == 1) || (std::abs(di) == 1 && dj == 1));
-      sums[dj == 0 ? 0 : di == 0 ? 1 : di > 0 ? 2 : 3] += w * g.cell * (di && dj ? std::sqrt(2.0) : 1);
+      sums[dj == 0 ? 0 : di == 0 ? 1 : di > 0 ? 2 : 3] += w * g.cell * (di && dj ? std::numbers::sqrt2 : 1);
     }
     for (double sum : sums) ASSERT_NEAR(sum / area, 1, 1e-12) << "trial " << trial;
   }
