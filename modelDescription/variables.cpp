@@ -61,12 +61,19 @@ void add(Table& table, const std::string& name, const Storage& storage, const Ro
                    storage.value, setting, nullptr, row.needs});
 }
 
+// "[1]" of the element 0. Not "[" + std::to_string(k): of that GCC 12 gives a wrong warning (bug 105651).
+std::string one_based(std::size_t k) {
+  std::string text = "[";
+  text += std::to_string(k + 1);
+  return text += "]";
+}
+
 // name[1] to name[3], along x, y and z.
 void add_vector(Table& table, const std::string& name, const Storage& storage, const Row& row,
                 const std::string& description) {
   for (int k = 0; k < 3; ++k) {
     add(table, name, storage + k, row, description);
-    table.back().index = "[" + std::to_string(k + 1) + "]";
+    table.back().index = one_based(std::size_t(k));
     table.back().detail = std::string(1, "xyz"[k]);
   }
 }
@@ -83,7 +90,7 @@ void add_input(Table& table, const std::string& name, const InputStorage& storag
                const std::string& description) {
   for (std::size_t k = 0; k < storage.letters.size(); ++k) {
     add(table, name, storage.value + k, row, description);
-    table.back().index = "[" + std::to_string(k + 1) + "]";
+    table.back().index = one_based(k);
     table.back().detail = std::string(1, storage.letters[k]);
     table.back().rate = storage.rate + k;
   }
@@ -96,7 +103,7 @@ void add_diagram(Table& table, const std::string& name, const drape_diagram& dia
     std::snprintf(elongation, sizeof elongation, "at %.6g %% elongation", 100 * diagram.elongation[i]);
     add(table, name, diagram.force + i, tunable(scene::kForce),
         std::string("force on the strip cut ") + direction);
-    table.back().index = "[" + std::to_string(i + 1) + "]";
+    table.back().index = one_based(std::size_t(i));
     table.back().detail = elongation;
   }
 }
@@ -315,7 +322,9 @@ void add_nodes(Table& table, const std::vector<int>& selected, const char* name,
   for (const int n : selected)
     for (int k = 0; k < 3; ++k) {
       add(table, name, value + 3 * std::size_t(n) + k, row, description);
-      table.back().index = "[" + std::to_string(n + 1) + "," + std::to_string(k + 1) + "]";
+      std::string& index = table.back().index = one_based(std::size_t(n));
+      index.pop_back();
+      index += ",", index += std::to_string(k + 1), index += "]";
       table.back().detail = "particle " + std::to_string(n + 1) + ", " + "xyz"[k];
     }
 }

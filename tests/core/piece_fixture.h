@@ -94,7 +94,7 @@ struct RandomPiece {
       const double size = (*this)(1, 6);
       scene::PieceSpec p = piece_of(star({0, 0}, 0.2 * size, size, count(3, 14)), 1);
       if (bits() % 3 == 0) p.holes.push_back(star({0, 0}, 0.05 * size, 0.4 * size, count(3, 6)));
-      for (auto* loop : {&p.outline, p.holes.empty() ? &p.outline : &p.holes[0]})
+      for (auto* loop : {&p.outline, p.holes.empty() ? &p.outline : &p.holes.front()})
         for (Vec2& q : *loop)
           for (double& v : q) v = std::round(v / unit) * unit;
       p.grid_origin = Vec2{0, 0};

@@ -140,7 +140,8 @@ void summary_print(const std::string& scene, const std::vector<PrecisionRow>& ro
     if (row.scene != scene || row.forces != "kernel" || row.method == "paper" ||
         row.method == "explicit Euler")
       continue;
-    const std::string name = row.method + (row.order ? " " + std::to_string(row.order) : "");
+    std::string name = row.method;
+    if (row.order) name += " ", name += std::to_string(row.order);
     (row.method == "Drape" ? drape : peers)[name].push_back(row);
   }
   std::printf("\n%s\n%8s  %-10s %10s   %-16s %10s   %s\n", scene.c_str(), "error", "best order", "s",

@@ -51,7 +51,7 @@ TEST(Merge, KeepsTheShape) {
     if (trial % 2 == 0) piece.cell = random(0.03, 0.2);
     const Cut cut = cut_of(piece);
     const Merged merged = merge_make(cut);
-    const Shape before = topology_of_parts(cut, merge_none(cut)), after = topology_of_parts(cut, merged);
+    const Topology before = topology_of_parts(cut, merge_none(cut)), after = topology_of_parts(cut, merged);
     const int exact = 1 - int(piece.holes.size());
     ASSERT_EQ(before.pieces, 1) << "trial " << trial;
     ASSERT_EQ(after.pieces, 1) << "trial " << trial;

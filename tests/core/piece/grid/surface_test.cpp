@@ -125,8 +125,9 @@ TEST(Surface, JoinsThePolygonsOfOpenedHoles) {
   scene::PieceSpec piece = rectangle(0, 0, 0.2, 0.1, 0.01);
   for (int k = 0; k < 400; ++k) {
     const double r = size(random), q = size(random);
+    const int row = k / 40;
     const double x = 0.01 * (k / 2 % 20) + 0.005 * (k % 2) + at(random) + 0.0005;
-    const double y = 0.01 * (k / 40) + 2 * at(random) + 0.001;
+    const double y = 0.01 * row + 2 * at(random) + 0.001;
     piece.holes.push_back({{x + r, y}, {x, y + q}, {x - q, y}, {x, y - r}});
   }
   const Grid grid = grid_make(scene_of(piece), 0);
