@@ -94,6 +94,7 @@ Scene strip_scene(const scene::FabricSpec& fabric, model::YarnDirection along, d
   scene.name = "strip";
   scene.gravity = {0, 0, 0};
   scene.fabrics = {fabric};
+  scene.fabrics[0].damping = 0;  // nothing moves
   scene.scaling = options.scaling;
   scene.bias_model = options.bias_model;
   scene.clamp_correction = options.clamp_correction;

@@ -22,6 +22,16 @@ scene::FabricSpec strip_fabric() {
 
 // Both tests on the mesh and on one of half the cell: order 2 towards B. The order of the sequence itself is
 // 2, that of hinges at the clamp, within 0.3 since the meshes are coarse.
+TEST(BendingTests, ReadAlikeWithDamping) {
+  scene::FabricSpec f = strip_fabric();
+  std::vector<Problem> problems;
+  const BendingTest without = pt2_test(f, true, 0.005, problems);
+  f.damping = 1e-5;
+  const BendingTest with = pt2_test(f, true, 0.005, problems);
+  EXPECT_TRUE(with.found && problems.empty());
+  EXPECT_EQ(with.reading, without.reading);
+}
+
 TEST(BendingTests, GiveBackTheRigidityWithOrderTwo) {
   const scene::FabricSpec f = strip_fabric();
   std::vector<Problem> problems;

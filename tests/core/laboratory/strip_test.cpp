@@ -134,6 +134,17 @@ TEST(Strip, IsAtRestForTheReference) {
     EXPECT_NEAR(rest.force[0][std::size_t(k)], -rest.force[1][std::size_t(k)], 1e-6 * -rest.force[1][1]);
 }
 
+// At rest, damping exerts no force.
+TEST(Strip, IsPulledAlikeWithDamping) {
+  scene::FabricSpec f = shipped("half_wool");
+  for (const auto along : {model::YarnDirection::kWarp, model::YarnDirection::kBias}) {
+    f.damping = 0;
+    const StripPull without = expect_pull(f, along, f.strip_width / 4, {0.01, 0.02});
+    f.damping = 1e-5;
+    EXPECT_EQ(expect_pull(f, along, f.strip_width / 4, {0.01, 0.02}).force, without.force);
+  }
+}
+
 // Fit mode finds the same equilibrium by motion, to the 1e-5 of the load at which it stops: as forces on
 // soft strips, 1e-3 of the pull.
 TEST(Strip, IsTheRestOfAFit) {
