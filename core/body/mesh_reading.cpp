@@ -15,7 +15,10 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "body/seam_merging.h"
 
 #define TINYOBJLOADER_IMPLEMENTATION
 #define TINYOBJLOADER_USE_DOUBLE
@@ -27,26 +30,61 @@
 namespace drape::body {
 namespace {
 
-struct Triangles {
-  std::vector<double> point;
-  std::vector<int> corner;
-};
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF", kSpace = " \t\r\n";
 
-// Checks that vertices are finite numbers, because tinyobjloader reads anything else as 0.
-std::string vertices_trouble(std::istream& stream) {
-  std::size_t vertex = 0;
-  for (std::string line; std::getline(stream, line);) {
-    std::istringstream words(line);
-    std::string word;
-    if (!(words >> word) || word != "v") continue;
-    ++vertex;
+std::string lower(std::string text) {
+  for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+std::string bytes_read(std::istream& stream) { return {std::istreambuf_iterator<char>(stream), {}}; }
+
+// Checks what tinyobjloader lets pass: it reads a vertex that is no number as 0, and leaves out a face of two
+// corners.
+std::string line_trouble(const std::string& keyword, std::istringstream& words, std::size_t vertex,
+                         std::size_t face) {
+  std::string word;
+  if (keyword == "v")
     for (int k = 0; k < 3; ++k) {
       char* end = nullptr;
       if (!(words >> word) || !std::isfinite(std::strtod(word.c_str(), &end)) || *end)
         return "has a vertex that is no number, vertex " + std::to_string(vertex);
     }
+  if (keyword == "f") {
+    int corners = 0;
+    while (words >> word && word[0] != '#') ++corners;
+    if (corners < 3)
+      return "has a face of " + std::to_string(corners) + " corners, face " + std::to_string(face) +
+             "; allowed: 3 and more";
   }
   return "";
+}
+
+// The text as tinyobjloader reads it: without a byte order mark, lines continued by a backslash in one piece,
+// keywords in lower case.
+std::string obj_plain(const std::string& bytes, std::string& trouble) {
+  std::string plain, whole;
+  std::size_t vertices = 0, faces = 0;
+  std::istringstream stream(bytes.starts_with(kByteOrderMark) ? bytes.substr(kByteOrderMark.size()) : bytes);
+  for (std::string line; trouble.empty() && std::getline(stream, line);) {
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    whole += line;
+    if (!whole.empty() && whole.back() == '\\' && !stream.eof()) {
+      whole.back() = ' ';
+      continue;
+    }
+    std::istringstream words(whole);
+    std::string keyword;
+    if (words >> keyword) {
+      const std::size_t at = whole.find_first_not_of(kSpace);
+      keyword = lower(keyword);
+      whole.replace(at, keyword.size(), keyword);
+      trouble = line_trouble(keyword, words, vertices += keyword == "v", faces += keyword == "f");
+    }
+    plain += whole + '\n';
+    whole.clear();
+  }
+  return plain;
 }
 
 std::string obj_read(const char* file, Triangles& to) {
@@ -54,11 +92,11 @@ std::string obj_read(const char* file, Triangles& to) {
   std::vector<tinyobj::shape_t> shapes;
   std::vector<tinyobj::material_t> materials;
   std::string warning, error;
-  std::ifstream stream(file);
-  if (!stream) return "cannot be opened";
-  if (std::string trouble = vertices_trouble(stream); !trouble.empty()) return trouble;
-  stream.clear();
-  stream.seekg(0);
+  std::ifstream file_stream(file, std::ios::binary);
+  if (!file_stream) return "cannot be opened";
+  std::string trouble;
+  std::istringstream stream(obj_plain(bytes_read(file_stream), trouble));
+  if (!trouble.empty()) return trouble;
   struct NoMaterials : tinyobj::MaterialReader {  // materials are ignored
     bool operator()(const std::string&, std::vector<tinyobj::material_t>*, std::map<std::string, int>*,
                     std::string*, std::string*) override {
@@ -73,21 +111,17 @@ std::string obj_read(const char* file, Triangles& to) {
   return "";
 }
 
-// Corners with equal coordinates become one point.
-struct Merged {
-  Triangles& to;
-  std::map<std::array<double, 3>, int> known;
-  void add(const std::array<double, 3>& p) {
-    const auto [at, fresh] = known.emplace(p, int(to.point.size() / 3));
-    if (fresh) to.point.insert(to.point.end(), p.begin(), p.end());
-    to.corner.push_back(at->second);
-  }
-};
+void point_add(Triangles& to, const std::array<double, 3>& p) {
+  to.corner.push_back(int(to.point.size() / 3));
+  to.point.insert(to.point.end(), p.begin(), p.end());
+}
 
 std::string stl_text_read(const std::string& text, Triangles& to) {
   std::istringstream words(text);
-  Merged merged{to, {}};
+  bool ended = false;
   for (std::string word; words >> word;) {
+    if (word == "facet") ended = false;
+    if (word == "endsolid") ended = true;
     if (word != "vertex") continue;
     std::array<std::string, 3> number;
     std::array<double, 3> p{};
@@ -98,45 +132,52 @@ std::string stl_text_read(const std::string& text, Triangles& to) {
       if (number[k].empty() || *end)
         return "is no STL file: after 'vertex' stands '" + number[k] + "', no number";
     }
-    merged.add(p);
+    point_add(to, p);
   }
-  return to.corner.size() % 3 ? "is no STL file: its last facet lacks a vertex" : "";
+  if (to.corner.size() % 3) return "is no STL file: its last facet lacks a vertex";
+  return ended ? "" : "is cut off: 'endsolid' is missing at its end";
 }
 
 constexpr std::size_t kHead = 84, kFacet = 50, kNormal = 12;
 
-std::uint32_t binary_count(const std::string& bytes) {
+std::size_t binary_count(const std::string& bytes) {
   std::uint32_t count = 0;
   std::memcpy(&count, bytes.data() + 80, 4);
   return count;
 }
 
+// Some programs add bytes at the end, less than a facet.
+bool is_binary(const std::string& bytes) {
+  if (bytes.size() < kHead) return false;
+  const std::size_t size = kHead + kFacet * binary_count(bytes);
+  return bytes.size() >= size && bytes.size() < size + kFacet;
+}
+
 std::string stl_read(const char* file, Triangles& to) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return "cannot be opened";
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  const std::string bytes = bytes_read(stream);
   // Binary files may begin with "solid" too. The file size distinguishes the two forms.
-  const bool binary =
-      bytes.size() >= kHead && bytes.size() == kHead + kFacet * std::size_t(binary_count(bytes));
-  if (!binary) {
-    if (bytes.starts_with("solid")) return stl_text_read(bytes, to);
+  if (!is_binary(bytes)) {
+    const std::size_t mark = bytes.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+    const std::size_t begin = bytes.find_first_not_of(kSpace, mark);
+    if (begin != std::string::npos && lower(bytes.substr(begin, 5)) == "solid" &&
+        bytes.find('\0') == std::string::npos)
+      return stl_text_read(lower(bytes.substr(begin)), to);
     return "is no STL file: neither text nor as long as its number of facets says";
   }
-  Merged merged{to, {}};
   for (std::size_t t = 0; t < binary_count(bytes); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
       float p[3];
       std::memcpy(p, bytes.data() + kHead + kFacet * t + kNormal + 12 * k, 12);
-      merged.add({p[0], p[1], p[2]});
+      point_add(to, {p[0], p[1], p[2]});
     }
   return "";
 }
 
 std::string ending(const std::string& file) {
   const std::size_t dot = file.rfind('.');
-  std::string end = dot == std::string::npos ? "" : file.substr(dot + 1);
-  for (char& c : end) c = char(std::tolower(static_cast<unsigned char>(c)));
-  return end;
+  return dot == std::string::npos ? "" : lower(file.substr(dot + 1));
 }
 
 }  // namespace
@@ -153,6 +194,7 @@ drape_mesh_file* mesh_read(const char* file, char* problem, size_t capacity) {
     trouble = std::string("cannot be read: ") + e.what();
   }
   if (trouble.empty() && found.corner.empty()) trouble = "holds no triangles";
+  if (trouble.empty()) seams_merge(found);
   if (!trouble.empty()) {
     while (!trouble.empty() && trouble.back() == '\n') trouble.pop_back();
     std::snprintf(problem, capacity, "%s", trouble.c_str());
