@@ -103,6 +103,16 @@ ClosestFeature feature_of(const BodySurface& s, const TrianglePoint& closest, co
   return feature;
 }
 
+// A point on an edge or vertex within a plane is one of the face: nothing pushes along the plane.
+TrianglePoint flattened(const BodySurface& s, const TrianglePoint& closest, int triangle, const Vec3& x) {
+  const bool flat = closest.kind == FeatureKind::kEdge     ? s.edges[std::size_t(closest.index)].flat
+                    : closest.kind == FeatureKind::kVertex ? s.flat_at[std::size_t(closest.index)]
+                                                           : false;
+  if (!flat) return closest;
+  const Vec3& n = s.facet[std::size_t(triangle)].normal;
+  return {FeatureKind::kFace, triangle, x - dot(n, x - closest.point) * n};
+}
+
 // How far (m) x may move along the triangle until a neighbour is closer by more than `slack`.
 double distance_to_boundary(const BodySurface& s, int t, const Vec3& x, double slack) {
   double smallest = INFINITY;
@@ -216,19 +226,21 @@ void closest_features_find(const BodySurface& s, const std::vector<int>& triangl
   minima_keep(s, q, scratch.near, scratch.minima);
   auto& seen = scratch.seen;
   seen.clear();
+  int face = -1;  // of the closest feature, where it is on one
   for (const Candidate& c : scratch.minima) {
     const std::array<int, 2> name{int(c.closest.kind), c.closest.index};
     if (std::find(seen.begin(), seen.end(), name) != seen.end()) continue;
     seen.push_back(name);
+    const TrianglePoint closest = flattened(s, c.closest, c.triangle, q.x);
+    if (seen.size() == 1 && closest.kind == FeatureKind::kFace) face = closest.index;
     const ClosestFeature feature =
-        feature_of(s, c.closest, q.x, q.contact_distance, found.feature.empty() ? q.side : nullptr);
+        feature_of(s, closest, q.x, q.contact_distance, found.feature.empty() ? q.side : nullptr);
     if (!found.feature.empty() && (feature.distance < 0 || found.feature[0].distance < 0)) continue;
     found.feature.push_back(feature);
   }
   found.free_distance = clear - q.contact_distance;
-  const bool one_face =
-      found.feature.size() == 1 && seen.size() == 1 && seen[0][0] == int(FeatureKind::kFace);
-  const int face = one_face ? seen[0][1] : -1;
+  const bool one_face = found.feature.size() == 1 && seen.size() == 1 && face >= 0;
+  if (!one_face) face = -1;
   if (one_face)
     found.free_distance =
         std::min(found.free_distance, distance_to_boundary(s, face, q.x, kSlack * q.contact_distance));

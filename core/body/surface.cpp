@@ -14,6 +14,7 @@ using namespace math::vector3;
 // Most scanned meshes have a few badly repaired edges. A body with more of them than this is an open surface,
 // which cloth may touch from both sides.
 constexpr double kBadEdges = 0.01;  // of all edges
+constexpr double kFlat = 1e-6;      // sine of the angle between triangles that lie in one plane
 constexpr double kNoArea = 1e-12;   // relative to the square of the longest edge
 
 std::size_t index(int k) { return std::size_t(k); }
@@ -108,13 +109,20 @@ void normals_spread(BodySurface& s) {
   }
 }
 
-// Sets the turn of each edge and marks the points at concave edges. An edge is concave (a groove) where one
-// of its triangles rises above the plane of the other.
+// Sets the turn of each edge and marks the points at concave edges and within planes. An edge is concave (a
+// groove) where one of its triangles rises above the plane of the other.
 void turns_set(BodySurface& s) {
   s.convex_at.assign(s.point.size(), 1);
+  s.flat_at.assign(s.point.size(), 1);
   for (SurfaceEdge& e : s.edges) {
     const bool two = e.triangle.size() == 2;
-    if (two) e.turn = norm(cross(s.facet[index(e.triangle[0])].normal, s.facet[index(e.triangle[1])].normal));
+    if (two) {
+      const Vec3 &a = s.facet[index(e.triangle[0])].normal, &b = s.facet[index(e.triangle[1])].normal;
+      e.turn = norm(cross(a, b));
+      e.flat = e.turn <= kFlat && dot(a, b) > 0;
+    }
+    if (!e.flat)
+      for (int c : e.corner) s.flat_at[index(c)] = 0;
     if (two && s.solid && dot(e.into[0], s.facet[index(e.triangle[1])].normal) <= 1e-9) continue;
     for (int c : e.corner) s.convex_at[index(c)] = 0;
   }

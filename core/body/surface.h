@@ -15,8 +15,9 @@ struct SurfaceEdge {
   std::array<int, 2> corner;
   std::vector<int> triangle;
   std::vector<Vec3> into;
-  Vec3 normal;      // mean of the triangles' normals, of length 1
-  double turn = 0;  // sine of the angle between the normals of its triangles; 0 unless it has two
+  Vec3 normal;        // mean of the triangles' normals, of length 1
+  double turn = 0;    // sine of the angle between the normals of its triangles; 0 unless it has two
+  bool flat = false;  // its two triangles lie in one plane
 };
 
 // The data of a triangle that a search reads first, in one cache line.
@@ -35,6 +36,7 @@ struct BodySurface {
   std::vector<std::vector<int>> edges_at;  // [points]
   std::vector<Vec3> normal_at;             // [points] mean of the normals, weighted by angles; of length 1
   std::vector<char> convex_at;             // [points] 1 where no edge at the point is concave (a groove)
+  std::vector<char> flat_at;               // [points] 1 where all edges at the point are flat
   bool solid = false;                      // closed, so that it has an inside
   double edge_mean = 0, size = 0;          // m, mean edge length; diagonal of the bounding box
 };

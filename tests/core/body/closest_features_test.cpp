@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <numeric>
 #include <random>
 
 #include "assembly/bodies.h"
@@ -140,6 +141,27 @@ TEST(ClosestFeatures, CountsLocalMinima) {
   ASSERT_EQ(found.feature.size(), 1u);
   EXPECT_NEAR(found.feature[0].distance, 0.01, 1e-15);
   EXPECT_LT(found.feature[0].side[2], 0);
+}
+
+// Over the diagonals of a box's top, one of which is an edge of its triangles.
+TEST(ClosestFeatures, AnEdgeWithinAPlaneIsAFace) {
+  const SceneFolder folder;
+  const model::Body body = body_of(folder, box(0.2, 0.1, 0.01));
+  const BodySurface& surface = body.mesh.surface;
+  std::vector<int> all(surface.corner.size());
+  std::iota(all.begin(), all.end(), 0);
+  ClosestFeaturesScratch scratch;
+  ClosestFeatures found;
+  for (double share : {-0.9, -0.31, 0.0, 0.5, 0.77})
+    for (double across : {-1.0, 1.0}) {
+      const Vec3 x{0.1 * share, 0.05 * share * across, 0.0055};
+      closest_features_find(surface, all, {x, 0.001, 0.001, 0.002, 1.0, nullptr}, scratch, found);
+      ASSERT_EQ(found.feature.size(), 1u);
+      const ClosestFeature& face = found.feature[0];
+      EXPECT_EQ(face.side, (Vec3{0, 0, 1}));
+      EXPECT_EQ(face.shape, (std::array<double, 6>{0, 0, 0, 0, 0, 1}));
+      EXPECT_NEAR(face.distance, 0.0005, 1e-15);
+    }
 }
 
 }  // namespace
