@@ -11,6 +11,25 @@ namespace {
 constexpr double kMinRise = 1e-8;     // smallest increase of the elongation from point to point
 constexpr double kLocking = 0.41421;  // below sqrt(2) - 1, where the trellis of a bias strip locks
 
+// Checks that the values of a diagram rise by `least` or more from point to point. A noisy list has one
+// problem, not hundreds.
+template <class Text>
+void entries_check(const std::vector<double>& values, double least, const std::string& place,
+                   const Text& text, const std::string& wanted, Problems& problems) {
+  constexpr std::size_t kEach = 3;
+  std::vector<std::size_t> found;
+  for (std::size_t i = 1; i < values.size(); ++i)
+    if (!(values[i] - values[i - 1] >= least)) found.push_back(i);
+  const std::size_t told = found.size() > kEach ? 1 : found.size();
+  for (std::size_t k = 0; k < told; ++k) {
+    const std::size_t i = found[k];
+    const std::string more =
+        told < found.size() ? ", and so at " + std::to_string(found.size() - 1) + " more points" : "";
+    problems.push_back(
+        {scene::entry(place, i), "= " + text(values[i]) + " after " + text(values[i - 1]) + more + wanted});
+  }
+}
+
 void diagram_check(const scene::DiagramSpec& d, const std::string& path, Problems& problems) {
   const scene::GivenAs &e_as = d.elongation_as, &f_as = d.force_as;
   const std::string elongation = path + "." + e_as.key, force = path + "." + f_as.key;
@@ -34,17 +53,11 @@ void diagram_check(const scene::DiagramSpec& d, const std::string& path, Problem
     problems.push_back({scene::entry(elongation, 0),
                         "= " + stretch(d.elongation[0]) + "; a diagram starts at " + stretch(0)});
   if (!d.force.empty() && d.force[0] != 0)
-    problems.push_back(
-        {scene::entry(force, 0), "= " + pull(d.force[0]) + "; a diagram starts at " + pull(0)});
-  for (std::size_t i = 1; i < d.elongation.size(); ++i)
-    if (!(d.elongation[i] - d.elongation[i - 1] >= kMinRise))
-      problems.push_back({scene::entry(elongation, i),
-                          "= " + stretch(d.elongation[i]) + " after " + stretch(d.elongation[i - 1]) +
-                              "; wanted: a rise of at least " + stretch(kMinRise)});
-  for (std::size_t i = 1; i < d.force.size(); ++i)
-    if (!(d.force[i] >= d.force[i - 1]))
-      problems.push_back({scene::entry(force, i), "= " + pull(d.force[i]) + " after " + pull(d.force[i - 1]) +
-                                                      "; the force of a diagram does not fall"});
+    problems.push_back({scene::entry(force, 0), "= " + pull(d.force[0]) + "; a diagram starts at " + pull(0) +
+                                                    ": subtract a pretension from all its forces"});
+  entries_check(d.elongation, kMinRise, elongation, stretch,
+                "; wanted: a rise of at least " + stretch(kMinRise), problems);
+  entries_check(d.force, 0, force, pull, "; the force of a diagram does not fall", problems);
   if (!d.correction_elongation.empty() && d.correction.empty())
     problems.push_back(
         {path + ".correction_elongation", "stands without correction; wanted: both or neither"});

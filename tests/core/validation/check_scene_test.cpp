@@ -135,7 +135,15 @@ const Case kFabrics[] = {
     {"force_starts_high",
      "[0, 2, 7]",
      "[1, 2, 7]",
-     {"wool.toml:11: fabric.wool.warp.force[0] = 1 N; a diagram starts at 0 N"}},
+     {"wool.toml:11: fabric.wool.warp.force[0] = 1 N; a diagram starts at 0 N: subtract a pretension from "
+      "all its "
+      "forces"}},
+    {"force_is_noisy",
+     "[0, 2, 7]",
+     "[0, 5, 4, 3, 2, 1]",
+     {"wool.toml:11: fabric.wool.warp.force has 6 entries, elongation_percent has 3; wanted: as many",
+      "wool.toml:11: fabric.wool.warp.force[2] = 4 N after 5 N, and so at 3 more points; the force of a "
+      "diagram does not fall"}},
     {"elongation_starts_high",
      "[0, 1, 2.5]",
      "[0.5, 1, 2.5]",

@@ -199,7 +199,8 @@ const Case kSheets[] = {
     {"strips_force_starts_high",
      "force_kgf = [0, 1]",
      "force_kgf = [0.5, 1]",
-     {"wool.toml:11: fabric.wool.weft.force_kgf[0] = 0.5 kgf; a diagram starts at 0 kgf"}},
+     {"wool.toml:11: fabric.wool.weft.force_kgf[0] = 0.5 kgf; a diagram starts at 0 kgf: subtract a "
+      "pretension from all its forces"}},
     {"strips_force_negative",
      "force_kgf = [0, 1]",
      "force_kgf = [0, -1]",
