@@ -205,16 +205,20 @@ void add_bodies(Table& table, drape_inputs& u, drape_inputs& rates) {
   for (int i = 0; i < u.body_count; ++i) {
     drape_pin_input &body = u.body[i], &rate = rates.body[i];
     const std::string name = "body." + name_part(body.name);
-    add_input(table, name + ".position", {body.position, rate.position, "xyz"}, input(scene::kPinPosition),
-              "where the body's origin is to be at the end of the step");
-    add_input(table, name + ".orientation", {body.orientation, rate.orientation, "wxyz"},
-              input(scene::kPinOrientation),
-              "rotation of the body from its mesh, a quaternion of any length above 0");
-    add_input(table, name + ".velocity", {body.velocity, rate.velocity, "xyz"}, input(scene::kPinVelocity),
-              "velocity that the body's origin is to have at the end of the step");
-    add_input(table, name + ".angular_velocity", {body.angular_velocity, rate.angular_velocity, "xyz"},
-              input(scene::kPinAngularVelocity),
-              "angular velocity that the body is to have at the end of the step");
+    if (body.drive & DRAPE_DRIVE_POSITION) {
+      add_input(table, name + ".position", {body.position, rate.position, "xyz"}, input(scene::kPinPosition),
+                "where the body's origin is to be at the end of the step");
+      add_input(table, name + ".orientation", {body.orientation, rate.orientation, "wxyz"},
+                input(scene::kPinOrientation),
+                "rotation of the body from its mesh, a quaternion of any length above 0");
+    }
+    if (body.drive & DRAPE_DRIVE_VELOCITY) {
+      add_input(table, name + ".velocity", {body.velocity, rate.velocity, "xyz"}, input(scene::kPinVelocity),
+                "velocity that the body's origin is to have at the end of the step");
+      add_input(table, name + ".angular_velocity", {body.angular_velocity, rate.angular_velocity, "xyz"},
+                input(scene::kPinAngularVelocity),
+                "angular velocity that the body is to have at the end of the step");
+    }
   }
 }
 

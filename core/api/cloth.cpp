@@ -8,6 +8,7 @@
 #include "assembly/assemble.h"
 #include "dynamics/seam_welding.h"
 #include "dynamics/step_size/step_limit.h"
+#include "math/plain_environment.h"
 #include "outputs/energy.h"
 #include "validation/load.h"
 
@@ -24,7 +25,8 @@ struct drape_snapshot {
 namespace drape::api {
 namespace {
 
-constexpr double kMaxIntervals = 1e9;  // in one advance
+constexpr double kMaxIntervals = 1e9, kMinIntervals = 1e-9;  // in one advance
+constexpr double kMaxStart = 1e9;                            // s
 
 void inputs_save(const drape_inputs& from, drape_snapshot::Inputs& to) {
   std::copy(from.wind, from.wind + 3, to.wind);
@@ -123,6 +125,7 @@ using namespace drape;
 using namespace drape::api;
 
 drape_cloth* drape_open(const char* scene_file, drape_log_fn* log, void* user) {
+  const math::PlainEnvironment plain;
   auto* c = new drape_cloth;
   c->log = log;
   c->log_user = user;
@@ -163,6 +166,7 @@ drape_parameters* drape_parameters_of(drape_cloth* c) { return &c->parameters.c_
 drape_inputs* drape_inputs_of(drape_cloth* c) { return &c->inputs; }
 drape_inputs* drape_input_rates_of(drape_cloth* c) { return &c->input_rates; }
 void drape_inputs_start(drape_cloth* c) {
+  const math::PlainEnvironment plain;
   if (c->state.steps > 0 || std::equal(c->state.wind.begin(), c->state.wind.end(), c->inputs.wind)) return;
   std::copy(c->inputs.wind, c->inputs.wind + 3, c->state.wind.begin());
   dynamics::leapfrog_retuned(c->system, c->motion, c->state);
@@ -170,22 +174,38 @@ void drape_inputs_start(drape_cloth* c) {
 int drape_at_rest(const drape_cloth* c) { return c->state.relaxation.at_rest; }
 
 drape_status drape_start(drape_cloth* c, double time) {
-  if (!std::isfinite(time) || c->state.steps > 0) {
+  const math::PlainEnvironment plain;
+  if (!(std::abs(time) <= kMaxStart) || c->state.steps > 0) {
     log_message(*c, DRAPE_LOG_ERROR,
-                std::isfinite(time) ? "the start time is set before the first step"
-                                    : "the start time must be a finite number of seconds");
+                c->state.steps > 0 ? "the start time is set before the first step"
+                                   : "the start time is " + number(time) + " s; allowed: from " +
+                                         number(-kMaxStart) + " to " + number(kMaxStart) + " s");
     return DRAPE_DISCARD;
   }
   c->state.origin = time;
   return DRAPE_OK;
 }
 
-double drape_time(const drape_cloth* c) { return model::state_time(c->state, c->system.communication); }
+double drape_time(const drape_cloth* c) {
+  const math::PlainEnvironment plain;
+  return model::state_time(c->state, c->system.communication);
+}
 
 drape_status drape_advance(drape_cloth* c, double length) {
+  const math::PlainEnvironment plain;
   if (!(std::isfinite(length) && length > 0)) {
     log_message(*c, DRAPE_LOG_ERROR,
                 "the length of an advance is " + number(length) + " s; allowed: above 0 s, finite");
+    return DRAPE_DISCARD;
+  }
+  const double clock = std::abs(drape_time(c));
+  const double shortest =
+      std::max(kMinIntervals * c->system.communication, std::nextafter(clock, INFINITY) - clock);
+  if (length < shortest) {
+    log_message(*c, DRAPE_LOG_ERROR,
+                "the length of an advance is " + number(length) + " s; allowed: at least " +
+                    number(shortest) + " s at this time, " + number(kMinIntervals) +
+                    " communication intervals and the last bit of the clock");
     return DRAPE_DISCARD;
   }
   if (length / c->system.communication > kMaxIntervals) {
@@ -226,11 +246,13 @@ drape_status drape_advance(drape_cloth* c, double length) {
 int drape_step_above_limit(const drape_cloth* c) { return c->step_above_limit; }
 
 const drape_outputs* drape_get_outputs(drape_cloth* c, int mask) {
+  const math::PlainEnvironment plain;
   outputs::outputs_fill(c->outputs, c->system, c->motion, c->state, mask);
   return &c->outputs.c_view;
 }
 
 double drape_step_limit(drape_cloth* c, const char** set_by) {
+  const math::PlainEnvironment plain;
   if (set_by) {
     c->limit_link = dynamics::step_limit_link(c->system, c->scene, c->state);
     *set_by = c->limit_link.c_str();
@@ -250,6 +272,7 @@ drape_snapshot* drape_save(drape_cloth* c, drape_snapshot* into) {
 }
 
 void drape_restore(drape_cloth* c, const drape_snapshot* from) {
+  const math::PlainEnvironment plain;
   c->step_above_limit = false;
   c->state = from->state;
   dynamics::workspace_clear(c->motion.workspace);  // of values from the state before

@@ -31,6 +31,7 @@ struct drape_cloth {
   std::vector<drape_pin_input> pin_inputs, pin_rates;    // [driven pins]
   std::vector<std::size_t> driven;                       // [driven pins] their indices in Scene::pins
   std::vector<drape_pin_input> body_inputs, body_rates;  // [moving bodies]
+  std::vector<char> told_contradiction;                  // [moving bodies]
   std::vector<std::size_t> moving;                       // [moving bodies] their indices in Scene::bodies
   drape::api::Tuning tuning, tuning_good;                // as for state, good
   drape::outputs::Outputs outputs;

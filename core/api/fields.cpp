@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "api/cloth.h"
+#include "math/plain_environment.h"
 #include "math/vector3.h"
 #include "model/elements.h"
 #include "model/seam_rows.h"
@@ -23,6 +24,7 @@ using namespace drape;
 using namespace drape::api;
 
 const drape_fields* drape_fields_at(drape_cloth* c) {
+  const math::PlainEnvironment plain;
   outputs::fields_fill(c->fields, c->system, c->state,
                        dynamics::leapfrog_stops(c->system, c->motion, c->state));
   c->fields_view = {int(c->fields.area.size()), c->fields.strain.data(), c->fields.tension.data(),
@@ -31,6 +33,7 @@ const drape_fields* drape_fields_at(drape_cloth* c) {
 }
 
 drape_elongation drape_elongation_of(drape_cloth* c, int piece, drape_yarn_direction along, double limit) {
+  const math::PlainEnvironment plain;
   const model::Lattice& l = c->system.lattices[std::size_t(piece)];
   const math::Curve& curve = model::law_curve(l.law, model::YarnDirection(along));
   if (limit < 0) limit = curve.segments ? curve.last : std::numeric_limits<double>::infinity();
@@ -40,6 +43,7 @@ drape_elongation drape_elongation_of(drape_cloth* c, int piece, drape_yarn_direc
 }
 
 drape_seam_lines drape_seam_lines_at(drape_cloth* c, int index) {
+  const math::PlainEnvironment plain;
   const model::Seam& seam = c->system.seams.seam[std::size_t(index)];
   for (int side = 0; side < 2; ++side) {
     c->seam_line[side].clear();
@@ -52,6 +56,7 @@ drape_seam_lines drape_seam_lines_at(drape_cloth* c, int index) {
 }
 
 drape_surface drape_surface_at(drape_cloth* c, int index) {
+  const math::PlainEnvironment plain;
   const model::Body& body = c->system.bodies[std::size_t(index)];
   const model::BodyContact& now = c->state.body[std::size_t(index)];
   const body::BodySurface& surface = body.mesh.surface;

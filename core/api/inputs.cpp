@@ -76,6 +76,38 @@ void motion_apply(const MotionInput& input, double length, math::RigidMotion& to
   }
 }
 
+int drive_bits(scene::Drive drive) {
+  return drive == scene::Drive::kPosition   ? DRAPE_DRIVE_POSITION
+         : drive == scene::Drive::kVelocity ? DRAPE_DRIVE_VELOCITY
+                                            : DRAPE_DRIVE_POSITION | DRAPE_DRIVE_VELOCITY;
+}
+
+// Warns once of a body whose positions and velocities, over this advance, are of two different motions.
+void contradiction_report(drape_cloth& c, std::size_t k, const math::RigidMotion& to, double length) {
+  constexpr double kShare = 0.5, kSlow = 1e-3;  // of the faster of both; m/s
+  const std::size_t b = c.moving[k];
+  if (c.body_inputs[k].drive != (DRAPE_DRIVE_POSITION | DRAPE_DRIVE_VELOCITY) || c.told_contradiction[k])
+    return;
+  const model::BodyContact& now = c.state.body[b];
+  if (dynamics::body_drive(c.system.bodies[b], now, to) != scene::Drive::kBoth) return;
+  const math::RigidMotion& from = now.motion;
+  double apart = 0, by_position = 0, by_velocity = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double reach = (to.position[i] - from.position[i]) / length,
+                 mean = (from.velocity[i] + to.velocity[i]) / 2;
+    apart += (reach - mean) * (reach - mean);
+    by_position += reach * reach;
+    by_velocity += mean * mean;
+  }
+  if (std::sqrt(apart) <= std::max(kSlow, kShare * std::sqrt(std::max(by_position, by_velocity)))) return;
+  c.told_contradiction[k] = 1;
+  log_message(c, DRAPE_LOG_WARNING,
+              std::string("body.") + c.body_inputs[k].name + ": its positions move it at " +
+                  number(std::sqrt(by_position)) + " m/s, its velocities at " +
+                  number(std::sqrt(by_velocity)) +
+                  " m/s; give both of one motion, or set drive = \"position\" or \"velocity\"");
+}
+
 }  // namespace
 
 void inputs_make(drape_cloth& c) {
@@ -84,9 +116,7 @@ void inputs_make(drape_cloth& c) {
     if (pin.drive == scene::Drive::kNone) continue;
     drape_pin_input in{};
     in.name = pin.name.c_str();
-    in.drive = pin.drive == scene::Drive::kPosition   ? DRAPE_DRIVE_POSITION
-               : pin.drive == scene::Drive::kVelocity ? DRAPE_DRIVE_VELOCITY
-                                                      : DRAPE_DRIVE_POSITION | DRAPE_DRIVE_VELOCITY;
+    in.drive = drive_bits(pin.drive);
     in.clamp = pin.clamp;
     c.pin_rates.push_back(in);
     for (std::size_t k = 0; k < 3; ++k) in.position[k] = c.state.pin_motion[p].position[k];
@@ -99,12 +129,13 @@ void inputs_make(drape_cloth& c) {
     if (!body.moves) continue;
     drape_pin_input in{};
     in.name = body.name.c_str();
-    in.drive = DRAPE_DRIVE_POSITION | DRAPE_DRIVE_VELOCITY;
+    in.drive = drive_bits(body.drive);
     in.clamp = 1;
     c.body_rates.push_back(in);
     std::copy(body.start.position.begin(), body.start.position.end(), in.position);
     std::copy(body.start.orientation.begin(), body.start.orientation.end(), in.orientation);
     c.body_inputs.push_back(in);
+    c.told_contradiction.push_back(0);
     c.moving.push_back(b);
   }
   for (drape_inputs* inputs : {&c.inputs, &c.input_rates}) {
@@ -149,6 +180,7 @@ bool inputs_apply(drape_cloth& c, double length, std::vector<Problem>& problems)
                   &c.state.body[c.moving[k]].motion},
                  length, to.body[c.moving[k]], problems);
   if (problems.size() > before) return false;
+  for (std::size_t k = 0; k < c.moving.size(); ++k) contradiction_report(c, k, to.body[c.moving[k]], length);
   c.motion.inputs = std::move(to);
   return true;
 }

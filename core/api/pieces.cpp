@@ -1,5 +1,6 @@
 // The pieces of a cloth for the C interface.
 #include "api/cloth.h"
+#include "math/plain_environment.h"
 #include "piece/grid/surface.h"
 #include "seam/particles.h"
 
@@ -59,6 +60,7 @@ void pieces_describe(drape_cloth& c) {
 int drape_piece_count(const drape_cloth* c) { return int(c->system.lattices.size()); }
 
 drape_piece drape_piece_at(drape_cloth* c, int index) {
+  const drape::math::PlainEnvironment plain;
   if (c->pieces.empty()) drape::api::pieces_describe(*c);
   const drape::model::Lattice& l = c->system.lattices[std::size_t(index)];
   const drape_cloth::Piece& p = c->pieces[std::size_t(index)];

@@ -7,6 +7,7 @@
 #include "api/cloth.h"
 #include "assembly/assemble.h"
 #include "dynamics/step_size/step_limit.h"
+#include "math/plain_environment.h"
 #include "outputs/energy.h"
 
 namespace drape::api {
@@ -217,6 +218,7 @@ using namespace drape;
 using namespace drape::api;
 
 drape_status drape_commit(drape_cloth* c) {
+  const math::PlainEnvironment plain;
   std::vector<Problem> problems;
   const ParameterValues before = c->tuning.ramp.to;
   if (!(parameters_read(c->parameters) == before)) parameters_commit(*c, before, problems);

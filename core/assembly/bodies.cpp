@@ -5,6 +5,7 @@
 #include "body/library.h"
 #include "math/vector3.h"
 #include "scene/diagnostics.h"
+#include "scene/files.h"
 
 namespace drape::assembly {
 namespace {
@@ -21,6 +22,8 @@ Vec3 posed(const math::RigidMotion& frame, const Vec3& x) {
 bool mesh_load(const scene::BodySpec& spec, const math::RigidMotion& frame,
                const drape_contact_library& library, std::vector<Vec3>& point,
                std::vector<std::array<int, 3>>& corner, std::string& trouble) {
+  trouble = scene::file_hindrance(spec.mesh, scene::kMaxData);
+  if (!trouble.empty()) return false;
   char text[512];
   drape_mesh_file* mesh = library.mesh_read(spec.mesh.c_str(), text, sizeof text);
   if (!mesh) return trouble = text, false;
@@ -68,6 +71,7 @@ std::vector<model::Body> bodies_make(const Scene& scene, std::vector<Problem>& p
     model::Body& body = bodies.emplace_back();
     body.name = spec.name;
     body.moves = spec.moves;
+    body.drive = spec.drive;
     body.has_friction = spec.friction[0] >= 0;
     body.friction = spec.friction;
     body.damping = spec.damping;

@@ -7,6 +7,7 @@
 
 #include "dynamics/relaxation.h"
 #include "dynamics/step_size/step_limit.h"
+#include "math/plain_environment.h"
 #include "math/vector3.h"
 
 namespace drape::dynamics {
@@ -167,14 +168,21 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   s.pin_impulse.assign(s.pin_impulse.size(), math::Wrench{});
   for (model::BodyContact& body : s.body) body.impulse = math::Wrench{};
   motion.path = path_make(system, s, motion.inputs, length);
+  for (std::size_t b = 0; b < s.body.size(); ++b)
+    s.body[b].velocity_given =
+        system.bodies[b].moves &&
+        body_drive(system.bodies[b], s.body[b], motion.inputs.body[b]) == scene::Drive::kBoth;
   if (system.fit && path_moves(motion.path)) relaxation_resume(s);
-  const bool jumps = path_jumps(motion.path, s) && system.integrator == scene::Integrator::kLeapfrog;
+  const bool jumps = pins_jump(motion.path) && system.integrator == scene::Integrator::kLeapfrog;
   if (jumps) leapfrog_complete(system, motion, s);
   edge_half_kick_report(system, motion, s);
   path_follow(motion.path, 0, s);
   bodies_follow(motion.path, 0, s);
   held_refresh(motion.constraints, s, motion.held);
   held_rates(motion.constraints, s, model::Pass::kSynchronous, motion.held);
+  if (bodies_jump(motion.path))  // the bound of neighbours took them to move as before
+    contact::update_proximity(system, motion.kernel->contact, motion.contact, s, 0,
+                              model::step_next(system, s));
   if (!jumps) return;
   const double before = system.energy ? kinetic_energy(system, s) : 0;
   constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
@@ -238,6 +246,7 @@ void leapfrog_retuned(const System& system, Motion& motion, State& s) {
 
 Advance leapfrog_advance(const System& system, Motion& motion, State& s, double length, std::string& event,
                          const IntervalBegins& interval_begins) {
+  const math::FlushToZero flush;
   const double q = system.communication;
   const double whole = std::round(length / q);
   // A master's own clock rounds: the length may be off by some units in the last place of the time.

@@ -1,5 +1,6 @@
 #include "dynamics/prescribed_motion.h"
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
 
@@ -86,10 +87,17 @@ void pin_path_lay(PinPath& p, scene::Drive drive, bool clamp) {
   p.to.angular_acceleration = math::rotation_angular_acceleration(f, f1, f2);
 }
 
-// The difference that rounding makes between two expressions of one velocity: that of `size` over `length`.
+// Whether two velocities differ by more than rounding makes between two expressions of one, that of `size`
+// over `length`.
 bool jumps(const Vec3& a, const Vec3& b, double size, double length) {
   constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
   return norm(a - b) > kRounding * (size / length + norm(a) + norm(b));
+}
+
+bool begins_with_jump(const PinPath& p) {
+  const math::RigidMotion begin = path_frame(p, 0);
+  return jumps(begin.velocity, p.from.velocity, norm(p.from.position) + norm(p.to.position), p.length) ||
+         jumps(begin.angular_velocity, p.from.angular_velocity, 1, p.length);
 }
 
 }  // namespace
@@ -98,6 +106,12 @@ Inputs inputs_at(const State& s) {
   Inputs inputs{s.wind, s.pin_motion, {}};
   for (const model::BodyContact& b : s.body) inputs.body.push_back(b.motion);
   return inputs;
+}
+
+scene::Drive body_drive(const model::Body& body, const model::BodyContact& now, const math::RigidMotion& to) {
+  if (body.drive != scene::Drive::kNone) return body.drive;
+  const bool given = now.velocity_given || !is_zero(to.velocity) || !is_zero(to.angular_velocity);
+  return given ? scene::Drive::kBoth : scene::Drive::kPosition;
 }
 
 Path path_make(const System& system, const State& s, const Inputs& inputs, double length) {
@@ -124,7 +138,7 @@ Path path_make(const System& system, const State& s, const Inputs& inputs, doubl
     one.from = s.body[b].motion;
     one.to = inputs.body[b];
     one.to.orientation = math::quaternion_normalised(one.to.orientation);
-    pin_path_lay(one, scene::Drive::kBoth, true);
+    pin_path_lay(one, body_drive(system.bodies[b], s.body[b], inputs.body[b]), true);
     path.bodies.push_back(one);
   }
   return path;
@@ -138,25 +152,22 @@ bool path_moves(const Path& path) {
   return path.wind_from != path.wind_to;
 }
 
-bool path_jumps(const Path& path, const State& s) {
-  for (const PinPath& p : path.pins) {
-    const math::RigidMotion begin = path_frame(p, 0);
-    const math::RigidMotion& now = s.pin_motion[std::size_t(p.pin)];
-    if (jumps(begin.velocity, now.velocity, norm(p.from.position) + norm(p.to.position), p.length) ||
-        jumps(begin.angular_velocity, now.angular_velocity, 1, p.length))
-      return true;
-  }
-  return false;
+bool pins_jump(const Path& path) { return std::any_of(path.pins.begin(), path.pins.end(), begins_with_jump); }
+
+bool bodies_jump(const Path& path) {
+  return std::any_of(path.bodies.begin(), path.bodies.end(), begins_with_jump);
 }
 
 void path_interval(Path& path, const State& s, std::int64_t k, double length) {
   path.interval = k;
-  for (PinPath& p : path.pins) {
-    if (!p.uniform) continue;
-    p.from = s.pin_motion[std::size_t(p.pin)];
+  const auto restart = [&](PinPath& p, const math::RigidMotion& now) {
+    if (!p.uniform) return;
+    p.from = now;
     p.length = length;
     pin_path_lay(p, scene::Drive::kVelocity, true);
-  }
+  };
+  for (PinPath& p : path.pins) restart(p, s.pin_motion[std::size_t(p.pin)]);
+  for (PinPath& p : path.bodies) restart(p, s.body[std::size_t(p.pin)].motion);
 }
 
 math::RigidMotion path_frame(const PinPath& p, double z) {
@@ -190,7 +201,7 @@ void path_follow(const Path& path, double u, State& s) {
 void bodies_follow(const Path& path, double u, State& s) {
   for (const PinPath& p : path.bodies) {
     model::BodyContact& body = s.body[std::size_t(p.pin)];
-    body.motion = path_frame(p, share_of(path, u));
+    body.motion = path_frame(p, p.uniform ? u : share_of(path, u));
     body.rotation = math::rotation_matrix(body.motion.orientation);
   }
 }

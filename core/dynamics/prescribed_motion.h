@@ -36,11 +36,16 @@ struct Path {
   std::int64_t interval = 0, intervals = 1;  // of the advance: the present one, and all
 };
 
+// What a body follows on its way to an input. Without a stated drive that is its positions, and from the
+// first velocity other than 0 on its velocities too.
+scene::Drive body_drive(const model::Body& body, const model::BodyContact& now, const math::RigidMotion& to);
+
 Path path_make(const System& system, const State& state, const Inputs& inputs, double length);
 
-// True where the velocity of a pin at the beginning of its path differs from the present one by more than
-// rounding.
-bool path_jumps(const Path& path, const State& state);
+// True where the velocity of a pin, or of a body, at the beginning of its path differs from the one before by
+// more than rounding.
+bool pins_jump(const Path& path);
+bool bodies_jump(const Path& path);
 
 // True where a pin or the wind moves.
 bool path_moves(const Path& path);

@@ -25,8 +25,9 @@ struct BodyMesh {
 
 struct Body {
   std::string name;
-  BodyMesh mesh;              // a fixed body's frame is space itself
-  bool moves = false;         // its pose is an input
+  BodyMesh mesh;                             // a fixed body's frame is space itself
+  bool moves = false;                        // its pose is an input
+  scene::Drive drive = scene::Drive::kNone;  // what its inputs are; kNone: both, see velocity_given
   bool has_friction = false;  // it has coefficients of its own, which replace those of the fabric
   Vec2 friction{0, 0};        // 1, static, kinetic
   double damping = 1;         // 1, of the normal motion in contact, over the critical damping
@@ -99,8 +100,9 @@ struct EdgeContact {
 
 // The state of a body and of its contact with the cloth.
 struct BodyContact {
-  math::RigidMotion motion;  // at t_n
-  Mat3 rotation;             // R at t_n
+  math::RigidMotion motion;     // at t_n
+  Mat3 rotation;                // R at t_n
+  bool velocity_given = false;  // without a stated drive: its velocity has been an input other than 0
   math::Wrench
       impulse;    // N s, N m s, of the cloth on the body in the last advance, without its last half step
   Array x, y, z;  // [nodes] m, a particle's position when its neighbours were last updated

@@ -65,12 +65,14 @@ void seams_fill(Outputs& o, const System& system, const State& s) {
     drape_seam& view = o.seams[k];
     view.gap_max = view.length = 0;
     view.closed = 1;
+    view.due = 0;
     Vec3 before{};
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
       const model::SeamPair& pair = system.seams.pair[p];
       const Vec3 a = model::point_now(pair.side[0], s), b = model::point_now(pair.side[1], s),
                  middle = 0.5 * (a + b);
       view.gap_max = std::max(view.gap_max, norm(b - a));
+      if (s.sewn[p] != model::Sewn::kOpen) view.due = 1;
       if (s.sewn[p] != model::Sewn::kWelded || view.gap_max > seam.gap_tolerance) view.closed = 0;
       if (p > seam.first) view.length += norm(middle - before);
       before = middle;
@@ -129,7 +131,7 @@ void outputs_make(Outputs& o, const Scene& scene, const System& system) {
   for (std::size_t k = 0; k < scene.seams.size(); ++k) {
     const model::Seam& seam = system.seams.seam[k];
     o.seams.push_back(
-        {scene.seams[k].name.c_str(), int(seam.count), {seam.length[0], seam.length[1]}, 0, 0, 0});
+        {scene.seams[k].name.c_str(), int(seam.count), {seam.length[0], seam.length[1]}, 0, 0, 0, 0});
   }
   for (const scene::BodySpec& body : scene.bodies) o.bodies.push_back({body.name.c_str(), {}, {}});
   for (Array& v : o.velocity) v.assign(system.nodes, 0.0);

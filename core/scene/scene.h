@@ -115,7 +115,8 @@ struct BodySpec {
   Vec2 friction{-1, -1};  // static, kinetic; below 0: the fabric's
   double damping = 1;     // of the normal motion in contact, relative to critical damping
   bool moves = false;
-  Vec3 position{0, 0, 0};                         // m
+  Drive drive = Drive::kNone;  // of a body that moves; kNone: by its positions until a velocity is given
+  Vec3 position{0, 0, 0};      // m
   std::array<double, 4> orientation{1, 0, 0, 0};  // w, x, y, z
   double scale = 1;                               // m per unit of the mesh
 };

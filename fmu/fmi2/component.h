@@ -6,6 +6,7 @@
 #include "fmi2/legal_states.h"
 #include "fmi2Functions.h"
 #include "instance/instance.h"
+#include "math/plain_environment.h"
 
 namespace drape::fmi2 {
 
@@ -31,6 +32,7 @@ fmi2Status component_illegal(Component& component, const Rule& rule);
 template <class Body>
 fmi2Status gate(fmi2Component c, const Rule& rule, Body body) {
   if (!c) return fmi2Error;
+  const math::PlainEnvironment plain;
   Component& component = *static_cast<Component*>(c);
   if (!(rule.legal & phases(component.instance->phase))) return component_illegal(component, rule);
   try {

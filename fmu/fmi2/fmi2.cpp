@@ -84,6 +84,7 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
                               const fmi2CallbackFunctions* functions, fmi2Boolean /*visible*/,
                               fmi2Boolean logging_on) {
   if (!functions) return nullptr;
+  const math::PlainEnvironment plain;
   try {
     auto k = std::make_unique<Component>();
     k->name = name ? name : "";

@@ -13,7 +13,7 @@ namespace {
 // the last place for each step it has made, and may have rounded its own step.
 double same_time(const Instance& instance, double clock, double length) {
   constexpr double kUlp = std::numeric_limits<double>::epsilon();
-  return 1e-9 * length + double(4 + instance.steps) * kUlp * std::max(std::abs(clock), length);
+  return 1e-6 * length + double(4 + instance.steps) * kUlp * std::max(std::abs(clock), length);
 }
 
 bool log_passes(const LogFilter& filter, drape_log_kind kind) {
@@ -49,18 +49,18 @@ drape_status log_flush(Instance& instance, drape_status status) {
 
 // The choice of node variables under which the scene has this guid. Returns false if there is none.
 bool nodes_of_guid(Instance& instance, const std::string& guid, description::Nodes& nodes) {
-  const char* text = drape_scene_text(instance.cloth);
+  const std::string content = description::guid_content(instance.cloth);
   for (const description::Nodes candidate :
        {description::Nodes::kNone, description::Nodes::kOutline, description::Nodes::kAll})
-    if (description::guid_of(text, candidate) == guid) {
+    if (description::guid_of(content, candidate) == guid) {
       nodes = candidate;
       return true;
     }
   instance_refuse(instance, DRAPE_ERROR,
-                  "the guid is " + guid + ", but this scene and version of Drape have " +
-                      description::guid_of(text, description::Nodes::kNone) + ", " +
-                      description::guid_of(text, description::Nodes::kOutline) + " or " +
-                      description::guid_of(text, description::Nodes::kAll) +
+                  "the guid is " + guid + ", but this scene, its meshes and version of Drape have " +
+                      description::guid_of(content, description::Nodes::kNone) + ", " +
+                      description::guid_of(content, description::Nodes::kOutline) + " or " +
+                      description::guid_of(content, description::Nodes::kAll) +
                       " (node variables: none, outline, all)");
   return false;
 }
@@ -113,11 +113,7 @@ drape_status instance_refuse(Instance& instance, drape_status status, const std:
 }
 
 drape_status instance_setup(Instance& instance, double start_time, double stop_time) {
-  if (!std::isfinite(start_time))
-    return instance_refuse(
-        instance, DRAPE_DISCARD,
-        "the start time is " + description::decimal_text(start_time) + " s; allowed: any finite number");
-  if (!(stop_time > start_time))
+  if (std::isfinite(start_time) && !(stop_time > start_time))  // drape_start refuses others
     return instance_refuse(instance, DRAPE_DISCARD,
                            "the stop time is " + description::decimal_text(stop_time) +
                                " s; allowed: above the start time, " + description::decimal_text(start_time) +

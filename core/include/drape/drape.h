@@ -121,6 +121,7 @@ typedef struct drape_seam {
   double side[2]; /* m, lengths of both sides before they are sewn */
   double gap_max; /* m, largest gap between the particles of a pair */
   double closed;  /* 1 where all pairs are sewn and no gap above the tolerance is left, else 0 */
+  int due;        /* 1 once it has been told to close, by the scene's time or by its parameter, else 0 */
   double length;  /* m, along the middle line of both sides */
 } drape_seam;
 

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <optional>
 
+#include "scene/files.h"
 #include "standards/strip.h"
 
 namespace drape::scene {
@@ -12,21 +13,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kMaxFileSize = 64 << 20;  // bytes
-
 // The text of a file. Where it cannot be read, `hindrance` is the reason.
 std::string file_text(const fs::path& file, std::string& hindrance) {
-  std::error_code error;
-  const fs::file_status status = fs::status(file, error);
-  if (!fs::exists(status)) return hindrance = "there is no such file", "";
-  if (fs::is_directory(status)) return hindrance = "is a folder, not a file", "";
-  if (!fs::is_regular_file(status)) return hindrance = "is not a regular file", "";
-  if (fs::file_size(file, error) > kMaxFileSize || error) return hindrance = "is larger than 64 MB", "";
+  hindrance = file_hindrance(file, kMaxText);
+  if (!hindrance.empty()) return "";
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return hindrance = "cannot be opened", "";
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (text.empty()) hindrance = "is empty";
-  return text;
+  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 // The table of a TOML text. Adds a fault where the text is not valid.

@@ -110,6 +110,9 @@ void body_normalize(Faults& faults, const std::string& path, const std::filesyst
   const std::filesystem::path file = (folder / text.mesh).lexically_normal();
   body.mesh = file.string();
   std::error_code error;
+  if (body.drive != Drive::kNone && !body.moves)
+    fault_add(faults, path + ".drive",
+              "is of a body that moves; wanted: moves = true beside it, or no drive");
   if (!text.mesh.empty() && !std::filesystem::is_regular_file(file, error))
     fault_add(faults, path + ".mesh",
               "= " + in_quotes(text.mesh) + ": there is no such file (looked for " + file.string() + ")");

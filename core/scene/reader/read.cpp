@@ -134,7 +134,14 @@ std::string scene_location(const std::filesystem::path& file, const std::string&
 
 std::vector<std::filesystem::path> scene_files(const std::filesystem::path& file) {
   Faults faults;
-  return document_load(file, faults).files;
+  Document document = document_load(file, faults);
+  std::vector<std::filesystem::path> files = document.files;
+  if (toml::array* bodies = document.root["body"].as_array())
+    for (toml::node& node : *bodies)
+      if (const toml::table* body = node.as_table())
+        if (const auto mesh = (*body)["mesh"].value<std::string>())
+          files.push_back(file.parent_path() / *mesh);
+  return files;
 }
 
 }  // namespace drape::scene

@@ -164,6 +164,7 @@ std::vector<Key> body_keys(BodySpec& b, BodyText& text) {
       {"friction", Pair{&b.friction, "[static, kinetic]"}, kOptional, range_of(kFriction)},
       {"damping", &b.damping, kOptional, {0, 100}},
       {"moves", Flag{&b.moves}},
+      {"drive", Choice{{"position", "velocity", "both"}, [&b](int k) { b.drive = Drive(k + 1); }}},
       {"position", &b.position, kOptional, kPosition, "m"},
       {"orientation", &text.orientation, kOptional, range_of(kPinOrientation)},
       {"scale", &b.scale, kOptional, {0, 1e6, kAbove}, "m per unit of the mesh"},

@@ -107,6 +107,33 @@ TEST_F(ClothTest, DiscardsLengthsThatAreNoTimeStep) {
   EXPECT_EQ(drape_time(c.get()), 0);
 }
 
+// A step that the clock cannot count leaves everything as it was.
+TEST_F(ClothTest, DiscardsLengthsBelowTheLastBitOfTheClock) {
+  for (const auto& [start, length, shortest] :
+       {std::tuple{0.0, 1e-18, "1e-12"}, {0.0, 0.9e-12, "1e-12"}, {1e6, 1e-10, "1.16415e-10"}}) {
+    const Cloth c = open(), untouched = open();
+    ASSERT_EQ(drape_start(c.get(), start), DRAPE_OK);
+    ASSERT_EQ(drape_start(untouched.get(), start), DRAPE_OK);
+    EXPECT_EQ(drape_advance(c.get(), length), DRAPE_DISCARD);
+    EXPECT_NE(logged.errors.back().find(std::string("allowed: at least ") + shortest + " s at this time"),
+              std::string::npos)
+        << logged.errors.back();
+    for (const Cloth* of : {&c, &untouched}) ASSERT_EQ(drape_advance(of->get(), 0.01), DRAPE_OK);
+    EXPECT_EQ(drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->probe[0].position[1],
+              drape_get_outputs(untouched.get(), DRAPE_OUT_SCALARS)->probe[0].position[1]);
+    EXPECT_EQ(drape_get_outputs(c.get(), DRAPE_OUT_SCALARS)->step_count,
+              drape_get_outputs(untouched.get(), DRAPE_OUT_SCALARS)->step_count);
+  }
+}
+
+TEST_F(ClothTest, RefusesStartTimesBeyondABillionSeconds) {
+  const Cloth c = open();
+  for (double start : {1.1e9, -1.1e9, std::nan(""), double(INFINITY)})
+    EXPECT_EQ(drape_start(c.get(), start), DRAPE_DISCARD);
+  EXPECT_EQ(logged.errors.front(), "the start time is 1.1e+09 s; allowed: from -1e+09 to 1e+09 s");
+  EXPECT_EQ(drape_start(c.get(), -1e9), DRAPE_OK);
+}
+
 // Each fault is reported and its value restored; a diagram that falls is restored as a whole. All other
 // values are in force.
 TEST_F(ClothTest, PutsBackOnlyWhatIsAtFault) {

@@ -60,6 +60,22 @@ TEST(Step, AMasterMayAddUpItsOwnClock) {
   EXPECT_EQ(slave.step(time, 0.001), fmi2Discard);
 }
 
+// Up to a millionth of a step off is rounding; more is another time.
+TEST(Step, AMasterMayRoundItsClock) {
+  Slave slave;
+  slave.initialize();
+  ASSERT_EQ(slave.step(0.9e-9, 0.001), fmi2OK) << slave.last_message();
+  EXPECT_EQ(slave.step(0.001 + 1.2e-9, 0.001), fmi2Discard);
+}
+
+TEST(Step, RefusesWhatTheClockCannotCount) {
+  Slave slave;
+  slave.initialize();
+  EXPECT_EQ(slave.step(0, 1e-18), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"1e-18 s", "allowed: at least 1e-12 s at this time"});
+  EXPECT_EQ(slave.step(0, 0.001), fmi2OK) << slave.last_message();
+}
+
 TEST(Step, SetupRefusesTimesThatMakeNoSense) {
   Slave slave;
   const auto setup = [&](double start, bool stop_defined, double stop) {
