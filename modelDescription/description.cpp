@@ -29,7 +29,7 @@ Description description_of(drape_cloth* cloth, Nodes nodes) {
   const std::string name = drape_scene_name(cloth);
   return {.name = name,
           .identifier = c_identifier(name),
-          .guid = guid_of(drape_scene_text(cloth), nodes),
+          .guid = guid_of(guid_content(cloth), nodes),
           .version = drape_version(),
           .stop_time = drape_duration(cloth),
           .step_size = default_step(drape_duration(cloth), drape_communication(cloth)),

@@ -7,8 +7,11 @@
 
 namespace drape::description {
 
-// A hash of Drape's version, the scene's text and the choice of node variables. Equal guids mean equal
-// variable tables.
-std::string guid_of(std::string_view scene_text, Nodes nodes);
+// What a guid stands for: the scene's text, and a hash of each of its meshes.
+std::string guid_content(const drape_cloth* cloth);
+
+// A hash of Drape's version, this content and the choice of node variables. Equal guids mean equal variable
+// tables and equal runs.
+std::string guid_of(std::string_view content, Nodes nodes);
 
 }  // namespace drape::description

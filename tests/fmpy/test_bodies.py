@@ -34,6 +34,17 @@ def test_the_contact_library_finds_what_it_needs_in_the_fmu(pack, tmp_path):
     assert not re.findall("not found", found)
 
 
+def test_the_guid_covers_the_meshes(pack, tmp_path):
+    """An FMU whose mesh has been exchanged for another is refused."""
+    fmu = pack(sheet_over_ball(tmp_path))
+    mesh = next((fmu.folder / "resources").glob("body_*.obj"))
+    mesh.write_text(mesh.read_text() + "# another\n")
+    log = []
+    with pytest.raises(Exception, match="instantiate"):
+        Instance(fmu, log=log)
+    assert any("the guid is" in message for _, _, message in log)
+
+
 def test_is_the_run_of_the_command(pack, drape, write, tmp_path):
     scene = sheet_over_ball(tmp_path)
     drape("run", write(scene, "run"), "-o", tmp_path / "out", "--until", 0.05, "--every", 0.05)
