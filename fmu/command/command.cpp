@@ -5,6 +5,7 @@
 #include <map>
 #include <system_error>
 
+#include "command/files/whole_file.h"
 #include "scene/reader/read.h"
 
 namespace drape::command {
@@ -51,13 +52,17 @@ Cloth cloth_open(const std::string& scene_file, bool verbose) {
   return Cloth(drape_open(scene_file.c_str(), verbose ? log_verbose : log_quiet, nullptr));
 }
 
+std::vector<std::filesystem::path> files_read(const std::string& scene_file) {
+  return scene::scene_files(scene_file);
+}
+
 std::string output_problem(const std::string& option, const std::string& file,
-                           const std::string& scene_file) {
+                           const std::vector<std::filesystem::path>& read) {
   if (file.empty()) return option + " is empty; allowed: the name of a file";
-  for (const std::filesystem::path& read : scene::scene_files(scene_file)) {
+  for (const std::filesystem::path& one : read) {
     std::error_code error;
-    if (std::filesystem::equivalent(file, read, error))
-      return option + " is " + file + ", which the scene is read from; allowed: any other file";
+    if (std::filesystem::equivalent(file, one, error))
+      return option + " is " + file + ", which is read from; allowed: any other file";
   }
   return "";
 }
@@ -65,6 +70,11 @@ std::string output_problem(const std::string& option, const std::string& file,
 int fail(ExitCode code, const std::string& sentence) {
   std::fprintf(stderr, "error: %s\n", sentence.c_str());
   return code;
+}
+
+int file_put(const std::string& file, const std::string& text) {
+  const Written written = file_write(file, text);
+  return written.problem.empty() ? kDone : fail(written.full ? kFailedRun : kBadInput, written.problem);
 }
 
 }  // namespace drape::command

@@ -1,6 +1,7 @@
 // The commands of `drape`. Each function adds a command to the command line. When the command has run, its
 // exit code is in `exit_code`.
 #pragma once
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,11 +37,19 @@ struct ClothCloser {
 using Cloth = std::unique_ptr<drape_cloth, ClothCloser>;
 Cloth cloth_open(const std::string& scene_file, bool verbose = false);
 
-// Why the file that an option names may not be written: it has no name, or the scene is read from it. Empty
-// if it may.
-std::string output_problem(const std::string& option, const std::string& file, const std::string& scene_file);
+// The files that a scene is read from: its own, its fabrics' and its bodies'.
+std::vector<std::filesystem::path> files_read(const std::string& scene_file);
+
+// Why the file that an option names may not be written: it has no name, or it is one of those that are read.
+// Empty if it may.
+std::string output_problem(const std::string& option, const std::string& file,
+                           const std::vector<std::filesystem::path>& read);
 
 // Prints "error: ..." on standard error and returns the code.
 int fail(ExitCode code, const std::string& sentence);
+
+// Writes a file, or prints why it cannot: kBadInput where the place cannot be written to, kFailedRun where it
+// is full.
+int file_put(const std::string& file, const std::string& text);
 
 }  // namespace drape::command

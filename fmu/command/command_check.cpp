@@ -1,13 +1,10 @@
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <optional>
 
 #include "command/command.h"
-#include "command/files/csv.h"
 #include "figures/picture.h"
 #include "laboratory/calibrate.h"
 #include "validation/load.h"
@@ -92,15 +89,25 @@ void print_jaws(const Scene& scene) {
           f.name.c_str(), r, fabric::kMinJawRatio);
 }
 
-// Returns false if the file cannot be written, with the reason in errno.
-bool write_picture(const Options& options, const std::string& picture) {
+// Warns of elongations so small that they may be fractions.
+void print_fractions(const Scene& scene) {
+  constexpr double kSmall = 0.005;
+  for (const scene::FabricSpec& f : scene.fabrics)
+    for (model::YarnDirection along :
+         {model::YarnDirection::kWarp, model::YarnDirection::kWeft, model::YarnDirection::kBias}) {
+      const scene::DiagramSpec& d = laboratory::strip_diagram(f, along);
+      if (d.elongation.empty() || d.force.empty() || d.elongation.back() > kSmall) continue;
+      std::fprintf(stderr,
+                   "warning: fabric %s: %s ends at %.4g %% with %.6g N; if its elongations are fractions, "
+                   "elongation_percent is 100 times as large\n",
+                   f.name.c_str(), laboratory::yarn_direction_name(along), 100 * d.elongation.back(),
+                   d.force.back());
+    }
+}
+
+int write_picture(const Options& options, const std::string& picture) {
   std::vector<Problem> problems;  // stays empty: the cloth has just been opened from the same file
-  const std::string svg = figures::picture_svg(validation::scene_load(options.scene_file, problems));
-  errno = 0;
-  std::ofstream file(picture, std::ios::binary);
-  file << svg;
-  file.close();
-  return !file.fail();
+  return file_put(picture, figures::picture_svg(validation::scene_load(options.scene_file, problems)));
 }
 
 // Measures the cost of a step from the initial state, and restores that state. It runs for a quarter of a
@@ -133,13 +140,14 @@ bool print_cost(drape_cloth* cloth) {
 
 int check(const Options& options) {
   if (options.picture)
-    if (const std::string problem = output_problem("--picture", *options.picture, options.scene_file);
+    if (const std::string problem =
+            output_problem("--picture", *options.picture, files_read(options.scene_file));
         !problem.empty())
       return fail(kBadInput, problem);
   const Cloth cloth = cloth_open(options.scene_file);
   if (!cloth) return kBadInput;
-  if (options.picture && !write_picture(options, *options.picture))
-    return fail(kBadInput, cannot_write(*options.picture));
+  if (options.picture)
+    if (const int code = write_picture(options, *options.picture); code != kDone) return code;
   std::printf("scene %s: %.6g s, communication interval %.6g s\n", drape_scene_name(cloth.get()),
               drape_duration(cloth.get()), drape_communication(cloth.get()));
   print_pieces(cloth.get());
@@ -151,6 +159,7 @@ int check(const Options& options) {
   std::vector<Problem> problems;  // stays empty: the cloth has just been opened from the same file
   const Scene scene = validation::scene_load(options.scene_file, problems);
   print_jaws(scene);
+  print_fractions(scene);
   print_excess(scene);
   return print_cost(cloth.get()) ? kDone : kFailedRun;
 }

@@ -1,6 +1,5 @@
 // `drape fabric test` and `drape fabric calibrate`: the virtual laboratory.
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -12,7 +11,6 @@
 #include <optional>
 
 #include "command/command.h"
-#include "command/files/csv.h"
 #include "figures/fabric_plot.h"
 #include "laboratory/bending.h"
 #include "laboratory/strip_order.h"
@@ -169,14 +167,6 @@ int bending_test(const scene::FabricSpec& f, bool warp) {
   return std::max(code, row("the bending length", "41.5 degrees, overhang", length));
 }
 
-bool file_write(const std::string& file, const std::string& text) {
-  errno = 0;
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  out.close();
-  return !out.fail();
-}
-
 // Why a file may not be written; empty if it may.
 std::string target_problem(const std::string& option, const std::string& file, const std::string& fabric,
                            const char* advice) {
@@ -215,8 +205,10 @@ int test(const Options& options) {
       if (is_along(options, warp ? model::YarnDirection::kWarp : model::YarnDirection::kWeft))
         code = std::max(code, bending_test(f, warp));
   }
-  if (options.picture && !file_write(*options.picture, figures::fabric_plot_svg(f.name, panels)))
-    return fail(kBadInput, cannot_write(*options.picture));
+  if (options.picture)
+    if (const int failed = file_put(*options.picture, figures::fabric_plot_svg(f.name, panels));
+        failed != kDone)
+      return failed;
   return code;
 }
 
@@ -225,27 +217,6 @@ std::string today() {
   char text[16];
   std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
   return text;
-}
-
-// Writes a new file beside the old one first, so that a full disk leaves the old one intact.
-int text_replace(const std::string& file, const std::string& text) {
-  std::error_code error;
-  std::filesystem::path target = std::filesystem::weakly_canonical(file, error);
-  if (error) target = file;
-  std::filesystem::path beside = target;
-  beside += ".new";
-  if (!file_write(beside.string(), text)) {
-    const std::string problem = cannot_write(file);
-    std::filesystem::remove(beside, error);
-    return fail(kBadInput, problem);
-  }
-  if (const auto status = std::filesystem::status(target, error); std::filesystem::exists(status))
-    std::filesystem::permissions(beside, status.permissions(), error);
-  std::filesystem::rename(beside, target, error);
-  if (!error) return kDone;
-  std::error_code ignored;
-  std::filesystem::remove(beside, ignored);
-  return fail(kBadInput, "cannot write " + file + ": " + error.message());
 }
 
 int calibrate_fabric(const Options& options) {
@@ -275,7 +246,7 @@ int calibrate_fabric(const Options& options) {
   const std::string stored = laboratory::write_calibration(text, c, today(), problems);
   if (!problems_report(problems)) return kBadInput;
   const std::string file = options.has_output ? options.output : options.fabric_file;
-  if (const int code = text_replace(file, stored); code != kDone) return code;
+  if (const int code = file_put(file, stored); code != kDone) return code;
   std::printf("%s: corrections for cells of %.6g mm, within %.4f %%\n", file.c_str(), 1e3 * c.cell,
               100 * c.residuals.back());
   return kDone;

@@ -1,6 +1,5 @@
 // `drape form`: a dress form as a mesh.
 #include <cstdio>
-#include <fstream>
 
 #include "command/command.h"
 #include "command/dress_form/form.h"
@@ -16,12 +15,10 @@ int form_write(const Measures& m, const std::string& file) {
   for (const Problem& p : problems) fail(kBadInput, scene::problem_text(p));
   if (!problems.empty()) return kBadInput;
   const Mesh mesh = form_make(m);
-  std::ofstream stream(file, std::ios::binary);
-  stream << mesh_obj(mesh, "Dress form made by drape form: bust " + scene::number_text(m.bust) + ", waist " +
-                               scene::number_text(m.waist) + ", hips " + scene::number_text(m.hips) +
-                               ", height " + scene::number_text(m.height) +
-                               " m; metres, y up, z to the front");
-  if (!stream.flush()) return fail(kBadInput, file + ": cannot be written");
+  const std::string title = "Dress form made by drape form: bust " + scene::number_text(m.bust) + ", waist " +
+                            scene::number_text(m.waist) + ", hips " + scene::number_text(m.hips) +
+                            ", height " + scene::number_text(m.height) + " m; metres, y up, z to the front";
+  if (const int code = file_put(file, mesh_obj(mesh, title)); code != kDone) return code;
   std::printf("%s: %zu triangles; bust at %.3f m, waist at %.3f m, hips at %.3f m above the floor\n",
               file.c_str(), mesh.triangles.size(), kBustHeight * m.height, kWaistHeight * m.height,
               kHipsHeight * m.height);

@@ -30,13 +30,6 @@ std::string content(const fs::path& file) {
   return text.str();
 }
 
-bool content_write(const fs::path& file, const std::string& text, std::vector<Problem>& problems) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  if (!stream.flush()) problems.push_back({file.string() + ":", "cannot be written"});
-  return problems.empty();
-}
-
 // The path of a file as a scene in `folder` names it.
 std::string seen_from(const fs::path& file, const fs::path& folder) {
   std::error_code error;
@@ -92,8 +85,10 @@ int import_pattern(const Options& o) {
   if (!folder.empty()) fs::create_directories(folder, error);
   const fs::path wool = folder / "wool.toml";
   const bool there = fs::exists(wool);
-  if (!o.has_fabric && !there) content_write(wool, kWool, problems);
-  if (!content_write(o.output, garment_text(scene, pattern, garment), problems)) return reported(problems);
+  int code = kDone;
+  if (!o.has_fabric && !there) code = file_put(wool.string(), kWool);
+  if (code == kDone) code = file_put(o.output, garment_text(scene, pattern, garment));
+  if (code != kDone) return code;
   std::printf("%s: %zu pieces, %zu seams, cells of %g mm\n", o.output.c_str(), scene.pieces.size(),
               scene.seams.size(), 1e3 * o.cell);
   if (garment.body)

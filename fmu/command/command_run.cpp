@@ -1,10 +1,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
-#include <fstream>
+#include <filesystem>
 #include <optional>
 
 #include "command/command.h"
@@ -12,18 +13,24 @@
 #include "command/files/frames.h"
 #include "command/files/input_table.h"
 #include "command/files/report.h"
+#include "command/files/whole_file.h"
 #include "decimal.h"
+#include "scene/diagnostics.h"
 
 namespace drape::command {
 namespace {
 
+namespace fs = std::filesystem;
+
+constexpr double kRest = 1e-5;  // of the load: the residual of a fit at rest
+
 struct Options {
   std::string scene_file, folder;
-  double until = 0, every = 0;        // s; 0: the scene's duration, and a hundredth of it
-  std::vector<std::string> settings;  // NAME=VALUE
-  std::string inputs_file;            // CSV
-  std::optional<std::string> report;  // text, or CSV by its ending
-  std::optional<double> limit;        // %, of elongation in the report
+  double until = 0, every = 0;             // s; 0: the scene's duration, and a hundredth of it
+  std::vector<std::string> settings;       // NAME=VALUE
+  std::optional<std::string> inputs_file;  // CSV
+  std::optional<std::string> report;       // text, or CSV by its ending
+  std::optional<double> limit;             // %, of elongation in the report
   bool frames = false, verbose = false;
   description::Nodes nodes = description::Nodes::kNone;
 };
@@ -58,7 +65,7 @@ int apply_settings(const Options& options, drape_cloth* cloth,
   for (const std::string& setting : options.settings)
     if (const std::string problem = apply_setting(table, setting); !problem.empty())
       problems.push_back(problem);
-  if (!options.inputs_file.empty()) inputs = input_table_read(options.inputs_file, table, problems);
+  if (options.inputs_file) inputs = input_table_read(*options.inputs_file, table, problems);
   for (const std::string& problem : problems) fail(kBadInput, problem);
   return problems.empty() && drape_commit(cloth) == DRAPE_OK ? kDone : kBadInput;
 }
@@ -110,6 +117,13 @@ drape_status advance(const Driven& driven, double time, double length) {
   return status;
 }
 
+// Set by an interrupt (Ctrl-C): the run ends after its row. A second one ends the program at once.
+volatile std::sig_atomic_t interrupted = 0;
+void interrupt(int signal) {
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
+
 // Writes rows at 0, DT, 2 DT, ... and at the end. Each row is reached from the one before. The times are
 // written as these products; the cloth's clock, a sum, may differ from them by rounding.
 int run_rows(Recorder& r, const Driven& driven, double until, double every) {
@@ -126,8 +140,39 @@ int run_rows(Recorder& r, const Driven& driven, double until, double every) {
     if (!record(r, time)) return kFailedRun;
     show_progress(at_rest ? until : time, until);
     if (at_rest && driven.inputs.time.empty()) break;
+    if (interrupted && k < rows)
+      return fail(kFailedRun, "interrupted at " + description::decimal_text(time) +
+                                  " s; rows, frames and report are complete up to there");
   }
   return kDone;
+}
+
+// What a run should have reached by the scene's duration: the rest of a fit, and seams that were to close.
+// Tells what is missing; that is a warning where the run was to end before.
+int ends_check(drape_cloth* cloth, bool whole) {
+  const drape_outputs& o = *drape_get_outputs(cloth, DRAPE_OUT_SCALARS);
+  const std::string at = "by " + scene::rounded(drape_time(cloth)) + " s ";
+  int code = kDone;
+  const auto tell = [&](const std::string& what) {
+    if (whole) code = fail(kFailedRun, at + what);
+    else std::fprintf(stderr, "warning: %s%s\n", at.c_str(), what.c_str());
+  };
+  if (o.has_fit && !drape_at_rest(cloth))
+    tell("the fit has not come to rest: forces of " + scene::rounded(o.fit_residual) +
+         " of the load are unbalanced; allowed: " + scene::rounded(kRest));
+  for (int k = 0; k < o.seam_count; ++k)
+    if (o.seam[k].due && o.seam[k].closed == 0)
+      tell(std::string("the seam '") + o.seam[k].name + "' has not closed: its largest gap is " +
+           scene::rounded(o.seam[k].gap_max) + " m");
+  return code;
+}
+
+// The closing line of a run.
+void print_summary(drape_cloth* cloth, double seconds) {
+  const double time = drape_time(cloth);
+  std::printf("%s: %.6g s of cloth in %.3g s, %.3g times its time; %.0f steps\n", drape_scene_name(cloth),
+              time, seconds, time > 0 ? seconds / time : 0,
+              drape_get_outputs(cloth, DRAPE_OUT_SCALARS)->step_count);
 }
 
 // Everything that is wrong with the options alone.
@@ -139,10 +184,17 @@ std::vector<std::string> options_problems(const Options& options) {
                        " %; allowed: above 0 %, at most 1000 %");
   if (options.limit && !options.report)
     problems.push_back("--limit is of the report; allowed: together with --report FILE");
-  if (!options.report) return problems;
-  if (const std::string problem = output_problem("--report", *options.report, options.scene_file);
-      !problem.empty())
-    problems.push_back(problem);
+  if (options.inputs_file && options.inputs_file->empty())
+    problems.push_back("--inputs is empty; allowed: the name of a CSV file");
+  std::vector<fs::path> read = files_read(options.scene_file);
+  if (options.inputs_file) read.emplace_back(*options.inputs_file);
+  const auto add = [&](const std::string& option, const std::string& file) {
+    if (const std::string problem = output_problem(option, file, read); !problem.empty())
+      problems.push_back(problem);
+  };
+  if (!options.folder.empty())
+    add("the table of --output", (fs::path(options.folder) / "outputs.csv").string());
+  if (options.report) add("--report", *options.report);
   return problems;
 }
 
@@ -173,20 +225,29 @@ int run(const Options& options) {
     return fail(kBadInput, "--every is " + description::decimal_text(every) + " s; allowed: at least " +
                                description::decimal_text(until / kMaxRows) +
                                " s, a ten-millionth of the time to the end");
+  for (const std::string& remark :
+       input_table_remarks(driven.inputs, table, drape_communication(cloth.get())))
+    std::fprintf(stderr, "warning: %s\n", remark.c_str());
   std::string problem;
   if (!csv_open(r.csv, options.folder, problem)) return fail(kBadInput, problem);
-  if (errno = 0;
-      options.report && !std::ofstream(*options.report, std::ios::app))  // before the run, not only after it
-    return fail(kBadInput, "--report: " + cannot_write(*options.report));
+  if (options.report)  // before the run, not only after it
+    if (problem = place_problem(*options.report); !problem.empty())
+      return fail(kBadInput, "--report: " + problem);
   csv_header(r.csv, header);
-  const int code = run_rows(r, driven, until, every);
+  std::signal(SIGINT, interrupt);
+  const auto start = std::chrono::steady_clock::now();
+  int code = run_rows(r, driven, until, every);
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   if (!csv_close(r.csv, problem)) return fail(kFailedRun, problem);
+  if (code == kDone) code = ends_check(cloth.get(), until >= duration * (1 - 1e-9));
   if (options.report) {
     const double limit = options.limit ? *options.limit / 100 : -1;
     if (problem = report_write(*options.report, report_of(cloth.get(), limit)); !problem.empty())
       return fail(kFailedRun, problem);
   }
-  return r.frames_written ? code : fail(kFailedRun, r.frames.failure);
+  if (!r.frames_written) return fail(kFailedRun, r.frames.failure);
+  print_summary(cloth.get(), spent.count());
+  return code;
 }
 
 }  // namespace

@@ -123,7 +123,8 @@ def test_starts_outside_the_form(name, measures, tmp_path):
 
 def sewn(drape, tmp_path, name, until, *options):
     drafted(name, tmp_path, "--weightless", *options)
-    drape("run", tmp_path / f"{name}.toml", "-o", tmp_path / "out", "--until", until, "--every", until)
+    done = drape("run", tmp_path / f"{name}.toml", "-o", tmp_path / "out", "--until", until, "--every", until)
+    assert done.stderr.count("\n") == 1 and "the fit has not come to rest" in done.stderr  # sewn, but so soon not at rest
     names, rows = read_csv(tmp_path / "out" / "outputs.csv")
     end = dict(zip(names, rows[-1], strict=True))
     gaps = {key: value for key, value in end.items() if key.endswith(".gap.max")}

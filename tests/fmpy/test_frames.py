@@ -168,7 +168,7 @@ def test_bad_report(drape, write, tmp_path):
     assert done.returncode == 1
     assert [line for line in done.stderr.splitlines()] == [
         "error: --limit is -3 %; allowed: above 0 %, at most 1000 %",
-        f"error: --report is {scene}, which the scene is read from; allowed: any other file",
+        f"error: --report is {scene}, which is read from; allowed: any other file",
     ]
     done = drape("run", scene, "-o", tmp_path / "out", "--limit", 3, check=False)
     assert done.returncode == 1 and "--limit" in done.stderr and "--report" in done.stderr

@@ -1,9 +1,9 @@
 #include "command/files/csv.h"
 
 #include <cerrno>
-#include <cstring>
 #include <system_error>
 
+#include "command/files/whole_file.h"
 #include "decimal.h"
 
 namespace drape::command {
@@ -15,10 +15,6 @@ void csv_note(Csv& csv) {
 }
 
 }  // namespace
-
-std::string cannot_write(const std::filesystem::path& file) {
-  return "cannot write " + file.string() + (errno ? std::string(": ") + std::strerror(errno) : "");
-}
 
 bool csv_open(Csv& csv, const std::filesystem::path& folder, std::string& problem) {
   std::error_code error;
@@ -43,13 +39,13 @@ void csv_header(Csv& csv, const std::vector<std::string>& names) {
 }
 
 void csv_row(Csv& csv, const std::vector<double>& values) {
-  const char* separator = "";
-  errno = 0;
+  std::string row;
   for (const double value : values) {
-    csv.file << separator << description::decimal_text(value);
-    separator = ",";
+    if (!row.empty()) row += ',';
+    row += description::decimal_text(value);
   }
-  csv.file << "\n";
+  errno = 0;
+  csv.file << row + '\n' << std::flush;  // whole, so that what is there of a run that is stopped can be read
   csv_note(csv);
 }
 

@@ -23,7 +23,4 @@ bool csv_open(Csv& csv, const std::filesystem::path& folder, std::string& proble
 // Ends the file. If something could not be written, it returns false and puts a sentence in `problem`.
 bool csv_close(Csv& csv, std::string& problem);
 
-// "cannot write FILE: No space left on device", from errno.
-std::string cannot_write(const std::filesystem::path& file);
-
 }  // namespace drape::command

@@ -1,13 +1,11 @@
 #include "command/files/frames.h"
 
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <system_error>
 
-#include "command/files/csv.h"
 #include "command/files/polydata.h"
+#include "command/files/whole_file.h"
 #include "decimal.h"
 
 namespace drape::command {
@@ -116,15 +114,12 @@ std::string file_name(const std::string& collection, std::size_t number) {
   return collection + name;
 }
 
-bool write_collection(const std::filesystem::path& path, const Collection& c) {
-  std::ofstream file(path);
-  file << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>\n";
+std::string collection_text(const Collection& c) {
+  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>\n";
   for (std::size_t i = 0; i < c.times.size(); ++i)
-    file << "<DataSet timestep=\"" << description::decimal_text(c.times[i]) << "\" file=\""
-         << file_name(c.name, c.files[i]) << "\"/>\n";
-  file << "</Collection>\n</VTKFile>\n";
-  file.close();
-  return !file.fail();
+    text += "<DataSet timestep=\"" + description::decimal_text(c.times[i]) + "\" file=\"" +
+            file_name(c.name, c.files[i]) + "\"/>\n";
+  return text + "</Collection>\n</VTKFile>\n";
 }
 
 // Adds a time to a collection. `poly` is null where the last file still holds.
@@ -132,14 +127,14 @@ bool collect(Frames& frames, Collection& c, double time, const PolyData* poly) {
   const std::size_t number = c.files.empty() ? 0 : c.files.back() + (poly != nullptr);
   std::error_code error;
   std::filesystem::create_directories(frames.folder / c.name, error);
-  errno = 0;
   const std::filesystem::path path = frames.folder / file_name(c.name, number),
                               collection = frames.folder / (c.name + ".pvd");
-  if (poly && !polydata_write(path, *poly)) return frames.failure = cannot_write(path), false;
+  if (poly) frames.failure = file_write(path, polydata_text(*poly)).problem;
+  if (!frames.failure.empty()) return false;
   c.times.push_back(time);
   c.files.push_back(number);
-  if (!write_collection(collection, c)) return frames.failure = cannot_write(collection), false;
-  return true;
+  frames.failure = file_write(collection, collection_text(c)).problem;
+  return frames.failure.empty();
 }
 
 bool any_moves(drape_cloth* cloth) {

@@ -5,9 +5,13 @@
 #include <charconv>
 #include <cstring>
 #include <fstream>
+#include <map>
+#include <set>
 #include <sstream>
 
 #include "decimal.h"
+#include "scene/diagnostics.h"
+#include "scene/files.h"
 #include "scene/spelling.h"
 
 namespace drape::command {
@@ -136,6 +140,20 @@ void row_read(Reading& r, const std::string& line, const std::vector<std::size_t
   }
 }
 
+// The largest change of a column's slope from one pair of rows to the next that are more than `step` apart.
+double largest_jump(const InputTable& inputs, std::size_t column, double step) {
+  const std::size_t columns = inputs.variable.size();
+  const auto slope = [&](std::size_t row) {
+    return (inputs.value[(row + 1) * columns + column] - inputs.value[row * columns + column]) /
+           (inputs.time[row + 1] - inputs.time[row]);
+  };
+  double largest = 0;
+  for (std::size_t row = 0; row + 2 < inputs.time.size(); ++row)
+    if (inputs.time[row + 2] - inputs.time[row + 1] > 1.5 * step)
+      largest = std::max(largest, std::abs(slope(row + 1) - slope(row)));
+  return largest;
+}
+
 }  // namespace
 
 InputTable input_table_read(const std::string& file, const std::vector<description::Variable>& table,
@@ -143,6 +161,10 @@ InputTable input_table_read(const std::string& file, const std::vector<descripti
   InputTable inputs;
   Reading r{file, problems};
   const std::size_t before = problems.size();
+  if (const std::string hindrance = scene::file_hindrance(file, scene::kMaxData); !hindrance.empty()) {
+    problems.push_back("cannot read " + file + ": " + hindrance);
+    return inputs;
+  }
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   std::vector<std::size_t> columns;
@@ -182,6 +204,28 @@ void input_table_apply(const InputTable& inputs, double time,
   std::vector<double> values(inputs.variable.size());
   input_table_at(inputs, time, values.data());
   for (std::size_t k = 0; k < values.size(); ++k) *table[inputs.variable[k]].setting = values[k];
+}
+
+std::vector<std::string> input_table_remarks(const InputTable& inputs,
+                                             const std::vector<description::Variable>& table, double step) {
+  constexpr double kSlow = 1e-3;       // m/s
+  std::map<std::string, double> jump;  // of each body, m/s
+  std::set<std::string> has_velocity;
+  for (std::size_t k = 0; k < inputs.variable.size(); ++k) {
+    const std::string& name = table[inputs.variable[k]].family;
+    if (!name.starts_with("body.")) continue;
+    const std::string body = name.substr(0, name.rfind('.'));
+    if (name.ends_with(".velocity")) has_velocity.insert(body);
+    if (name.ends_with(".position")) jump[body] = std::max(jump[body], largest_jump(inputs, k, step));
+  }
+  std::vector<std::string> remarks;
+  for (const auto& [body, speed] : jump)
+    if (speed > kSlow && !has_velocity.contains(body))
+      remarks.push_back(
+          body + " has positions alone, which are linear between rows: its velocity jumps by up to " +
+          scene::rounded(speed) + " m/s at a row, and cloth may slip; allowed too: its velocities, or rows " +
+          description::decimal_text(step) + " s apart");
+  return remarks;
 }
 
 }  // namespace drape::command

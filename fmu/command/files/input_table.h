@@ -18,6 +18,11 @@ struct InputTable {
 InputTable input_table_read(const std::string& file, const std::vector<description::Variable>& table,
                             std::vector<std::string>& problems);
 
+// Remarks on bodies that are moved by positions alone, on rows farther apart than `step` (s): their velocity
+// jumps at every row.
+std::vector<std::string> input_table_remarks(const InputTable& inputs,
+                                             const std::vector<description::Variable>& table, double step);
+
 // The values [columns] at a time (s), in the order of the columns.
 void input_table_at(const InputTable& inputs, double time, double* values);
 

@@ -1,7 +1,5 @@
 #include "command/files/polydata.h"
 
-#include <fstream>
-
 namespace drape::command {
 namespace {
 
@@ -36,7 +34,7 @@ void append_cells(Appended& data, const std::string& kind, const PolyCells& cell
 
 }  // namespace
 
-bool polydata_write(const std::filesystem::path& path, const PolyData& poly) {
+std::string polydata_text(const PolyData& poly) {
   Appended data;
   data.head =
       "<?xml version=\"1.0\"?>\n"
@@ -56,10 +54,7 @@ bool polydata_write(const std::filesystem::path& path, const PolyData& poly) {
   if (!poly.lines.end.empty()) append_cells(data, "Lines", poly.lines);
   if (!poly.polygons.end.empty()) append_cells(data, "Polys", poly.polygons);
   data.head += "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
-  std::ofstream file(path, std::ios::binary);
-  file << data.head << data.bytes << "\n</AppendedData>\n</VTKFile>\n";
-  file.close();
-  return !file.fail();
+  return data.head + data.bytes + "\n</AppendedData>\n</VTKFile>\n";
 }
 
 }  // namespace drape::command

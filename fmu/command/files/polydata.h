@@ -24,7 +24,7 @@ struct PolyData {
   std::vector<PolyField> of_points, of_cells;
 };
 
-// Returns false on failure, with the reason in errno.
-bool polydata_write(const std::filesystem::path& path, const PolyData& data);
+// As a VTK file.
+std::string polydata_text(const PolyData& data);
 
 }  // namespace drape::command

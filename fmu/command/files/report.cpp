@@ -1,12 +1,10 @@
 #include "command/files/report.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 
-#include "command/files/csv.h"
+#include "command/files/whole_file.h"
 #include "decimal.h"
 
 namespace drape::command {
@@ -155,11 +153,7 @@ std::string report_csv(const std::vector<ReportTable>& report) {
 }
 
 std::string report_write(const std::filesystem::path& file, const std::vector<ReportTable>& report) {
-  errno = 0;
-  std::ofstream to(file, std::ios::binary);
-  to << (file.extension() == ".csv" ? report_csv(report) : report_text(report));
-  to.close();
-  return to.fail() ? cannot_write(file) : "";
+  return file_write(file, file.extension() == ".csv" ? report_csv(report) : report_text(report)).problem;
 }
 
 }  // namespace drape::command

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "scene/diagnostics.h"
+#include "scene/files.h"
 
 namespace drape::command {
 namespace {
@@ -153,11 +154,10 @@ void pattern_fill(const JsonFaults& faults, const Json& root, Pattern& pattern) 
 Pattern pattern_read(const std::filesystem::path& file, std::vector<Problem>& problems) {
   Pattern pattern;
   const JsonFaults faults{file.string(), problems};
+  if (const std::string hindrance = scene::file_hindrance(file, scene::kMaxText); !hindrance.empty())
+    return json_fault(faults, "", hindrance), pattern;
   std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file)) {
-    json_fault(faults, "", "cannot be read");
-    return pattern;
-  }
+  if (!stream) return json_fault(faults, "", "cannot be read"), pattern;
   Json root;
   std::string problem;
   if (!json_parse(stream, root, problem))

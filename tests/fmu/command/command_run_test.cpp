@@ -127,7 +127,7 @@ TEST_F(Command, InputsThatAreRefused) {
                    ":6:1: time is nan s; allowed: any finite number",
                    ":7:2: wind[1] is 1e+05 m/s; allowed: -1000 to 1000 m/s", ":8:2: ''; allowed: a number"});
   expect_problems("time,wind[1]\n", {" has no row of values; allowed: one or more below the header"});
-  expect_refused("run flag.toml -o out --inputs none.csv", {"cannot read none.csv", "No such file"});
+  expect_refused("run flag.toml -o out --inputs none.csv", {"cannot read none.csv: there is no such file"});
   expect_refused("run scene.toml -o out --inputs u.csv", {"u.csv:1:2", "'wind[1]'", "no inputs"});
 }
 
