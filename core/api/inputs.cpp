@@ -17,7 +17,7 @@ struct VectorInput {
   const scene::Quantity* limits;
   int size;
   double *value, *rate;
-  const double* now;
+  const double* now;  // null: an invalid number becomes 0
 };
 
 // Sets `reached` [size], the value after `length`, s. An invalid number is a problem, and is reset to the
@@ -30,7 +30,7 @@ void vector_apply(const VectorInput& v, double length, double* reached, std::vec
     const bool by_rate = scene::quantity_fits(*v.limits, v.value[k]);
     problems.push_back({name, (by_rate ? "+ its derivative times the length of the advance " : "") +
                                   limits_text(*v.limits, by_rate ? reached[k] : v.value[k])});
-    v.value[k] = v.now[k];
+    v.value[k] = v.now ? v.now[k] : 0;
     v.rate[k] = 0;
   }
 }
@@ -46,6 +46,7 @@ struct MotionInput {
   std::string name;
   drape_pin_input *value, *rate;
   const math::RigidMotion* now;
+  bool velocity_given = true;  // false: its velocities have not been given so far, and stay 0
 };
 
 void motion_apply(const MotionInput& input, double length, math::RigidMotion& to,
@@ -67,11 +68,12 @@ void motion_apply(const MotionInput& input, double length, math::RigidMotion& to
             to.orientation.data());
   }
   if (in.drive & DRAPE_DRIVE_VELOCITY) {
-    apply({"velocity", &scene::kPinVelocity, 3, in.velocity, rate.velocity, now.velocity.data()},
+    apply({"velocity", &scene::kPinVelocity, 3, in.velocity, rate.velocity,
+           input.velocity_given ? now.velocity.data() : nullptr},
           to.velocity.data());
     if (in.clamp)
       apply({"angular_velocity", &scene::kPinAngularVelocity, 3, in.angular_velocity, rate.angular_velocity,
-             now.angular_velocity.data()},
+             input.velocity_given ? now.angular_velocity.data() : nullptr},
             to.angular_velocity.data());
   }
 }
@@ -84,7 +86,7 @@ int drive_bits(scene::Drive drive) {
 
 // Warns once of a body whose positions and velocities, over this advance, are of two different motions.
 void contradiction_report(drape_cloth& c, std::size_t k, const math::RigidMotion& to, double length) {
-  constexpr double kShare = 0.5, kSlow = 1e-3;  // of the faster of both; m/s
+  constexpr double kShare = 0.6, kSlow = 1e-3;  // of the faster of both (from rest to v at once: 0.5); m/s
   const std::size_t b = c.moving[k];
   if (c.body_inputs[k].drive != (DRAPE_DRIVE_POSITION | DRAPE_DRIVE_VELOCITY) || c.told_contradiction[k])
     return;
@@ -177,7 +179,9 @@ bool inputs_apply(drape_cloth& c, double length, std::vector<Problem>& problems)
                  length, to.pin[c.driven[k]], problems);
   for (std::size_t k = 0; k < c.moving.size(); ++k)
     motion_apply({std::string("body.") + c.body_inputs[k].name, &c.body_inputs[k], &c.body_rates[k],
-                  &c.state.body[c.moving[k]].motion},
+                  &c.state.body[c.moving[k]].motion,
+                  c.system.bodies[c.moving[k]].drive != scene::Drive::kNone ||
+                      c.state.body[c.moving[k]].velocity_given},
                  length, to.body[c.moving[k]], problems);
   if (problems.size() > before) return false;
   for (std::size_t k = 0; k < c.moving.size(); ++k) contradiction_report(c, k, to.body[c.moving[k]], length);

@@ -69,16 +69,17 @@ std::string obj_plain(const std::string& bytes, std::string& trouble) {
   for (std::string line; trouble.empty() && std::getline(stream, line);) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     whole += line;
-    if (!whole.empty() && whole.back() == '\\' && !stream.eof()) {
+    const std::size_t first = whole.find_first_not_of(kSpace);
+    const bool comment = first != std::string::npos && whole[first] == '#';
+    if (!whole.empty() && whole.back() == '\\' && !comment && !stream.eof()) {
       whole.back() = ' ';
       continue;
     }
     std::istringstream words(whole);
     std::string keyword;
     if (words >> keyword) {
-      const std::size_t at = whole.find_first_not_of(kSpace);
       keyword = lower(keyword);
-      whole.replace(at, keyword.size(), keyword);
+      whole.replace(first, keyword.size(), keyword);
       trouble = line_trouble(keyword, words, vertices += keyword == "v", faces += keyword == "f");
     }
     plain += whole + '\n';
@@ -111,17 +112,25 @@ std::string obj_read(const char* file, Triangles& to) {
   return "";
 }
 
-void point_add(Triangles& to, const std::array<double, 3>& p) {
-  to.corner.push_back(int(to.point.size() / 3));
-  to.point.insert(to.point.end(), p.begin(), p.end());
-}
+// STL gives every triangle its own corners. Those with equal coordinates become one point.
+struct Merged {
+  Triangles& to;
+  std::map<std::array<double, 3>, int> known;
+  void add(const std::array<double, 3>& p) {
+    const auto [at, fresh] = known.emplace(p, int(to.point.size() / 3));
+    if (fresh) to.point.insert(to.point.end(), p.begin(), p.end());
+    to.corner.push_back(at->second);
+  }
+};
 
 std::string stl_text_read(const std::string& text, Triangles& to) {
   std::istringstream words(text);
+  Merged merged{to, {}};
   bool ended = false;
   for (std::string word; words >> word;) {
     if (word == "facet") ended = false;
     if (word == "endsolid") ended = true;
+    if (word == "solid" || word == "endsolid") std::getline(words, word);  // its name may be any word
     if (word != "vertex") continue;
     std::array<std::string, 3> number;
     std::array<double, 3> p{};
@@ -129,10 +138,10 @@ std::string stl_text_read(const std::string& text, Triangles& to) {
       words >> number[k];
       char* end = nullptr;
       p[k] = std::strtod(number[k].c_str(), &end);
-      if (number[k].empty() || *end)
+      if (number[k].empty() || *end || !std::isfinite(p[k]))
         return "is no STL file: after 'vertex' stands '" + number[k] + "', no number";
     }
-    point_add(to, p);
+    merged.add(p);
   }
   if (to.corner.size() % 3) return "is no STL file: its last facet lacks a vertex";
   return ended ? "" : "is cut off: 'endsolid' is missing at its end";
@@ -166,11 +175,14 @@ std::string stl_read(const char* file, Triangles& to) {
       return stl_text_read(lower(bytes.substr(begin)), to);
     return "is no STL file: neither text nor as long as its number of facets says";
   }
+  Merged merged{to, {}};
   for (std::size_t t = 0; t < binary_count(bytes); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
       float p[3];
       std::memcpy(p, bytes.data() + kHead + kFacet * t + kNormal + 12 * k, 12);
-      point_add(to, {p[0], p[1], p[2]});
+      if (!std::isfinite(p[0] + p[1] + p[2]))
+        return "has a vertex that is no number, facet " + std::to_string(t + 1);
+      merged.add({p[0], p[1], p[2]});
     }
   return "";
 }

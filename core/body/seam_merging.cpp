@@ -82,8 +82,10 @@ void points_compact(Triangles& mesh, const std::vector<int>& becomes) {
 
 void seams_merge(Triangles& mesh) {
   const std::size_t points = mesh.point.size() / 3;
-  const bool sound =
-      std::all_of(mesh.corner.begin(), mesh.corner.end(), [&](int c) { return c >= 0 && index(c) < points; });
+  const bool finite =
+      std::all_of(mesh.point.begin(), mesh.point.end(), [](double x) { return std::isfinite(x); });
+  const bool sound = finite && std::all_of(mesh.corner.begin(), mesh.corner.end(),
+                                           [&](int c) { return c >= 0 && index(c) < points; });
   const double reach = kSeam * size_of(mesh.point);
   if (!sound || !(reach > 0) || !std::isfinite(reach)) return;  // surface_make says what is wrong
   const std::vector<char> open = at_open_edges(mesh);

@@ -11,7 +11,8 @@ struct Triangles {
 
 // Points of open edges that are nearer to each other than kSeam of the mesh's size become the first of them.
 // So a surface is closed again whose points are split along a texture seam or hard edge, or differ in their
-// last digits. Two closed surfaces that touch stay apart: they have no open edge.
+// last digits. Two closed surfaces that touch stay apart: they have no open edge. (In STL they share the
+// points that have equal coordinates.)
 inline constexpr double kSeam = 1e-6;
 void seams_merge(Triangles& mesh);
 

@@ -7,6 +7,7 @@ namespace fs = std::filesystem;
 std::string file_hindrance(const fs::path& file, std::uintmax_t max_size) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
+  if (status.type() == fs::file_type::none) return "cannot be read: " + error.message();
   if (!fs::exists(status)) return "there is no such file";
   if (fs::is_directory(status)) return "is a folder, not a file";
   if (!fs::is_regular_file(status)) return "is not a regular file";

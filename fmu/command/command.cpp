@@ -67,6 +67,24 @@ std::string output_problem(const std::string& option, const std::string& file,
   return "";
 }
 
+std::vector<std::string> run_files_problems(const std::string& scene_file, const std::string& folder,
+                                            const std::optional<std::string>& inputs_file,
+                                            std::vector<std::filesystem::path>& read) {
+  std::vector<std::string> problems;
+  read = files_read(scene_file);
+  if (inputs_file) read.emplace_back(*inputs_file);
+  if (inputs_file && inputs_file->empty())
+    problems.emplace_back("--inputs is empty; allowed: the name of a CSV file");
+  if (folder.empty()) {
+    problems.emplace_back("--output is empty; allowed: the name of a folder");
+  } else if (const std::string problem = output_problem(
+                 "the table of --output", (std::filesystem::path(folder) / "outputs.csv").string(), read);
+             !problem.empty()) {
+    problems.push_back(problem);
+  }
+  return problems;
+}
+
 int fail(ExitCode code, const std::string& sentence) {
   std::fprintf(stderr, "error: %s\n", sentence.c_str());
   return code;

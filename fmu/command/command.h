@@ -3,6 +3,7 @@
 #pragma once
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,12 @@ std::vector<std::filesystem::path> files_read(const std::string& scene_file);
 // Empty if it may.
 std::string output_problem(const std::string& option, const std::string& file,
                            const std::vector<std::filesystem::path>& read);
+
+// What is wrong with the files of a run: --output without a name, --inputs without one, or an outputs.csv
+// that is one of the files that are read. `read`: gets these files.
+std::vector<std::string> run_files_problems(const std::string& scene_file, const std::string& folder,
+                                            const std::optional<std::string>& inputs_file,
+                                            std::vector<std::filesystem::path>& read);
 
 // Prints "error: ..." on standard error and returns the code.
 int fail(ExitCode code, const std::string& sentence);

@@ -10,7 +10,8 @@ namespace drape::command {
 namespace {
 
 struct Options {
-  std::string scene_file, folder, inputs_file;
+  std::string scene_file, folder;
+  std::optional<std::string> inputs_file;
   reference::Options run;
 };
 
@@ -22,7 +23,7 @@ bool inputs_read(const Options& options, reference::InputTable& inputs) {
   const std::vector<description::Variable> variables =
       description::variables_of(cloth.get(), description::Nodes::kNone);
   std::vector<std::string> problems;
-  const InputTable table = input_table_read(options.inputs_file, variables, problems);
+  const InputTable table = input_table_read(*options.inputs_file, variables, problems);
   for (const std::string& problem : problems) fail(kBadInput, problem);
   for (const std::size_t k : table.variable) inputs.names.push_back(variables[k].name());
   inputs.time = table.time;
@@ -34,13 +35,17 @@ bool inputs_read(const Options& options, reference::InputTable& inputs) {
 }
 
 int run_reference(const Options& options) {
-  if (options.folder.empty()) return fail(kBadInput, "--output is empty; allowed: the name of a folder");
+  std::vector<std::filesystem::path> read;
+  const std::vector<std::string> of_files =
+      run_files_problems(options.scene_file, options.folder, options.inputs_file, read);
+  for (const std::string& sentence : of_files) fail(kBadInput, sentence);
+  if (!of_files.empty()) return kBadInput;
   std::vector<Problem> problems;
   const Scene scene = validation::scene_load(options.scene_file, problems);
   for (const Problem& problem : problems) fail(kBadInput, problem.place + " " + problem.message);
   if (!problems.empty()) return kBadInput;
   reference::Options run = options.run;
-  if (!options.inputs_file.empty() && !inputs_read(options, run.inputs)) return kBadInput;
+  if (options.inputs_file && !inputs_read(options, run.inputs)) return kBadInput;
   Csv csv;
   std::string problem;
   if (!csv_open(csv, options.folder, problem)) return fail(kBadInput, problem);

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <optional>
 
 #include "command/command.h"
@@ -108,7 +109,8 @@ void show_progress(double time, double until) {
 drape_status advance(const Driven& driven, double time, double length) {
   if (driven.inputs.time.empty()) return drape_advance(driven.cloth, length);
   const double q = drape_communication(driven.cloth);
-  const double steps = std::max(1.0, std::ceil(length / q - 1e-9));
+  const double rounding = 1e-9 + 4 * std::numeric_limits<double>::epsilon() * (time + length) / q;
+  const double steps = std::max(1.0, std::ceil(length / q - rounding));
   drape_status status = DRAPE_OK;
   for (double k = 1; k <= steps && status == DRAPE_OK; ++k) {
     input_table_apply(driven.inputs, time + (k < steps ? k * q : length), driven.table);
@@ -142,7 +144,7 @@ int run_rows(Recorder& r, const Driven& driven, double until, double every) {
     if (at_rest && driven.inputs.time.empty()) break;
     if (interrupted && k < rows)
       return fail(kFailedRun, "interrupted at " + description::decimal_text(time) +
-                                  " s; rows, frames and report are complete up to there");
+                                  " s; what was asked for is complete up to there");
   }
   return kDone;
 }
@@ -177,24 +179,23 @@ void print_summary(drape_cloth* cloth, double seconds) {
 
 // Everything that is wrong with the options alone.
 std::vector<std::string> options_problems(const Options& options) {
-  std::vector<std::string> problems;
-  if (options.folder.empty()) problems.push_back("--output is empty; allowed: the name of a folder");
+  std::vector<fs::path> read;
+  std::vector<std::string> problems =
+      run_files_problems(options.scene_file, options.folder, options.inputs_file, read);
   if (options.limit && !(*options.limit > 0 && *options.limit <= 1000))
     problems.push_back("--limit is " + description::decimal_text(*options.limit) +
                        " %; allowed: above 0 %, at most 1000 %");
   if (options.limit && !options.report)
     problems.push_back("--limit is of the report; allowed: together with --report FILE");
-  if (options.inputs_file && options.inputs_file->empty())
-    problems.push_back("--inputs is empty; allowed: the name of a CSV file");
-  std::vector<fs::path> read = files_read(options.scene_file);
-  if (options.inputs_file) read.emplace_back(*options.inputs_file);
-  const auto add = [&](const std::string& option, const std::string& file) {
-    if (const std::string problem = output_problem(option, file, read); !problem.empty())
-      problems.push_back(problem);
-  };
-  if (!options.folder.empty())
-    add("the table of --output", (fs::path(options.folder) / "outputs.csv").string());
-  if (options.report) add("--report", *options.report);
+  if (!options.report) return problems;
+  if (const std::string problem = output_problem("--report", *options.report, read); !problem.empty())
+    problems.push_back(problem);
+  std::error_code error;
+  for (const char* own : {"outputs.csv", "frames.pvd", "seams.pvd", "bodies.pvd"})
+    if (fs::weakly_canonical(*options.report, error) ==
+        fs::weakly_canonical(fs::path(options.folder) / own, error))
+      problems.push_back("--report is " + *options.report +
+                         ", which the run itself writes; allowed: any other file");
   return problems;
 }
 
@@ -234,7 +235,7 @@ int run(const Options& options) {
     if (problem = place_problem(*options.report); !problem.empty())
       return fail(kBadInput, "--report: " + problem);
   csv_header(r.csv, header);
-  std::signal(SIGINT, interrupt);
+  if (std::signal(SIGINT, interrupt) == SIG_IGN) std::signal(SIGINT, SIG_IGN);  // as in a shell's background
   const auto start = std::chrono::steady_clock::now();
   int code = run_rows(r, driven, until, every);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;

@@ -63,11 +63,12 @@ def test_what_is_read_is_not_overwritten(write, tmp_path):
     (tmp_path / "run").mkdir()
     table = tmp_path / "run" / "outputs.csv"
     table.write_text("time,wind[1]\n0,1\n")
-    done = run("run", scene, "-o", tmp_path / "run", "--inputs", table)
-    assert done.returncode == 1 and "which is read from" in done.stderr
-    assert table.read_text() == "time,wind[1]\n0,1\n"
-    done = run("run", scene, "-o", tmp_path / "other", "--inputs", "")
-    assert done.returncode == 1 and done.stderr == "error: --inputs is empty; allowed: the name of a CSV file\n"
+    for command in ("run", "reference"):
+        done = run(command, scene, "-o", tmp_path / "run", "--inputs", table)
+        assert done.returncode == 1 and "which is read from" in done.stderr
+        assert table.read_text() == "time,wind[1]\n0,1\n"
+        done = run(command, scene, "-o", tmp_path / "other", "--inputs", "")
+        assert done.returncode == 1 and done.stderr == "error: --inputs is empty; allowed: the name of a CSV file\n"
 
 
 def test_full_device(write, tmp_path):

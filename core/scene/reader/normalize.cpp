@@ -1,5 +1,7 @@
 #include "scene/reader/normalize.h"
 
+#include "scene/files.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -109,13 +111,12 @@ void body_normalize(Faults& faults, const std::string& path, const std::filesyst
                     const BodyText& text, BodySpec& body) {
   const std::filesystem::path file = (folder / text.mesh).lexically_normal();
   body.mesh = file.string();
-  std::error_code error;
   if (body.drive != Drive::kNone && !body.moves)
     fault_add(faults, path + ".drive",
               "is of a body that moves; wanted: moves = true beside it, or no drive");
-  if (!text.mesh.empty() && !std::filesystem::is_regular_file(file, error))
+  if (const std::string hindrance = file_hindrance(file, kMaxData); !text.mesh.empty() && !hindrance.empty())
     fault_add(faults, path + ".mesh",
-              "= " + in_quotes(text.mesh) + ": there is no such file (looked for " + file.string() + ")");
+              "= " + in_quotes(text.mesh) + ": " + hindrance + " (looked for " + file.string() + ")");
   if (text.orientation.empty() || fault_within(faults, path + ".orientation")) return;
   if (text.orientation.size() != 4)
     return fault_add(faults, path + ".orientation",

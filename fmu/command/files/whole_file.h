@@ -10,9 +10,10 @@ struct Written {
   bool full = false;    // the place could be written to, but did not take all
 };
 
-// Writes the file beside its place, as NAME.new, and renames it when it is complete; keeps the permissions of
-// the file that it replaces. What is no regular file, such as /dev/stdout, is written to directly. After a
-// problem the old file is as it was.
+// Writes the file beside its place, under a name of its own, and renames it when it is complete; keeps the
+// permissions of the file that it replaces, and links to it. After a problem the old file is as it was.
+// Written to directly are devices and pipes, such as /dev/stdout, and a file in a folder that takes no new
+// one.
 Written file_write(const std::filesystem::path& file, const std::string& text);
 
 // Why a file could not be written there, as far as that shows beforehand; empty if it probably could.

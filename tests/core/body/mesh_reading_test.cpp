@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "body/library.h"
@@ -145,6 +146,7 @@ TEST(MeshReading, ReadsDialectsOfObj) {
   expect_closed("a.obj", shared_obj("V", "F"));
   expect_closed("a.obj", shared_obj("v", "f", "\r\n"));
   expect_closed("a.obj", shared_obj("v", "f \\\n"));
+  expect_closed("a.obj", "# from C:\\meshes\\\n" + shared_obj());
 }
 
 TEST(MeshReading, ReadsDialectsOfStl) {
@@ -153,6 +155,7 @@ TEST(MeshReading, ReadsDialectsOfStl) {
   expect_closed("a.stl", "\xEF\xBB\xBF" + stl_text());
   expect_closed("a.stl", "  " + stl_text());
   expect_closed("a.stl", stl_text("endsolid part\nsolid two\nendsolid two\n"));
+  expect_closed("a.stl", "solid vertex facet\n" + stl_text("endsolid facet\n").substr(11));
   expect_closed("a.stl", stl_binary("solid part"));
   expect_closed("a.stl", stl_binary("solid part") + "\n");
   expect_closed("a.stl", stl_binary("") + std::string(2, '\0'));
@@ -161,6 +164,8 @@ TEST(MeshReading, ReadsDialectsOfStl) {
 TEST(MeshReading, SaysWhatIsWrong) {
   expect_problem("a.obj", shared_obj() + "f 1 2\n", "has a face of 2 corners, face 5; allowed: 3 and more");
   expect_problem("a.obj", "v 0 zero 0\n", "has a vertex that is no number, vertex 1");
+  expect_problem("a.stl", stl_binary("", NAN), "has a vertex that is no number, facet 1");
+  expect_problem("a.stl", "solid a\nvertex nan 0 0\nendsolid\n", "after 'vertex' stands 'nan', no number");
   expect_problem("a.stl", stl_text(""), "is cut off: 'endsolid' is missing at its end");
   expect_problem("a.stl", stl_binary("", 0, 1000), "is no STL file");
   expect_problem("a.stl", stl_binary("").substr(0, 200), "is no STL file");
