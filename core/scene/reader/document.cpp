@@ -1,8 +1,10 @@
 #include "scene/reader/document.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <string_view>
 
 #include "scene/files.h"
 #include "standards/strip.h"
@@ -22,8 +24,39 @@ std::string file_text(const fs::path& file, std::string& hindrance) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+// The first line of a text whose key is of more than kMaxDepth parts, a.b.c...; 0 if there is none. The
+// parser goes one call deeper for every part.
+unsigned deep_line(const std::string& text) {
+  constexpr int kMaxDepth = 256;
+  int dots = 0;
+  unsigned line = 1;
+  char quote = 0;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const char c = text[k];
+    line += c == '\n';
+    if (quote) {
+      if (c == '\\' && quote == '"') line += ++k < text.size() && text[k] == '\n';
+      else if (c == quote || c == '\n') quote = 0;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '.') {
+      if (++dots >= kMaxDepth) return line;
+    } else if (c == '#') {
+      k = std::min(text.find('\n', k), text.size()) - 1;
+    } else if (std::string_view("=,{}[]\n").find(c) != std::string_view::npos) {
+      dots = 0;
+    }
+  }
+  return 0;
+}
+
 // The table of a TOML text. Adds a fault where the text is not valid.
 std::optional<toml::table> text_parse(const std::string& text, const std::string& file, Faults& faults) {
+  if (const unsigned line = deep_line(text)) {
+    fault_add_at(faults, {file, line}, file + ":" + std::to_string(line) + ":",
+                 "has a key of 257 or more parts; allowed: up to 256");
+    return std::nullopt;
+  }
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {

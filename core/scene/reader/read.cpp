@@ -1,6 +1,7 @@
 #include "scene/reader/read.h"
 
 #include <algorithm>
+#include <set>
 
 #include "scene/reader/normalize.h"
 #include "scene/reader/schema.h"
@@ -45,10 +46,11 @@ std::vector<Spec> specs_read(Faults& faults, const toml::table& root, const std:
     return fault_add(faults, kind,
                      std::string("is ") + node_kind(*node) + "; wanted: tables [[" + kind + "]]"),
            specs;
+  std::set<std::string> names;
   for (std::size_t i = 0; i < list->size(); ++i) {
     const toml::table& table = *(*list)[i].as_table();
     const std::string name = table["name"].value_or(std::string());
-    const bool again = std::any_of(specs.begin(), specs.end(), [&](const Spec& s) { return s.name == name; });
+    const bool again = !names.insert(name).second;
     const std::string path =
         name_fits(name) && !again ? kind + "." + name : kind + "[" + std::to_string(i) + "]";
     location_note(faults, path, table);

@@ -211,6 +211,14 @@ TEST(SceneFile, ThatIsNotToml) {
   EXPECT_TRUE(starts(scene_messages("[scene\nname = \"a\"\n"), "scene.toml:1:7: is not valid TOML: "));
   EXPECT_TRUE(starts(scene_messages("[scene]\nname = = 1\n"), "scene.toml:2:8: is not valid TOML: "));
   EXPECT_TRUE(starts(scene_messages("[ = 1"), "scene.toml:1:3: is not valid TOML: "));
+  std::string deep = "a";
+  for (int k = 0; k < 100000; ++k) deep += ".a";
+  const char* const told = " has a key of 257 or more parts; allowed: up to 256";
+  EXPECT_TRUE(starts(scene_messages("[scene]\n" + deep + " = 1\n"), std::string("scene.toml:2:") + told));
+  EXPECT_TRUE(
+      starts(scene_messages("# " + deep + "\n[" + deep + "]\n"), std::string("scene.toml:2:") + told));
+  EXPECT_TRUE(starts(scene_messages("x = [" + std::string(100000, '[')), "scene.toml:1:"));
+  EXPECT_FALSE(starts(scene_messages("x = \"" + deep + "\"\n"), std::string("scene.toml:1:") + told));
   EXPECT_TRUE(starts(scene_messages("a = 1\na = 2"), "scene.toml:2:"));
   EXPECT_TRUE(starts(scene_messages("a = \"\xff\""), "scene.toml:1:"));
   EXPECT_TRUE(starts(scene_messages("a = " + std::string(100000, '[')), "scene.toml:1:"));
