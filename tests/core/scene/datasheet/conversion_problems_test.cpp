@@ -101,8 +101,9 @@ const Case kSheets[] = {
       "wool.toml:8: fabric.wool.kes.T0 states the thickness, as thickness does; wanted: one of them",
       "wool.toml:10: fabric.wool.kes.EMT states the warp tension, as warp does; wanted: one of them",
       "wool.toml:13: fabric.wool.kes.G states the shear, as bias does; wanted: one of them",
-      "wool.toml:14: fabric.wool.kes.B states the bending rigidity, as bending.rigidity_uN_cm2 does; wanted: "
-      "one of them"}},
+      ("wool.toml:14: fabric.wool.kes.B states the bending rigidity, as bending.rigidity_uN_cm2 does; "
+       "wanted: "
+       "one of them")}},
     {"kes_and_fast",
      "[kes]",
      "[fast]\nW = 245\nEB5 = 5\nC = 15\n[kes]",

@@ -139,8 +139,8 @@ second line \"\"\" \t end é"""
 // A correction belongs to the points for which it was found. Forces given in a scene keep the corrections of
 // the file, as tuned ones do; elongations do not.
 TEST(SceneRead, DiagramsOfItsOwnDoNotTakeTheFilesCorrections) {
-  constexpr const char* kBegin = "[scene]\nname = \"a\"\n[fabric.f]\nfile = \"f.toml\"\nwarp = { ";
-  constexpr const char* kEnd =
+  const std::string begin = "[scene]\nname = \"a\"\n[fabric.f]\nfile = \"f.toml\"\nwarp = { ";
+  const std::string end =
       " }\n[[piece]]\nname = \"p\"\nfabric = \"f\"\ncell = 0.1\noutline = [[0, 0], [1, 0], [1, 1], [0, 1]]\n";
   const SceneFolder folder;
   folder.write(
@@ -149,7 +149,7 @@ TEST(SceneRead, DiagramsOfItsOwnDoNotTakeTheFilesCorrections) {
       "force = [0, 6, 15]\ncorrection = [0.9, 0.9, 0.95]\ncorrection_elongation = [1.1, 1.1, 1.2]\n");
   const auto warp = [&](const std::string& keys) {
     std::vector<Problem> problems;
-    const Scene scene = validation::scene_load(folder.write("scene.toml", kBegin + keys + kEnd), problems);
+    const Scene scene = validation::scene_load(folder.write("scene.toml", begin + keys + end), problems);
     for (const Problem& p : problems) ADD_FAILURE() << problem_text(p);
     return scene.fabrics.at(0).warp;
   };

@@ -14,6 +14,7 @@ namespace {
 
 // A few random edits: bytes and lines changed, deleted, doubled or swapped; words and numbers from a list
 // inserted.
+// NOLINTNEXTLINE(readability-function-size): a list of mutations, a few lines each
 std::string mutated(std::string text, std::mt19937_64& random) {
   static const std::vector<std::string> kWords = {"nan",
                                                   "inf",
