@@ -206,7 +206,7 @@ TEST(SceneFile, ThatHoldsNoScene) {
 // After the location the message is the parser's own.
 TEST(SceneFile, ThatIsNotToml) {
   const auto starts = [](const Messages& messages, const std::string& start) {
-    return messages.size() == 1 && messages[0].compare(0, start.size(), start) == 0;
+    return messages.size() == 1 && messages[0].starts_with(start);
   };
   EXPECT_TRUE(starts(scene_messages("[scene\nname = \"a\"\n"), "scene.toml:1:7: is not valid TOML: "));
   EXPECT_TRUE(starts(scene_messages("[scene]\nname = = 1\n"), "scene.toml:2:8: is not valid TOML: "));
@@ -263,9 +263,8 @@ at = [[1, 0]]
 )");
   EXPECT_EQ(
       messages_of(folder, file),
-      (Messages{"scene.toml:2: scene.name = \"1\" is no name; wanted: a letter, then letters, digits or "
-                "underscores, at "
-                "most 64 characters in all",
+      (Messages{("scene.toml:2: scene.name = \"1\" is no name; wanted: a letter, then letters, digits or "
+                 "underscores, at most 64 characters in all"),
                 "scene.toml:3: scene.duration = -1 s; allowed: above 0, at most 1e+07 s",
                 "scene.toml:4: fabric.wool.thickness is missing; wanted: a number in m",
                 "scene.toml:8: piece.a.fabric = \"silk\" names no fabric; known: \"wool\"",
