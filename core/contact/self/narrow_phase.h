@@ -1,4 +1,4 @@
-// Self-contact: cloth that pairs cloth, at the kick of t_n. core/README.md, section 8.
+// Self-contact: cloth that touches cloth, at the kick of t_n. core/README.md, section 8.
 //
 // A pair is a weighted sum over four nodes with sum W_k = 0. It is a particle less its closest point on a
 // triangle, W = (1, -w_a, -w_b, -w_c), or a point of an edge less one of another, W = (1 - s, s, -(1 - t),
