@@ -180,18 +180,16 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   bodies_follow(motion.path, 0, s);
   held_refresh(motion.constraints, s, motion.held);
   held_rates(motion.constraints, s, model::Pass::kSynchronous, motion.held);
-  if (bodies_jump(motion.path))  // the bound of neighbours took them to move as before
+  const double before = jumps && system.energy ? kinetic_energy(system, s) : 0;
+  if (jumps) {
+    constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
+                        &s.pin_impulse);
+    if (!s.wx.empty()) s.wx = s.vx, s.wy = s.vy, s.wz = s.vz;
+  }
+  if (!s.body.empty() && (jumps || bodies_jump(motion.path)))  // neighbours took all to move as before
     contact::update_proximity(system, motion.kernel->contact, motion.contact, s, 0,
                               model::step_next(system, s));
-  if (!jumps) return;
-  const double before = system.energy ? kinetic_energy(system, s) : 0;
-  constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
-                      &s.pin_impulse);
-  if (!s.wx.empty()) s.wx = s.vx, s.wy = s.vy, s.wz = s.vz;
-  if (!s.body.empty())
-    contact::update_proximity(system, motion.kernel->contact, motion.contact, s, 0,
-                              model::step_next(system, s));
-  if (system.energy) s.input += kinetic_energy(system, s) - before;
+  if (jumps && system.energy) s.input += kinetic_energy(system, s) - before;
 }
 
 // Lets the system change before an interval. Where it has, targets and rates of held points are updated.
