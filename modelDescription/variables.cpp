@@ -61,10 +61,10 @@ void add(Table& table, const std::string& name, const Storage& storage, const Ro
                    storage.value, setting, nullptr, row.needs});
 }
 
-// "[1]" of the element 0. Not "[" + std::to_string(k): of that GCC 12 gives a wrong warning (bug 105651).
-std::string one_based(std::size_t k) {
+// "[INSIDE]". Not "[" + inside + "]": of that GCC 12 gives a wrong warning (bug 105651).
+std::string bracketed(const std::string& inside) {
   std::string text = "[";
-  text += std::to_string(k + 1);
+  text += inside;
   return text += "]";
 }
 
@@ -73,7 +73,7 @@ void add_vector(Table& table, const std::string& name, const Storage& storage, c
                 const std::string& description) {
   for (int k = 0; k < 3; ++k) {
     add(table, name, storage + k, row, description);
-    table.back().index = one_based(std::size_t(k));
+    table.back().index = bracketed(std::to_string(k + 1));
     table.back().detail = std::string(1, "xyz"[k]);
   }
 }
@@ -90,7 +90,7 @@ void add_input(Table& table, const std::string& name, const InputStorage& storag
                const std::string& description) {
   for (std::size_t k = 0; k < storage.letters.size(); ++k) {
     add(table, name, storage.value + k, row, description);
-    table.back().index = one_based(k);
+    table.back().index = bracketed(std::to_string(k + 1));
     table.back().detail = std::string(1, storage.letters[k]);
     table.back().rate = storage.rate + k;
   }
@@ -103,7 +103,7 @@ void add_diagram(Table& table, const std::string& name, const drape_diagram& dia
     std::snprintf(elongation, sizeof elongation, "at %.6g %% elongation", 100 * diagram.elongation[i]);
     add(table, name, diagram.force + i, tunable(scene::kForce),
         std::string("force on the strip cut ") + direction);
-    table.back().index = one_based(std::size_t(i));
+    table.back().index = bracketed(std::to_string(i + 1));
     table.back().detail = elongation;
   }
 }
@@ -178,48 +178,46 @@ void add_parameters(Table& table, drape_parameters& p) {
       "threads that share a step; they change no result");
 }
 
+// What the inputs of a pin or a body mean.
+struct MotionText {
+  const char *position, *orientation, *velocity, *angular_velocity;
+};
+
+// Those that the drive names; what turns has orientations too.
+void add_motion(Table& table, const std::string& name, drape_pin_input& in, drape_pin_input& rate,
+                const MotionText& text) {
+  if (in.drive & DRAPE_DRIVE_POSITION)
+    add_input(table, name + ".position", {in.position, rate.position, "xyz"}, input(scene::kPinPosition),
+              text.position);
+  if (in.drive & DRAPE_DRIVE_POSITION && in.clamp)
+    add_input(table, name + ".orientation", {in.orientation, rate.orientation, "wxyz"},
+              input(scene::kPinOrientation), text.orientation);
+  if (in.drive & DRAPE_DRIVE_VELOCITY)
+    add_input(table, name + ".velocity", {in.velocity, rate.velocity, "xyz"}, input(scene::kPinVelocity),
+              text.velocity);
+  if (in.drive & DRAPE_DRIVE_VELOCITY && in.clamp)
+    add_input(table, name + ".angular_velocity", {in.angular_velocity, rate.angular_velocity, "xyz"},
+              input(scene::kPinAngularVelocity), text.angular_velocity);
+}
+
 void add_inputs(Table& table, drape_inputs& u, drape_inputs& rates) {
   if (u.has_wind)
     add_input(table, "wind", {u.wind, rates.wind, "xyz"}, input(scene::kWind), "velocity of the air");
-  for (int i = 0; i < u.pin_count; ++i) {
-    drape_pin_input &pin = u.pin[i], &rate = rates.pin[i];
-    const std::string name = "pin." + name_part(pin.name);
-    if (pin.drive & DRAPE_DRIVE_POSITION)
-      add_input(table, name + ".position", {pin.position, rate.position, "xyz"}, input(scene::kPinPosition),
-                "where the pin is to be at the end of the step");
-    if (pin.drive & DRAPE_DRIVE_POSITION && pin.clamp)
-      add_input(table, name + ".orientation", {pin.orientation, rate.orientation, "wxyz"},
-                input(scene::kPinOrientation),
-                "rotation of the clamp since the start, a quaternion of any length above 0");
-    if (pin.drive & DRAPE_DRIVE_VELOCITY)
-      add_input(table, name + ".velocity", {pin.velocity, rate.velocity, "xyz"}, input(scene::kPinVelocity),
-                "velocity that the pin is to have at the end of the step");
-    if (pin.drive & DRAPE_DRIVE_VELOCITY && pin.clamp)
-      add_input(table, name + ".angular_velocity", {pin.angular_velocity, rate.angular_velocity, "xyz"},
-                input(scene::kPinAngularVelocity),
-                "angular velocity that the clamp is to have at the end of the step");
-  }
+  for (int i = 0; i < u.pin_count; ++i)
+    add_motion(table, "pin." + name_part(u.pin[i].name), u.pin[i], rates.pin[i],
+               {"where the pin is to be at the end of the step",
+                "rotation of the clamp since the start, a quaternion of any length above 0",
+                "velocity that the pin is to have at the end of the step",
+                "angular velocity that the clamp is to have at the end of the step"});
 }
 
 void add_bodies(Table& table, drape_inputs& u, drape_inputs& rates) {
-  for (int i = 0; i < u.body_count; ++i) {
-    drape_pin_input &body = u.body[i], &rate = rates.body[i];
-    const std::string name = "body." + name_part(body.name);
-    if (body.drive & DRAPE_DRIVE_POSITION) {
-      add_input(table, name + ".position", {body.position, rate.position, "xyz"}, input(scene::kPinPosition),
-                "where the body's origin is to be at the end of the step");
-      add_input(table, name + ".orientation", {body.orientation, rate.orientation, "wxyz"},
-                input(scene::kPinOrientation),
-                "rotation of the body from its mesh, a quaternion of any length above 0");
-    }
-    if (body.drive & DRAPE_DRIVE_VELOCITY) {
-      add_input(table, name + ".velocity", {body.velocity, rate.velocity, "xyz"}, input(scene::kPinVelocity),
-                "velocity that the body's origin is to have at the end of the step");
-      add_input(table, name + ".angular_velocity", {body.angular_velocity, rate.angular_velocity, "xyz"},
-                input(scene::kPinAngularVelocity),
-                "angular velocity that the body is to have at the end of the step");
-    }
-  }
+  for (int i = 0; i < u.body_count; ++i)
+    add_motion(table, "body." + name_part(u.body[i].name), u.body[i], rates.body[i],
+               {"where the body's origin is to be at the end of the step",
+                "rotation of the body from its mesh, a quaternion of any length above 0",
+                "velocity that the body's origin is to have at the end of the step",
+                "angular velocity that the body is to have at the end of the step"});
 }
 
 void add_contact(Table& table, const drape_outputs& o) {
@@ -326,9 +324,7 @@ void add_nodes(Table& table, const std::vector<int>& selected, const char* name,
   for (const int n : selected)
     for (int k = 0; k < 3; ++k) {
       add(table, name, value + 3 * std::size_t(n) + k, row, description);
-      std::string& index = table.back().index = one_based(std::size_t(n));
-      index.pop_back();
-      index += ",", index += std::to_string(k + 1), index += "]";
+      table.back().index = bracketed(std::to_string(n + 1) + "," + std::to_string(k + 1));
       table.back().detail = "particle " + std::to_string(n + 1) + ", " + "xyz"[k];
     }
 }
