@@ -52,10 +52,6 @@ Cloth cloth_open(const std::string& scene_file, bool verbose) {
   return Cloth(drape_open(scene_file.c_str(), verbose ? log_verbose : log_quiet, nullptr));
 }
 
-std::vector<std::filesystem::path> files_read(const std::string& scene_file) {
-  return scene::scene_files(scene_file);
-}
-
 std::string output_problem(const std::string& option, const std::string& file,
                            const std::vector<std::filesystem::path>& read) {
   if (file.empty()) return option + " is empty; allowed: the name of a file";
@@ -71,7 +67,7 @@ std::vector<std::string> run_files_problems(const std::string& scene_file, const
                                             const std::optional<std::string>& inputs_file,
                                             std::vector<std::filesystem::path>& read) {
   std::vector<std::string> problems;
-  read = files_read(scene_file);
+  read = scene::scene_files(scene_file);
   if (inputs_file) read.emplace_back(*inputs_file);
   if (inputs_file && inputs_file->empty())
     problems.emplace_back("--inputs is empty; allowed: the name of a CSV file");

@@ -38,9 +38,6 @@ struct ClothCloser {
 using Cloth = std::unique_ptr<drape_cloth, ClothCloser>;
 Cloth cloth_open(const std::string& scene_file, bool verbose = false);
 
-// The files that a scene is read from: its own, its fabrics' and its bodies'.
-std::vector<std::filesystem::path> files_read(const std::string& scene_file);
-
 // Why the file that an option names may not be written: it has no name, or it is one of those that are read.
 // Empty if it may.
 std::string output_problem(const std::string& option, const std::string& file,

@@ -7,6 +7,7 @@
 #include "command/command.h"
 #include "figures/picture.h"
 #include "laboratory/calibrate.h"
+#include "scene/reader/read.h"
 #include "validation/load.h"
 
 namespace drape::command {
@@ -141,7 +142,7 @@ bool print_cost(drape_cloth* cloth) {
 int check(const Options& options) {
   if (options.picture)
     if (const std::string problem =
-            output_problem("--picture", *options.picture, files_read(options.scene_file));
+            output_problem("--picture", *options.picture, scene::scene_files(options.scene_file));
         !problem.empty())
       return fail(kBadInput, problem);
   const Cloth cloth = cloth_open(options.scene_file);

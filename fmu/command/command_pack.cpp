@@ -1,6 +1,7 @@
 #include "command/command.h"
 #include "figures/picture.h"
 #include "package/package.h"
+#include "scene/reader/read.h"
 #include "validation/load.h"
 
 namespace drape::command {
@@ -14,7 +15,8 @@ struct Options {
 
 int pack(const Options& options) {
   if (options.fmi != 2) return fail(kBadInput, "--fmi is " + std::to_string(options.fmi) + "; allowed: 2");
-  if (const std::string problem = output_problem("--output", options.file, files_read(options.scene_file));
+  if (const std::string problem =
+          output_problem("--output", options.file, scene::scene_files(options.scene_file));
       !problem.empty())
     return fail(kBadInput, problem);
   const Cloth cloth = cloth_open(options.scene_file);

@@ -34,7 +34,7 @@ FabricFile fabric_read(const std::filesystem::path& file, Corrections correction
 // cloth. Reads the files again.
 std::string scene_location(const std::filesystem::path& file, const std::string& path);
 
-// The files from which a scene is read, its own first.
+// The files from which a scene is read, its own first; then those of its fabrics and bodies.
 std::vector<std::filesystem::path> scene_files(const std::filesystem::path& file);
 
 // The file name of the mesh of a body in the text of scene_inline_files.
