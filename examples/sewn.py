@@ -32,7 +32,7 @@ def sewn(example, check, drawn, every, camera, panel=(300, 440), edge_color="#8a
     fmu, scene = folder / f"{example.name}.fmu", example / "scene.toml"
     drape("pack", scene, "-o", fmu)
     result = fmpy.simulate_fmu(str(fmu), output_interval=ROWS)
-    drape("run", scene, "-o", folder / "frames", "--until", drawn[-1], "--every", every, "--frames", allowed=(0, 2))
+    drape("run", scene, "-o", folder / "frames", "--until", drawn[-1], "--every", every, "--frames")
     files = sorted((folder / "frames").glob("frames/*.vtp"))
     draw([(time, files[round(time / every)]) for time in drawn], folder / f"{example.name}.png", camera, panel,
          {"edge_color": edge_color, "line_width": line_width}, font_size)
