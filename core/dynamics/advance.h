@@ -82,7 +82,7 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& state, dou
 
 // J of the last half kick, which the sums of the state lack.
 struct HalfKick {
-  double dissipated_by_contact = 0, dissipated_by_self_contact = 0;
+  double dissipated = 0;  // by contact
   double work_of_pins = 0, work_of_bodies = 0;
 };
 

@@ -111,6 +111,18 @@ void project_again(StepContext& c) {
                             c.motion.held, c.state);
 }
 
+// Contact has done its work at the velocities that the last projection has left.
+void balance_contact(StepContext& c) {
+  if (!c.system.energy) return;
+  const double* const v[] = {c.state.vx.data(), c.state.vy.data(), c.state.vz.data()};
+  if (c.near_body) {
+    const contact::ContactWork work = contact::contact_work(c.motion.contact, c.state, v);
+    c.state.dissipated += work.dissipated;
+    c.state.input += work.input;
+  }
+  if (c.self_contact) c.state.dissipated += contact::self_work(c.motion.self, v);
+}
+
 void end_projection(StepContext& c) { constraints_end_step(c.motion.constraints, c.state, c.motion.held); }
 
 void move_bodies(StepContext& c) { bodies_follow(c.motion.path, c.share, c.state); }
@@ -144,7 +156,8 @@ enum Fact : unsigned {
   kContact = 1 << 7,         // cloth has responded to bodies
   kHeld = 1 << 8,            // constraints hold after contact
   kEnded = 1 << 9,           // the targets of t_{n+1} are those of the next t_n
-  kBodiesMoved = 1 << 10     // bodies are at t_{n+1}
+  kBodiesMoved = 1 << 10,    // bodies are at t_{n+1}
+  kContactBooked = 1 << 11   // the energy that contact has dissipated and brought in
 };
 struct Phase {
   void (*run)(StepContext&);
@@ -160,9 +173,10 @@ constexpr Phase kPhases[] = {
     {apply_self_contact, kProjected, kSelfContact},
     {apply_contact, kSelfContact, kContact},
     {project_again, kContact, kHeld},
+    {balance_contact, kHeld, kContactBooked},
     {end_projection, kHeld, kEnded},
     {move_bodies, kContact, kBodiesMoved},
-    {update_proximity, kHeld | kBodiesMoved, 0},
+    {update_proximity, kContactBooked | kBodiesMoved, 0},
     {update_seams, kHeld, 0},
     {balance_energy, kEnded, 0},
 };

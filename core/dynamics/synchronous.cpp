@@ -18,7 +18,7 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
   if (system.energy) {
     const BalanceNow now =
         balance_now(system, motion.balance, s, extrapolation, {motion.now_x, motion.now_y, motion.now_z});
-    s.dissipated = now.dissipated + done.dissipated_by_contact + done.dissipated_by_self_contact;
+    s.dissipated = now.dissipated + done.dissipated;
     s.input = now.input + done.work_of_pins + done.work_of_bodies;
   }
   const double half = last_half(system, s);
@@ -73,6 +73,22 @@ model::Scheme scheme_of_last_kick(const System& system, const State& s) {
           .centred = system.composition ? 1 : 1 + damping_of(system, s) * half};
 }
 
+namespace {
+
+HalfKick contact_half_kick(const System& system, Motion& motion, const State& s, model::Field f) {
+  HalfKick done;
+  const double* const v[] = {f.x, f.y, f.z};
+  if (!s.body.empty()) {
+    const contact::ContactWork work = contact::contact_work(motion.contact, s, v);
+    done.dissipated = motion.contact.edge_lost + work.dissipated;
+    done.work_of_bodies = work.input;
+  }
+  if (contact::self_enabled(system)) done.dissipated += contact::self_work(motion.self, v);
+  return done;
+}
+
+}  // namespace
+
 // With the free acceleration f = F/m + g,
 //
 //     v_n = (v_{n-1/2} + (h_old/2) f)/(1 + c h_old/2).
@@ -105,15 +121,17 @@ HalfKick leapfrog_synchronous(const System& system, Motion& motion, const State&
   load.assign(s.pin_impulse.size(), math::Wrench{});
   held_refresh(motion.constraints, s, held);
   kernel_forces(*motion.kernel, system, s, motion.workspace, f);
-  double work_of_pins = 0;
-  motion.self.dissipated = 0;
+  HalfKick done;
   std::fill(held.taken.begin(), held.taken.end(), 0.0);
   if (kicks) {
     each([&](double force, double v, double kick, double inverse_mass, double g) {
       return (decay * v + kick * (force * inverse_mass + g)) / centred;
     });
     project_synchronous(system, motion, s, scheme, f, &load);
-    if (system.energy) work_of_pins = held_work(motion.constraints, s, decay, centred, held);
+    if (system.energy) {
+      done = contact_half_kick(system, motion, s, f);
+      done.work_of_pins = held_work(motion.constraints, s, decay, centred, held);
+    }
     for (math::Wrench& l : load) l = {(centred / half) * l.force, (centred / half) * l.torque};
   } else {
     each([&](double force, double v, double kick, double inverse_mass, double g) {
@@ -129,7 +147,7 @@ HalfKick leapfrog_synchronous(const System& system, Motion& motion, const State&
   }
   forces::clamp_torques(system, s, motion.torque);
   for (std::size_t p = 0; p < load.size(); ++p) load[p].torque += motion.torque[p];
-  return {motion.contact.dissipated, motion.self.dissipated, work_of_pins, motion.contact.input};
+  return done;
 }
 
 }  // namespace drape::dynamics

@@ -118,7 +118,7 @@ void energy_fill(Outputs& o, const System& system, dynamics::Motion& motion, con
   const dynamics::BalanceNow now =
       dynamics::balance_now(system, motion.balance, s, dynamics::velocity_extrapolation(system, s),
                             {o.velocity[0], o.velocity[1], o.velocity[2]});
-  e.dissipated = now.dissipated + o.half_kick.dissipated_by_contact + o.half_kick.dissipated_by_self_contact;
+  e.dissipated = now.dissipated + o.half_kick.dissipated;
   e.input = now.input + o.half_kick.work_of_pins + o.half_kick.work_of_bodies;
   e.balance_error = energy_sum(e) - s.energy_start - e.input + e.dissipated;
 }

@@ -151,11 +151,11 @@ void push(const EdgeContactPair& t, const std::array<double, 4>& over, const Con
   }
 }
 
-Vec3 gap_velocity(const EdgeContactPair& t, const EdgeField& f) {
-  Vec3 v{0, 0, 0};
+Vec3 gap_velocity(const EdgeContactPair& t, const double* const v[3]) {
+  Vec3 sum{0, 0, 0};
   for (int k = 0; k < t.element->weights(); ++k)
-    for (std::size_t i = 0; i < 3; ++i) v[i] += t.gap.weight[k] * f.v[i][t.element->node[k]];
-  return v;
+    for (std::size_t i = 0; i < 3; ++i) sum[i] += t.gap.weight[k] * v[i][t.element->node[k]];
+  return sum;
 }
 
 }  // namespace
@@ -192,6 +192,7 @@ struct Given {
 struct EdgeResponse {
   std::vector<Given> given;   // [touches]
   std::vector<PairLaw> laws;  // [touches]
+  double factor = 1;          // ContactCoefficients::impulse
 };
 
 void EdgeResponseEnd::operator()(EdgeResponse* response) const { delete response; }
@@ -211,7 +212,7 @@ double pair_respond(const State& s, const EdgeContactPair& t, const PairLaw& law
                     const ContactCoefficients& c, const EdgeField& f, Given& given) {
   const double k = law.inverse_effective_mass;
   push(t, law.over, c, f, -1.0 * given.impulse);
-  const Vec3 free = gap_velocity(t, f), old = c.old_time > 0 || c.new_time > 0 ? t.old : free;
+  const Vec3 free = gap_velocity(t, f.v), old = c.old_time > 0 || c.new_time > 0 ? t.old : free;
   const ContactHit<Lane> hit = contact_hit(law.lanes, lanes(t.gap.n), Lane(std::max(t.gap.distance, 0.0)),
                                            lanes(free - t.body_velocity), lanes(old - t.body_velocity),
                                            Lane(s.body[t.body].edges.pair[t.pair].sticking), Lane(1.0));
@@ -222,15 +223,11 @@ double pair_respond(const State& s, const EdgeContactPair& t, const PairLaw& law
   return change;
 }
 
-void sums_add(const State& s, const EdgeContactPair& t, const ContactCoefficients& c, const EdgeField& f,
-              const Given& given, EdgeSums& sums) {
-  const Vec3 now = gap_velocity(t, f), impulse = -c.impulse * given.impulse;
-  const Vec3 old = c.old_time > 0 || c.new_time > 0 ? t.old : now,
-             middle = 0.5 * (old + now) - t.body_velocity;
-  sums.load[t.body].force += impulse;
-  sums.load[t.body].torque += cross(t.at - s.body[t.body].motion.position, impulse);
-  sums.dissipated += dot(impulse, middle) + c.impulse * given.stored * dot(t.gap.n, middle);
-  sums.input -= dot(impulse, t.body_velocity);
+void load_add(const State& s, const EdgeContactPair& t, const ContactCoefficients& c, const Given& given,
+              std::vector<math::Wrench>& load) {
+  const Vec3 impulse = -c.impulse * given.impulse;
+  load[t.body].force += impulse;
+  load[t.body].torque += cross(t.at - s.body[t.body].motion.position, impulse);
 }
 
 }  // namespace
@@ -241,7 +238,7 @@ void edge_respond(const System& system, const State& s, const EdgePass& pass, Ed
   std::vector<Given>& given = scratch.response->given;
   std::vector<PairLaw>& laws = scratch.response->laws;
   sums.load.assign(s.body.size(), math::Wrench{});
-  sums.dissipated = sums.input = 0;
+  scratch.response->factor = c.impulse;
   given.assign(touches.size(), Given{});
   laws.clear();
   for (const EdgeContactPair& t : touches) laws.push_back(pair_law(system, s, t, c, f));
@@ -260,12 +257,27 @@ void edge_respond(const System& system, const State& s, const EdgePass& pass, Ed
   for (std::size_t k = 0; k < touches.size(); ++k) {
     const EdgeContactPair& t = touches[k];
     sums.stop[k] = given[k].stop;
-    sums_add(s, t, c, f, given[k], sums);
+    load_add(s, t, c, given[k], sums.load);
     if (!moves) continue;
     model::EdgePair& to = moves->body[t.body].edges.pair[t.pair];
     to.sticking = given[k].sticking;
     to.warm_start = 1 / c.kick * (given[k].impulse - given[k].stop * t.gap.n);  // stops would oscillate
   }
+}
+
+ContactWork edge_work(const std::vector<EdgeContactPair>& touches, const EdgeScratch& scratch,
+                      const double* const v[3]) {
+  ContactWork work;
+  for (std::size_t k = 0; k < touches.size(); ++k) {
+    const EdgeContactPair& t = touches[k];
+    const Given& given = scratch.response->given[k];
+    const double factor = scratch.response->factor;
+    const Vec3 impulse = -factor * given.impulse,
+               middle = 0.5 * (t.old + gap_velocity(t, v)) - t.body_velocity;
+    work.dissipated += dot(impulse, middle) + factor * given.stored * dot(t.gap.n, middle);
+    work.input -= dot(impulse, t.body_velocity);
+  }
+  return work;
 }
 
 }  // namespace drape::contact

@@ -93,13 +93,21 @@ void edge_warm_start(const System& system, const State& state, const EdgePass& p
 struct EdgeSums {
   std::vector<math::Wrench> load;  // [bodies] N s, N m s on the bodies
   std::vector<double> stop;        // [pairs of the pass] N s along n
-  double dissipated, input;        // J
 };
 
 // Adds contact to a free motion; needs the warm start. Gauss-Seidel sweeps over the pairs, until velocities
 // change no more.
 void edge_respond(const System& system, const State& state, const EdgePass& pass, EdgeScratch& scratch,
                   EdgeSums& sums);
+
+// Energy (J) that contact has dissipated, and that moving bodies have brought in.
+struct ContactWork {
+  double dissipated = 0, input = 0;
+};
+
+// That of the last edge_respond, of the velocities `v` [nodes] that pins and welds have left after it.
+ContactWork edge_work(const std::vector<EdgeContactPair>& touches, const EdgeScratch& scratch,
+                      const double* const v[3]);
 
 // Links and cells of a lattice that a sharp edge of a body cuts, or that are deeper than contact allows.
 struct EdgeDepth {

@@ -27,8 +27,11 @@ ContactPass contact_pass_of(const System& system, ContactWorkspace& workspace, c
   if (!workspace.tied.empty()) pass.tied = workspace.tied.data(), pass.touched = workspace.touched.data();
   pass.law = workspace.law.data();
   pass.damping = system.bodies[b].damping;
-  pass.energy = system.energy;
   pass.sum = sum;
+  if (system.energy) {
+    workspace.given[b].assign(kGivenRows * math::kRowUnit * s.body[b].blocks.order.size(), 0.0);
+    pass.given = workspace.given[b].data();
+  }
   return pass;
 }
 
@@ -113,6 +116,7 @@ ContactWorkspace workspace_make(const System& system) {
         body::distance_grid_make(*body.mesh.library, *body.mesh.query, body.mesh.surface,
                                  search_reach(body.mesh.surface, contact_distance)));
   workspace.old.resize(system.bodies.size());
+  workspace.given.resize(system.bodies.size());
   workspace.load.resize(system.bodies.size());
   workspace.edge_scratch = edge_scratch_make();
   if (!system.bodies.empty()) workspace.stale.resize(system.nodes / math::kRowUnit);
@@ -219,7 +223,7 @@ void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& 
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     model::BodyContact& body = s.body[b];
     if (body.blocks.order.empty()) continue;
-    double sum[8]{};
+    double sum[6]{};
     ContactPass pass = contact_pass_of(system, workspace, s, b, sum);
     const ContactMoves moves{body.blocks.pool.data(), {s.x.data(), s.y.data(), s.z.data()}};
     pass.moves = &moves;
@@ -231,8 +235,6 @@ void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& 
     kernel.run[system.bodies[b].moves](pass);
     body.impulse.force += load_of(sum).force;
     body.impulse.torque += load_of(sum).torque;
-    s.dissipated += sum[6];
-    s.input += sum[7];
   }
   if (workspace.edge_pairs.empty()) return;
   for (const EdgeContactPair& t : workspace.edge_pairs)
@@ -244,34 +246,27 @@ void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& 
     s.body[b].impulse.force += workspace.edge_sums.load[b].force;
     s.body[b].impulse.torque += workspace.edge_sums.load[b].torque;
   }
-  if (!system.energy) return;
-  s.dissipated += workspace.edge_sums.dissipated;
-  s.input += workspace.edge_sums.input;
 }
 
 void apply_synchronous(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
                        const State& s, const SynchronousPass& of) {
   const bool kicks = of.scheme.pass == model::Pass::kSynchronous;
   const ContactCoefficients c = coefficients_of(system, s, of.scheme);
-  workspace.dissipated = kicks && system.energy ? workspace.edge_lost : 0;
-  workspace.input = 0;
   if (kicks) particle_store_velocities(workspace, s);
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     workspace.load[b] = math::Wrench{};
     if (s.body[b].blocks.order.empty()) continue;
-    double sum[8]{};
+    double sum[6]{};
     ContactPass pass = contact_pass_of(system, workspace, s, b, sum);
     pass.v[0] = of.field.x, pass.v[1] = of.field.y, pass.v[2] = of.field.z;
     pass.c = c;
     if (!kicks) {
       if (!s.inverse_mass_scale.empty()) pass.inverse_penalty_scale = s.inverse_mass_scale.data();
       pass.old = nullptr;
-      pass.energy = false;
+      pass.given = nullptr;
     }
     kernel.run[system.bodies[b].moves](pass);
     workspace.load[b] = load_of(sum);
-    workspace.dissipated += sum[6];
-    workspace.input += sum[7];
   }
   if (workspace.edge_pairs.empty()) return;
   edge_respond(system, s, {workspace.edge_pairs, c, field_of(of)}, workspace.edge_scratch,
@@ -280,9 +275,27 @@ void apply_synchronous(const System& system, const ContactKernel& kernel, Contac
     workspace.load[b].force += workspace.edge_sums.load[b].force;
     workspace.load[b].torque += workspace.edge_sums.load[b].torque;
   }
-  if (!kicks || !system.energy) return;
-  workspace.dissipated += workspace.edge_sums.dissipated;
-  workspace.input += workspace.edge_sums.input;
+}
+
+// J less its stored part works on v_mid - v_b, all of J on v_b.
+ContactWork contact_work(const ContactWorkspace& workspace, const State& s, const double* const v[3]) {
+  ContactWork work = edge_work(workspace.edge_pairs, workspace.edge_scratch, v);
+  for (std::size_t b = 0; b < s.body.size(); ++b) {
+    const std::vector<model::ContactPlace>& order = s.body[b].blocks.order;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      const double* given = workspace.given[b].data() + kGivenRows * math::kRowUnit * k;
+      const double* old = workspace.old[b].data() + 3 * math::kRowUnit * k;
+      for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t i = 0; i < std::size_t(math::kRowUnit); ++i) {
+          const std::size_t at = c * math::kRowUnit + i, n = std::size_t(order[k].node) * math::kRowUnit + i;
+          const double impulse = given[at], stored = given[at + 3 * math::kRowUnit],
+                       body_velocity = given[at + 6 * math::kRowUnit];
+          work.dissipated += (impulse + stored) * ((old[at] + v[c][n]) / 2 - body_velocity);
+          work.input -= impulse * body_velocity;
+        }
+    }
+  }
+  return work;
 }
 
 bool any_near(const State& s) {

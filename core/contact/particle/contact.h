@@ -15,6 +15,7 @@ namespace drape::contact {
 struct ContactWorkspace {
   std::vector<body::DistanceGrid> distance_grids;  // [bodies]
   std::vector<Array> old;                          // [bodies][blocks x 3 x kRowUnit] m/s, v_{n-1/2}
+  std::vector<Array> given;                        // [bodies] as in ContactPass; only with System::energy
   std::vector<std::size_t>
       stale;                  // [nodes / kRowUnit] first nodes of blocks whose neighbours are out of date
   Array tied;                 // [nodes] 1 where pins and welds tie a particle to others; empty: nowhere
@@ -27,8 +28,7 @@ struct ContactWorkspace {
   double edge_lost = 0;  // J, result of edge_narrow_phase
   // The half kick that the advance before has reported to the bodies is already subtracted.
   bool half_kick_reported = false;
-  std::vector<math::Wrench> load;    // [bodies] N s, N m s (N, N m of accelerations), last synchronous pass
-  double dissipated = 0, input = 0;  // J, likewise
+  std::vector<math::Wrench> load;  // [bodies] N s, N m s (N, N m of accelerations), last synchronous pass
 };
 ContactWorkspace workspace_make(const System& system);
 
@@ -85,10 +85,14 @@ void update_proximity(const System& system, const ContactKernel& kernel, Contact
 // free distance.
 void invalidate_proximity(State& state);
 
-// Adds contact to the field of a pass. workspace.load, dissipated and input are then those of this half kick,
-// as impulses; for accelerations, workspace.load is a force.
+// Adds contact to the field of a pass. workspace.load is then that of this half kick, as impulses; for
+// accelerations, it is a force.
 void apply_synchronous(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
                        const State& state, const SynchronousPass& of);
+
+// The energy (J) that the contact of the last pass has dissipated and brought in, of the velocities `v`
+// [nodes] that pins and welds have left after it. Only with System::energy.
+ContactWork contact_work(const ContactWorkspace& workspace, const State& state, const double* const v[3]);
 
 // The longest step (s) in which no particle leaves the region that its neighbours were searched in.
 double max_step(const System& system, const State& state);

@@ -46,10 +46,14 @@ struct ContactPass {
   const model::ContactLaw* law;  // [lattices]
   double damping;                // of the body, over the critical one
   ContactCoefficients c, reported;
-  bool begins;  // first step of an advance: subtracts the half kick that the advance before has reported
-  bool energy;  // sums work and dissipation
-  double* sum;  // [8] force and torque on the body (as impulses, N s and N m s), dissipated and input (J)
+  bool begins;    // first step of an advance: subtracts the half kick that the advance before has reported
+  double* sum;    // [6] force and torque on the body, as impulses, N s and N m s
+  double* given;  // [blocks in order x kGivenRows x kRowUnit] for the energy balance; or null
 };
+
+// What the energy balance needs of a pass: the impulse on the body, the part of the impulse on the particle
+// that the potential of the penalty gives (N s), and the velocity of the body there (m/s); x y z each.
+inline constexpr std::size_t kGivenRows = 9;
 
 inline constexpr std::size_t kProximityGroup = 64;  // nodes that share one group clearance
 

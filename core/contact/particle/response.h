@@ -170,7 +170,7 @@ DRAPE_INLINE void warm_start_store(model::ContactBlock& b, int i, const simd::Ve
 template <class L>
 struct ContactSums {
   static constexpr int kParts = math::kRowUnit / L::kWidth;
-  L sum[8][kParts];  // force x y z, torque x y z, dissipated, input
+  L sum[6][kParts];  // force x y z, torque x y z
   DRAPE_INLINE ContactSums() {
     for (auto& row : sum)
       for (L& v : row) v = L(0.0);
@@ -182,12 +182,19 @@ struct ContactSums {
   }
   void add_to(double* to) const {
     alignas(math::kLine) double lane[math::kRowUnit];
-    for (int k = 0; k < 8; ++k) {
+    for (int k = 0; k < 6; ++k) {
       for (int p = 0; p < kParts; ++p) L::store(lane + p * L::kWidth, sum[k][p]);
       for (double v : lane) to[k] += v;
     }
   }
 };
+
+template <class L>
+DRAPE_INLINE void given_store(double* rows, const simd::Vec<L>& v) {
+  L::store(rows, v.x);
+  L::store(rows + math::kRowUnit, v.y);
+  L::store(rows + 2 * math::kRowUnit, v.z);
+}
 
 // Prefetches what a pass reads of every block.
 DRAPE_INLINE void block_fetch(const model::ContactBlock& b) {
@@ -277,12 +284,11 @@ void contact_run(const ContactPass& pass) {
         warm_start_store(*to, i,
                          warm_start_of(c, normal, hit, max(tied, L::load(b.shared + i)), inverse_scale));
       }
-      if (pass.energy) {
-        // J less its stored part works on v_mid - v_b, all of J on v_b
-        const simd::Vec<L> middle = (old + now) * L(0.5) - body_velocity;
-        const L rest = dot(impulse, middle) + inertia * hit.stored * dot(normal, middle);
-        sums.sum[6][part] = sums.sum[6][part] + rest;
-        sums.sum[7][part] = sums.sum[7][part] - dot(impulse, body_velocity);
+      if (pass.given) {
+        double* const given = pass.given + kGivenRows * math::kRowUnit * k + std::size_t(i);
+        given_store(given, impulse);
+        given_store(given + 3 * math::kRowUnit, normal * (inertia * hit.stored));
+        given_store(given + 6 * math::kRowUnit, body_velocity);
       }
       if (pass.begins) {
         // the advance before has reported the impulse of its last half kick, which gave v_n

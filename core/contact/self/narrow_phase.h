@@ -69,8 +69,8 @@ void self_prepare(const System& system, const State& state, bool inertia_of_fit,
 // velocities change by less than `tolerance` of the first change, at most `sweeps` times.
 void self_respond(const ContactCoefficients& c, double tolerance, int sweeps, SelfContactPairs& pairs);
 
-// Energy (J) that damping, stops and friction have dissipated.
-double self_dissipated(const ContactCoefficients& c, SelfContactPairs& pairs);
+// Energy (J, over ContactCoefficients::impulse) that damping, stops and friction have dissipated.
+double self_dissipated(SelfContactPairs& pairs);
 
 // Of the contact distance, which in self-contact is that of two layers.
 inline constexpr double kSelfBlend = kContactBlend / 2;

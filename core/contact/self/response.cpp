@@ -228,13 +228,13 @@ void self_respond(const ContactCoefficients& c, double tolerance, int sweeps, Se
   }
 }
 
-double self_dissipated(const ContactCoefficients& c, SelfContactPairs& pairs) {
+double self_dissipated(SelfContactPairs& pairs) {
   double sum = 0;
   for (SelfContactPair& t : pairs.pair) {
     if (!(t.stored + t.stop > 0)) continue;
     const double w = dot(t.n, gap_rate(pairs, t, &SelfNode::old) + gap_rate(pairs, t, &SelfNode::v)) / 2;
     const Vec3 along = 0.5 * (slip(pairs, t, &SelfNode::old) + slip(pairs, t, &SelfNode::v));
-    sum -= c.impulse * ((t.normal + t.stop - (t.normal > 0 ? t.stored : 0)) * w + dot(t.friction, along));
+    sum -= (t.normal + t.stop - (t.normal > 0 ? t.stored : 0)) * w + dot(t.friction, along);
   }
   return sum;
 }

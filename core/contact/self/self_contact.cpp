@@ -125,8 +125,13 @@ void self_apply(const System& system, SelfContactWorkspace& workspace, const mod
     s.x[n.node] += scheme.drift * dv[0], s.y[n.node] += scheme.drift * dv[1],
         s.z[n.node] += scheme.drift * dv[2];
   }
+  workspace.factor = c.impulse;
   holds_set(c, all, s.self);
-  if (system.energy) s.dissipated += self_dissipated(c, all);
+}
+
+double self_work(SelfContactWorkspace& workspace, const double* const v[3]) {
+  for (SelfNode& n : workspace.touches.node) n.v = {v[0][n.node], v[1][n.node], v[2][n.node]};
+  return workspace.factor * self_dissipated(workspace.touches);
 }
 
 void self_update_proximity(const System& system, State& s, double drift) {
@@ -138,7 +143,6 @@ void self_synchronous(const System& system, SelfContactWorkspace& workspace, con
                       const SynchronousPass& pass) {
   const model::Field& field = pass.field;
   SelfContactPairs& all = workspace.touches;
-  workspace.dissipated = 0;
   self_narrow_phase(system, s, 0, all, nullptr);
   self_prepare(system, s, false, all);
   const ContactCoefficients c = coefficients_of(system, s, pass.scheme);
@@ -152,7 +156,7 @@ void self_synchronous(const System& system, SelfContactWorkspace& workspace, con
     const Vec3 dv = (n.fixed ? 1 / n.mass : n.inverse) * n.impulse;
     field.x[n.node] += dv[0], field.y[n.node] += dv[1], field.z[n.node] += dv[2];
   }
-  if (kicks && system.energy) workspace.dissipated = self_dissipated(c, all);
+  workspace.factor = c.impulse;
 }
 
 namespace {

@@ -8,7 +8,7 @@ namespace drape::contact {
 // Workspace of self-contact; made once per System.
 struct SelfContactWorkspace {
   SelfContactPairs touches;
-  double dissipated = 0;  // J, of the last synchronous pass
+  double factor = 1;  // ContactCoefficients::impulse of the last pass
 };
 
 inline bool self_enabled(const System& system) { return !system.self.cell.empty(); }
@@ -35,6 +35,10 @@ void self_store_velocities(const System& system, SelfContactWorkspace& workspace
 // Adds self-contact to a free step. Needs self_store_velocities.
 void self_apply(const System& system, SelfContactWorkspace& workspace, const model::Scheme& scheme,
                 State& state);
+
+// The energy (J) that the pairs of the last pass have dissipated, of the velocities `v` [nodes] that pins and
+// welds have left after it.
+double self_work(SelfContactWorkspace& workspace, const double* const v[3]);
 
 // After the particles have moved for `drift` s.
 void self_update_proximity(const System& system, State& state, double drift);
