@@ -15,9 +15,13 @@ namespace {
 
 using namespace math::vector3;
 
-constexpr int kLimitCheckLongest = 32;                // steps between two checks of the step limit, at most
-constexpr int kLimitCheckGiven = 8;                   // where the scene gives the step
-constexpr std::int64_t kIntervalsBeforeGrowth = 100;  // intervals before the step may grow
+constexpr int kLimitCheckLongest = 32;  // steps between two checks of the step limit, at most
+constexpr double kMeanSteps = 256;      // over which the energy defect is averaged
+constexpr int kLimitCheckGiven = 8;     // where the scene gives the step
+// The step may grow where neither so many intervals nor so many steps needed it as it is; by a tenth or more.
+constexpr std::int64_t kIntervalsBeforeGrowth = 50, kStepsBeforeGrowth = 20000;
+constexpr double kLeastGrowth = 0.1;
+constexpr double kMargin = 0.9;  // of the allowed step, for the intervals after one in which it fell
 
 // Allocates v_{n-3/2} where forces depend on velocity. While it is unknown, v_{n-1/2} stands for it.
 void rates_begin(const System& system, State& s) {
@@ -35,14 +39,48 @@ std::int64_t steps_for(double length, double h_max) {
   return n < 1 ? 1 : std::int64_t(n < kMax ? n : kMax);
 }
 
-// The largest step allowed at an omega^2.
-double step_allowed(const System& system, double damping, double omega2) {
+// The largest step allowed at an omega^2 and a motion.
+double step_allowed(const System& system, double omega2, const MotionBound& motion) {
   if (system.step_given > 0) return std::min(system.step_given, system.step_max);
-  return std::min(step_safety(system, damping, omega2) * step_limit_of(system, omega2), system.step_max);
+  return std::min(step_automatic(system, omega2, motion), system.step_max);
 }
 
-double step_now(const System& system, const State& s, double omega2) {
-  return std::min(step_allowed(system, damping_of(system, s), omega2), s.max_contact_step);
+MotionBound motion_bound(const State& s) {
+  return {s.mean_defect > 0 ? s.mean_defect / s.mean_kinetic : 0, s.flutter};
+}
+
+double step_now(const System& system, const State& s) {
+  return std::min(step_allowed(system, s.omega2, motion_bound(s)), s.max_contact_step);
+}
+
+double kinetic_energy(const System& system, const State& s) {
+  double sum = 0;
+  for (std::size_t n : system.particle)
+    sum += system.mass[n] * (s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n]);
+  return sum / 2;
+}
+
+// Updates how the motion bounds the step, by the last step (h > 0) or by the next (h < 0) at the present
+// velocities. `weight`: of the new values in the running means. Pins and bodies that move may jolt the cloth
+// at any time.
+void motion_update(const System& system, const Motion& motion, double h, double weight, State& s) {
+  const StepDefect defect = step_defect(system, *motion.kernel, s, h);
+  s.flutter = defect.omega2 / std::abs(h);
+  if (path_moves(motion.path)) s.flutter = std::max(s.flutter, flutter_unknown(system, s.omega2));
+  s.mean_defect += weight * (defect.energy / std::pow(std::abs(h), 3) - s.mean_defect);
+  s.mean_kinetic += weight * (kinetic_energy(system, s) - s.mean_kinetic);
+}
+
+// The largest omega^2 and motion of all checks since the number of steps last changed; from the present ones.
+void largest_begin(State& s) {
+  s.max_omega2 = s.omega2;
+  s.max_drift = motion_bound(s).drift;
+  s.max_flutter = s.flutter;
+}
+void largest_update(State& s) {
+  s.max_omega2 = std::max(s.max_omega2, s.omega2);
+  s.max_drift = std::max(s.max_drift, motion_bound(s).drift);
+  s.max_flutter = std::max(s.max_flutter, s.flutter);
 }
 
 bool all_finite(const System& system, const State& s) {
@@ -61,11 +99,12 @@ void check_step_limit(const System& system, const Motion& motion, State& s, doub
     return;
   }
   s.max_contact_step = contact::max_step(system, s);
+  motion_update(system, motion, h, std::min(1.0, s.limit_check_period / kMeanSteps), s);
   for (;; s.limit_check_period = std::max(s.limit_check_period / 4, 1)) {
     s.omega2 = step_limit_omega2(system, *motion.kernel, s, s.limit_check_period * h);
-    if (h <= step_now(system, s, s.omega2) || s.limit_check_period == 1) break;
+    if (h <= step_now(system, s) || s.limit_check_period == 1) break;
   }
-  s.max_omega2 = std::max(s.max_omega2, s.omega2);
+  largest_update(s);
   s.steps_to_limit_check = s.limit_check_period;
   s.limit_check_period = std::min(2 * s.limit_check_period, kLimitCheckLongest);
 }
@@ -77,14 +116,19 @@ void describe_step(std::string& event, const char* verb, double time, double h, 
   event = text;
 }
 
-// Fewer steps for the next interval of q, where the last hundred would have allowed it.
+// Fewer steps for the next interval of q, where the last ones would have allowed it.
 void steps_relax(const System& system, State& s, std::string& event) {
-  if (s.intervals_since_change < kIntervalsBeforeGrowth || system.fit) return;
+  const std::int64_t since = s.intervals_since_change;
+  const bool long_enough =
+      since >= kIntervalsBeforeGrowth || double(since) * double(s.steps_per_interval) >= kStepsBeforeGrowth;
+  if (since == 0 || !long_enough || system.fit) return;
   const double q = system.communication;
-  const std::int64_t expected = steps_for(q, step_now(system, s, s.max_omega2));
+  const double allowed =
+      std::min(step_allowed(system, s.max_omega2, {s.max_drift, s.max_flutter}), s.max_contact_step);
+  const std::int64_t expected = steps_for(q, allowed);
   s.intervals_since_change = 0;
-  s.max_omega2 = s.omega2;
-  if (expected >= s.steps_per_interval) return;
+  largest_begin(s);
+  if (double(expected) > (1 - kLeastGrowth) * double(s.steps_per_interval)) return;
   s.steps_per_interval = expected;
   s.steps_to_limit_check = 0;
   describe_step(event, "grows", model::state_time(s, q), q / double(expected), s);
@@ -108,13 +152,15 @@ Advance limit_check(const System& system, Motion& motion, State& s, Interval& in
   check_step_limit(system, motion, s, interval.h());
   if (system.step_given > 0)
     return interval.h() > step_limit_of(system, s.omega2) ? Advance::kStepAboveLimit : Advance::kDone;
-  while (interval.h() > step_now(system, s, s.omega2)) {
+  while (interval.h() > step_now(system, s)) {
     if (interval.h() * double(kMaxStepsPerInterval) < system.communication) return Advance::kTooManySteps;
     interval.steps *= 2;
     interval.done *= 2;
-    s.steps_per_interval *= 2;
+    s.steps_per_interval = std::min(
+        2 * s.steps_per_interval,
+        std::max(s.steps_per_interval + 1, steps_for(system.communication, kMargin * step_now(system, s))));
     s.intervals_since_change = 0;
-    s.max_omega2 = s.omega2;
+    largest_begin(s);
     const double h = interval.h();
     describe_step(event, "falls", model::state_time(s, system.communication) + double(interval.done) * h, h,
                   s);
@@ -137,18 +183,34 @@ Advance interval_run(const System& system, Motion& motion, State& s, Interval in
   return Advance::kDone;
 }
 
-void steps_begin(const System& system, const Motion& motion, State& s) {
-  if (system.step_given == 0) s.max_contact_step = contact::max_step(system, s);
-  s.omega2 = s.max_omega2 = step_limit_omega2(system, *motion.kernel, s);
-  s.steps_per_interval = steps_for(system.communication, step_now(system, s, s.omega2));
-  s.steps_to_limit_check = 0;
+// The motion of the first step, at the velocities that the forces give within it: cloth under load starts
+// from rest, and jolts.
+void motion_begin(const System& system, Motion& motion, State& s) {
+  constexpr int kTrials = 12;
+  free_accelerations(system, motion, s);
+  const Array x = s.vx, y = s.vy, z = s.vz;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const double h = step_now(system, s);
+    for (std::size_t n : system.particle) {
+      s.vx[n] = x[n] + h * motion.now_x[n];
+      s.vy[n] = y[n] + h * motion.now_y[n];
+      s.vz[n] = z[n] + h * motion.now_z[n];
+    }
+    motion_update(system, motion, -h, 1, s);
+    if (h <= step_now(system, s)) break;
+  }
+  s.vx = x, s.vy = y, s.vz = z;
 }
 
-double kinetic_energy(const System& system, const State& s) {
-  double sum = 0;
-  for (std::size_t n : system.particle)
-    sum += system.mass[n] * (s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n]);
-  return sum / 2;
+void steps_begin(const System& system, Motion& motion, State& s) {
+  if (system.step_given == 0) s.max_contact_step = contact::max_step(system, s);
+  s.omega2 = step_limit_omega2(system, *motion.kernel, s);
+  s.mean_defect = s.mean_kinetic = s.flutter = 0;
+  if (system.step_given == 0 && !system.fit) motion_begin(system, motion, s);
+  largest_begin(s);
+  s.flutter = std::max(s.flutter, flutter_unknown(system, s.omega2));
+  s.steps_per_interval = steps_for(system.communication, step_now(system, s));
+  s.steps_to_limit_check = 0;
 }
 
 // Links on sharp edges share nodes with each other and with particles in contact. So the impulse that was
@@ -190,6 +252,7 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
     contact::update_proximity(system, motion.kernel->contact, motion.contact, s, 0,
                               model::step_next(system, s));
   if (jumps && system.energy) s.input += kinetic_energy(system, s) - before;
+  if (jumps || bodies_jump(motion.path)) s.steps_to_limit_check = 0;
 }
 
 // Lets the system change before an interval. Where it has, targets and rates of held points are updated.
@@ -202,7 +265,7 @@ void interval_open(Motion& motion, State& s, double intervals, const IntervalBeg
 }  // namespace
 
 double leapfrog_steps(const System& system, double omega2) {
-  return system.communication / step_allowed(system, system.damping, omega2);
+  return system.communication / step_allowed(system, omega2, {});
 }
 
 Motion motion_make(const System& system) {

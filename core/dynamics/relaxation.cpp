@@ -90,7 +90,7 @@ void relaxation_scale_masses(const System& system, const constraint::Constraints
     model::cells_visit(system, l, [&](const std::size_t* corner, double share) {
       const double bare = step_limit_cell(l, s, corner, steps * h) + clamps;
       const double omega2 = step_limit_rated(system, l, bare, drag, seams, contact);
-      const double ratio = h / (kSafetyDamped * step_limit_of(system, omega2));
+      const double ratio = h / (kSafety * step_limit_of(system, omega2));
       const double quarter = share * l.cell * l.cell / 4 * std::max(1.0, ratio * ratio);
       for (int k = 0; k < 4; ++k) s.inverse_mass_scale[corner[k]] += quarter;
       largest = std::max(largest, std::min(omega2, omega2 / (ratio * ratio)));

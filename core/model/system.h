@@ -177,9 +177,13 @@ struct State {
   int steps_to_limit_check = 0;  // steps until the next check of the step limit
   int limit_check_period = 1;    // number of steps that the next check covers
   double omega2 = 0;             // 1/s^2, found by the last check
+  // Running means: of the energy defect of a step over its h^3 (J/s^3), and of the kinetic energy, J.
+  double mean_defect = 0, mean_kinetic = 0;
+  double flutter = 0;  // 1/s^3, the largest change of omega^2 of a cell in a step over h
   double max_contact_step =
       std::numeric_limits<double>::infinity();  // s, bound by near bodies, at the last check
-  double max_omega2 = 0;  // 1/s^2, the largest of all checks since the number of steps last changed
+  // The largest of all checks since the number of steps last changed.
+  double max_omega2 = 0, max_drift = 0, max_flutter = 0;
 
   double advance_length = 0;    // s, of the last advance; 0 = none yet
   bool advance_begins = false;  // the next step is the first of an advance

@@ -51,12 +51,20 @@ struct PassTarget {
 using LatticePass = void (*)(const System&, const RowBlock&, const model::Scheme&, const Workspace&,
                              double* scratch, const State&, const PassTarget&);
 
+// What a step errs in energy (J), summed over links, and the largest change of omega^2 of a cell in it,
+// 1/s^2.
+struct StepDefect {
+  double energy = 0, omega2 = 0;
+};
+
 struct Kernel {
   const char* name;
   LatticePass plain, rates;
   // The largest omega^2 (1/s^2) of the step limit over the row of cells above row j of a lattice, at the
   // positions r + ahead v. `ahead`: s.
   double (*omega2)(const System&, const model::Lattice&, const State&, int j, double ahead);
+  // Of the links of that row of cells in the last step, of `step` s.
+  StepDefect (*defect)(const System&, const model::Lattice&, const State&, int j, double step);
   contact::ContactKernel contact;
   forces::HingeKernel hinges;
 };

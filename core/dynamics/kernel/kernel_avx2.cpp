@@ -2,6 +2,7 @@
 #include "contact/particle/response.h"
 #include "dynamics/kernel/lattice_pass.h"
 #include "dynamics/step_size/cell_bound.h"
+#include "dynamics/step_size/cell_defect.h"
 #include "forces/hinge_lanes.h"
 #include "simd/lane_avx2.h"
 
@@ -11,6 +12,7 @@ const Kernel kKernelAvx2{"avx2",
                          block_pass<simd::Avx2Lane, false>,
                          block_pass<simd::Avx2Lane, true>,
                          cells_omega2<simd::Avx2Lane>,
+                         cells_defect<simd::Avx2Lane>,
                          contact::contact_kernel<simd::Avx2Lane>(),
                          forces::hinges_bend<simd::Avx2Lane>};
 

@@ -2,6 +2,7 @@
 #include "contact/particle/response.h"
 #include "dynamics/kernel/lattice_pass.h"
 #include "dynamics/step_size/cell_bound.h"
+#include "dynamics/step_size/cell_defect.h"
 #include "forces/hinge_lanes.h"
 #include "simd/lane_scalar.h"
 
@@ -11,6 +12,7 @@ const Kernel kKernelPortable{"portable",
                              block_pass<simd::ScalarLane<false>, false>,
                              block_pass<simd::ScalarLane<false>, true>,
                              cells_omega2<simd::ScalarLane<false>>,
+                             cells_defect<simd::ScalarLane<false>>,
                              contact::contact_kernel<simd::ScalarLane<false>>(),
                              forces::hinges_bend<simd::ScalarLane<false>>};
 

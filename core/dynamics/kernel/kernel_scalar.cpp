@@ -3,6 +3,7 @@
 #include "contact/particle/response.h"
 #include "dynamics/kernel/lattice_pass.h"
 #include "dynamics/step_size/cell_bound.h"
+#include "dynamics/step_size/cell_defect.h"
 #include "forces/hinge_lanes.h"
 #include "simd/lane_scalar.h"
 
@@ -12,6 +13,7 @@ const Kernel kKernelScalar{"scalar",
                            block_pass<simd::ScalarLane<true>, false>,
                            block_pass<simd::ScalarLane<true>, true>,
                            cells_omega2<simd::ScalarLane<true>>,
+                           cells_defect<simd::ScalarLane<true>>,
                            contact::contact_kernel<simd::ScalarLane<true>>(),
                            forces::hinges_bend<simd::ScalarLane<true>>};
 

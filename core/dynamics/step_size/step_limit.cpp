@@ -10,10 +10,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <numbers>
 
 #include "contact/particle/contact.h"
-#include "dynamics/step_size/cell_bound.h"
+#include "dynamics/step_size/cell_defect.h"
 #include "forces/seam_closing.h"
 #include "model/composition.h"
 #include "model/elements.h"
@@ -48,12 +49,32 @@ double cell_bound(const model::Lattice& l, const State& s, const std::size_t* co
   return bound.v;
 }
 
-// The largest of the irregular cells.
+// The largest of the irregular cells, times rho b^2.
 double irregular_bound(const System& system, const model::Lattice& l, const State& s, double ahead) {
   double largest = 0;
   for (const model::IrregularCell& cell : system.irregular.cells)
     if (cell.lattice == l.piece) largest = max_of(cell_bound(l, s, cell.node, ahead), largest);
   return largest;
+}
+
+void defects_join(StepDefect& to, const StepDefect& other) {
+  to.energy += other.energy;
+  to.omega2 = max_of(other.omega2, to.omega2);
+}
+
+StepDefect lattice_defect(const System& system, const Kernel& kernel, const model::Lattice& l, const State& s,
+                          double step) {
+  StepDefect all;
+  for (int j = 0; j + 1 < l.rows; ++j) defects_join(all, kernel.defect(system, l, s, j, step));
+  for (const model::IrregularCell& cell : system.irregular.cells) {
+    if (cell.lattice != l.piece) continue;
+    simd::Vec<Lane> now[4], before[4];
+    for (int k = 0; k < 4; ++k)
+      now[k] = node_ahead(s, cell.node[k], 0), before[k] = node_ahead(s, cell.node[k], -step);
+    const LinkDefect<Lane> defect = cell_defect(now, before, l);
+    defects_join(all, {cell.share * defect.sum.v * defect_unit(l), defect.change.v * defect_change(l)});
+  }
+  return all;
 }
 
 // What a clamp, and all clamps of a lattice, add to rho b^2 omega^2.
@@ -187,6 +208,13 @@ double step_limit_lattice(const System& system, const Kernel& kernel, const mode
   return largest / l.mass_kept + step_limit_clamps(system, l, state, ahead);
 }
 
+StepDefect step_defect(const System& system, const Kernel& kernel, const State& s, double step) {
+  StepDefect all;
+  for (const model::Lattice& l : system.lattices)
+    defects_join(all, lattice_defect(system, kernel, l, s, step));
+  return all;
+}
+
 double step_limit_drag(const System& system, const State& state) {
   if (!model::system_has_air(system)) return 0;
   const model::Air& air = system.air;
@@ -236,10 +264,19 @@ double step_limit_of(const System& system, double omega2) {
   return 4 / (c + std::sqrt(c * c + 4 * omega2));
 }
 
-double step_safety(const System& system, double damping, double omega2) {
-  constexpr double kDampedShare = 1e-5;  // of omega
-  const bool damped = damping >= kDampedShare * std::sqrt(omega2);
-  return damped || system.fit ? kSafetyDamped : kSafetyUndamped;
+double step_automatic(const System& system, double omega2, const MotionBound& motion) {
+  const double limit = step_limit_of(system, omega2), damped = 1 + 2 * kDampingTime * system.damping;
+  double step = kSafety * limit;
+  if (motion.flutter > 0)
+    step = std::clamp(std::cbrt(4 * kFlutter * damped / motion.flutter), kSafetyNonlinear * limit, step);
+  if (motion.drift > 0)
+    step = std::clamp(std::sqrt(kDrift * damped / motion.drift), kSafetyLeast * limit, step);
+  return step;
+}
+
+double flutter_unknown(const System& system, double omega2) {
+  const bool damped = system.damping >= kDampedShare * std::sqrt(omega2);
+  return damped ? 0 : std::numeric_limits<double>::infinity();
 }
 
 std::string step_limit_link(const System& system, const Scene& scene, const State& state, double ahead) {

@@ -34,17 +34,33 @@ double step_limit_rated(const System& system, const model::Lattice& lattice, dou
 // The largest equivalent omega^2 (1/s^2) of all lattices.
 double step_limit_omega2(const System& system, const Kernel& kernel, const State& state, double ahead = 0);
 
+// Of all links in the last step, of `step` s; below 0, in the next one at the present velocities.
+StepDefect step_defect(const System& system, const Kernel& kernel, const State& state, double step);
+
 // h omega up to which an undamped oscillator is bounded: 2 in leapfrog.
 double step_limit_angle(const System& system);
 
 // The step limit (s) that follows from omega2; infinite where nothing oscillates.
 double step_limit_of(const System& system, double omega2);
 
-// The largest ratio of the automatic step to the step limit, with damping c (1/s). Nonlinear cloth gains
-// energy even from steps below the limit, but so little that light damping removes it. core/README.md,
-// section 4, "Step".
-inline constexpr double kSafetyUndamped = 0.4, kSafetyDamped = 0.7;
-double step_safety(const System& system, double damping, double omega2);
+// How the motion and the curvature of the laws bound the step; 1/s^3. core/README.md, section 4, "Step".
+struct MotionBound {
+  double drift = 0;    // energy defect of a step over h^3 and the kinetic energy; means over some steps
+  double flutter = 0;  // largest change of omega^2 of a cell in a step over h
+};
+
+// The automatic step (s): the share kSafety of the step limit. It is less where (h omega)^2 of a cell changes
+// by more than 4 kFlutter in a step, but at least kSafetyNonlinear; and less where the energy defects of a
+// second exceed kDrift (1/s) of the kinetic energy, but at least kSafetyLeast. Damping c takes energy out
+// meanwhile: both bounds grow by 1 + 2 c kDampingTime.
+inline constexpr double kSafety = 0.7, kSafetyNonlinear = 0.4, kSafetyLeast = 0.05;
+inline constexpr double kFlutter = 0.01, kDrift = 25, kDampingTime = 4;
+double step_automatic(const System& system, double omega2, const MotionBound& motion);
+
+// The flutter to be expected of a motion that is not known yet: infinite, but 0 in damped cloth, which has
+// c >= kDampedShare omega.
+inline constexpr double kDampedShare = 1e-5;
+double flutter_unknown(const System& system, double omega2);
 
 // What sets the step limit, in words: "warp link of piece 'sheet', column 3, row 12, strain 0.0131".
 std::string step_limit_link(const System& system, const Scene& scene, const State& state, double ahead = 0);

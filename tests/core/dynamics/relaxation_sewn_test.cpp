@@ -89,7 +89,7 @@ TEST(RelaxationInertia, ShrinksByAHundredthACheck) {
   Scene scene = reference::rectangle(reference::curved_fabric(), 0.05, 0.05, 0.01);
   scene.mode = scene::Mode::kFit;
   Assembled a = assemble(scene);
-  const double h = kSafetyDamped * step_limit_of(a.system, a.state.omega2);
+  const double h = kSafety * step_limit_of(a.system, a.state.omega2);
   const Array flat = a.state.y;
   relaxation_scale_masses(a.system, a.motion.constraints, a.state, h);
   for (std::size_t n : a.system.particle) a.state.y[n] *= a.state.y[n] > 0.025 ? 1.3 : 1.0;

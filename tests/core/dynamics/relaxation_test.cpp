@@ -266,7 +266,7 @@ TEST(Relaxation, EnlargesTheInertiaOfStiffCells) {
   scene.mode = scene::Mode::kFit;
   Assembled a = assemble(scene);
   for (std::size_t n : a.system.particle) a.state.y[n] *= a.state.y[n] > 0.025 ? 1.3 : 1.0;
-  const double h = kSafetyDamped * step_limit_of(a.system, a.state.omega2);
+  const double h = kSafety * step_limit_of(a.system, a.state.omega2);
   relaxation_scale_masses(a.system, a.motion.constraints, a.state, h);
   double smallest = 1, largest = 0;
   for (std::size_t n : a.system.particle) {
@@ -275,7 +275,7 @@ TEST(Relaxation, EnlargesTheInertiaOfStiffCells) {
   }
   EXPECT_LT(smallest, 0.5);
   EXPECT_EQ(largest, 1);
-  EXPECT_NEAR(h * std::sqrt(a.state.omega2) / 2, kSafetyDamped, 1e-12);
+  EXPECT_NEAR(h * std::sqrt(a.state.omega2) / 2, kSafety, 1e-12);
 }
 
 // The inertia is updated within 16 steps, and sooner where a particle would move by a fiftieth of its cell:

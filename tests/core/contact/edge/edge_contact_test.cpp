@@ -248,6 +248,7 @@ TEST(EdgeContact, AJumpMovesNoLinkThroughUndetected) {
   const double contact_distance = 0.0005;
   for (const bool weld : {false, true}) {
     Scene scene = over_fold(folder, weld ? 1 : 2, weld ? -0.003 : -0.007, 1.3 * contact_distance);
+    scene.step = scene.communication;
     if (weld) {
       scene.pieces.push_back(scene.pieces[0]);
       scene.pieces[1].name = "right";

@@ -1,0 +1,96 @@
+// What a step errs in the energy of a cell's links. core/README.md, section 4, "Step".
+//
+// The kicks at both ends of a drift that takes the strain of a link from e0 to e1, by d, do the work
+// d [p(e0) + p(e1)]/2 per width and length. The energy of the link grows by the integral of p, and the
+// trapezoid rule errs by
+//
+//      d^2 [p'(e1) - p'(e0)]/12
+//
+// Where the slope changes little within a step, these errors cancel over time. Where it changes much, they do
+// not: their sum feeds energy into the cloth. The stiffness p' n n^T of the link changes by at most
+// |p'(e1) - p'(e0)| + p'(e1) |n1 - n0|, and omega^2 of its cell by 4/(rho b^2) times that (cell_bound.h).
+#pragma once
+#include <algorithm>
+
+#include "dynamics/kernel/kernel.h"
+#include "dynamics/step_size/cell_bound.h"
+
+namespace drape::dynamics {
+namespace {
+
+// Of links: sum of d^2 |p'(e1) - p'(e0)|, largest change of stiffness; N/m.
+template <class L>
+struct LinkDefect {
+  L sum, change;
+};
+
+// Of a link along `now`, which was `before`.
+template <class L>
+DRAPE_INLINE LinkDefect<L> link_defect(simd::Vec<L> before, simd::Vec<L> now, L inverse_rest,
+                                       const math::Curve& curve) {
+  const forces::CurveTension tension{&curve};
+  const L l0 = sqrt(dot(before, before)), l1 = sqrt(dot(now, now));
+  const L e0 = fma(l0, inverse_rest, L(-1.0)), e1 = fma(l1, inverse_rest, L(-1.0)), d = e1 - e0;
+  const L slope = tension.slope(e1), change = abs(slope - tension.slope(e0));
+  const simd::Vec<L> turn = now * (L(1.0) / l1) - before * (L(1.0) / l0);
+  return {d * d * change, change + slope * sqrt(dot(turn, turn))};
+}
+
+template <class L>
+DRAPE_INLINE LinkDefect<L> link_defects_join(const LinkDefect<L>& a, const LinkDefect<L>& b) {
+  return {a.sum + b.sum, max(a.change, b.change)};
+}
+
+// Of the weft and warp links at the first corner a of a cell, and of its diagonals; corners a, b, c, d.
+template <class L>
+DRAPE_INLINE LinkDefect<L> cell_defect(const simd::Vec<L>* now, const simd::Vec<L>* before,
+                                       const model::Lattice& l) {
+  const L inverse_rest = 1 / l.cell, inverse_diagonal = 1 / (__builtin_sqrt(2.0) * l.cell);
+  const auto link = [&](int from, int to, L inverse, const math::Curve& curve) DRAPE_INLINE_LAMBDA {
+    return link_defect(before[to] - before[from], now[to] - now[from], inverse, curve);
+  };
+  const LinkDefect<L> yarns =
+      link_defects_join(link(0, 1, inverse_rest, l.law.weft), link(0, 2, inverse_rest, l.law.warp));
+  if (!l.law.bias.segments) return yarns;
+  return link_defects_join(yarns, link_defects_join(link(0, 3, inverse_diagonal, l.law.bias),
+                                                    link(1, 2, inverse_diagonal, l.law.bias)));
+}
+
+// Width times length of a link, over 12: of a link along a yarn b b, of a diagonal (b/sqrt(2)) sqrt(2) b.
+DRAPE_INLINE double defect_unit(const model::Lattice& l) { return l.cell * l.cell / 12; }
+
+// From the change of a slope to that of omega^2, m/(N s^2).
+DRAPE_INLINE double defect_change(const model::Lattice& l) {
+  return 4 / (l.mass_kept * l.law.areal_density * l.cell * l.cell);
+}
+
+template <class L>
+StepDefect cells_defect(const System& system, const model::Lattice& l, const State& s, int j, double step) {
+  const std::size_t first = l.node(0, j);
+  const double* share = system.share.data() + first;
+  const simd::ConstRow r{s.x.data() + first, s.y.data() + first, s.z.data() + first};
+  const simd::ConstRow v{s.vx.data() + first, s.vy.data() + first, s.vz.data() + first};
+  // by place, so that every lane width gives the same bits
+  alignas(math::kLine) double sums[math::kRowUnit] = {}, changes[math::kRowUnit] = {};
+  for (int i = 0; i < l.stride; i += L::kWidth) {
+    const int at[4] = {i, i + 1, i + l.stride, i + l.stride + 1};
+    simd::Vec<L> now[4], before[4];
+    for (int k = 0; k < 4; ++k) {
+      now[k] = corner_ahead<L>(r, v, at[k], L(0.0));
+      before[k] = corner_ahead<L>(r, v, at[k], L(-step));
+    }
+    const L weight = L::load(share + i);
+    const auto present = gt(weight, L(0.0));
+    const LinkDefect<L> defect = cell_defect(now, before, l);
+    double *const sum = sums + i % math::kRowUnit, *const change = changes + i % math::kRowUnit;
+    L::store(sum, L::load(sum) + select(present, weight * defect.sum, L(0.0)));
+    L::store(change, max(select(present, defect.change, L(0.0)), L::load(change)));
+  }
+  StepDefect all;
+  for (double one : sums) all.energy += defect_unit(l) * one;
+  for (double one : changes) all.omega2 = std::max(all.omega2, defect_change(l) * one);
+  return all;
+}
+
+}  // namespace
+}  // namespace drape::dynamics
