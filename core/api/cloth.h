@@ -25,6 +25,8 @@ struct ToldContradiction {
 struct drape_cloth {
   drape_log_fn* log = nullptr;
   void* log_user = nullptr;
+  drape_interval_fn* on_interval = nullptr;
+  void* on_interval_user = nullptr;
   drape::Scene scene;
   std::string text;
   std::vector<std::string> files;  // [bodies] names of the mesh files next to the text
