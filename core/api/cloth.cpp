@@ -225,6 +225,7 @@ drape_status drape_advance(drape_cloth* c, double length) {
   std::string event;
   const dynamics::Advance how =
       dynamics::leapfrog_advance(c->system, c->motion, c->state, length, event, [c](double intervals) {
+        if (c->on_interval) c->on_interval(c->on_interval_user);
         const bool tuned = tuning_advance(*c, intervals);
         return seam_events_advance(*c) || tuned;
       });

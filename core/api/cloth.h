@@ -15,11 +15,18 @@ struct Tuning {
   Ramp ramp;
 };
 
+// What has been reported of a driven pin or a moving body.
+struct ToldContradiction {
+  bool position = false, orientation = false;
+};
+
 }  // namespace drape::api
 
 struct drape_cloth {
   drape_log_fn* log = nullptr;
   void* log_user = nullptr;
+  drape_interval_fn* on_interval = nullptr;
+  void* on_interval_user = nullptr;
   drape::Scene scene;
   std::string text;
   std::vector<std::string> files;  // [bodies] names of the mesh files next to the text
@@ -31,9 +38,9 @@ struct drape_cloth {
   std::vector<drape_pin_input> pin_inputs, pin_rates;    // [driven pins]
   std::vector<std::size_t> driven;                       // [driven pins] their indices in Scene::pins
   std::vector<drape_pin_input> body_inputs, body_rates;  // [moving bodies]
-  std::vector<char> told_contradiction;                  // [moving bodies]
   std::vector<std::size_t> moving;                       // [moving bodies] their indices in Scene::bodies
-  drape::api::Tuning tuning, tuning_good;                // as for state, good
+  std::vector<drape::api::ToldContradiction> pin_told, body_told;  // [driven pins], [moving bodies]
+  drape::api::Tuning tuning, tuning_good;                          // as for state, good
   drape::outputs::Outputs outputs;
   struct Piece {  // the arrays of drape_piece
     int first = 0;

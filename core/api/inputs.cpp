@@ -4,10 +4,13 @@
 #include <utility>
 
 #include "api/cloth.h"
+#include "math/vector3.h"
 #include "scene/limits.h"
 
 namespace drape::api {
 namespace {
+
+using namespace math::vector3;
 
 bool all_zero(const double* q) { return q[0] == 0 && q[1] == 0 && q[2] == 0 && q[3] == 0; }
 
@@ -84,30 +87,65 @@ int drive_bits(scene::Drive drive) {
                                             : DRAPE_DRIVE_POSITION | DRAPE_DRIVE_VELOCITY;
 }
 
-// Warns once of a body whose positions and velocities, over this advance, are of two different motions.
-void contradiction_report(drape_cloth& c, std::size_t k, const math::RigidMotion& to, double length) {
-  constexpr double kShare = 0.6, kSlow = 1e-3;  // of the faster of both (from rest to v at once: 0.5); m/s
-  const std::size_t b = c.moving[k];
-  if (c.body_inputs[k].drive != (DRAPE_DRIVE_POSITION | DRAPE_DRIVE_VELOCITY) || c.told_contradiction[k])
-    return;
-  const model::BodyContact& now = c.state.body[b];
-  if (dynamics::body_drive(c.system.bodies[b], now, to) != scene::Drive::kBoth) return;
-  const math::RigidMotion& from = now.motion;
-  double apart = 0, by_position = 0, by_velocity = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double reach = (to.position[i] - from.position[i]) / length,
-                 mean = (from.velocity[i] + to.velocity[i]) / 2;
-    apart += (reach - mean) * (reach - mean);
-    by_position += reach * reach;
-    by_velocity += mean * mean;
+// How fast an advance moves by what it reaches, and by the mean of the rates at its ends.
+struct Speeds {
+  double by_reach, by_rates;
+  bool contradict;
+};
+Speeds speeds_of(const Vec3& reach, const Vec3& rate_from, const Vec3& rate_to, double slow) {
+  constexpr double kShare = 0.6;  // of the faster of both; from rest to v at once it is 0.5
+  const Vec3 mean = 0.5 * (rate_from + rate_to);
+  const Speeds s{norm(reach), norm(mean), false};
+  return {s.by_reach, s.by_rates,
+          norm(reach - mean) > std::max(slow, kShare * std::max(s.by_reach, s.by_rates))};
+}
+
+// Warns once of a pin or body whose positions and velocities, or orientations and angular velocities, are of
+// two different motions over this advance.
+void contradiction_report(const drape_cloth& c, const MotionInput& input, const math::RigidMotion& to,
+                          double length, ToldContradiction& told) {
+  constexpr double kSlow = 1e-3, kSlowTurn = 1e-2;  // m/s; rad/s, that of 0.1 m from the axis
+  const math::RigidMotion& now = *input.now;
+  const auto report = [&](const std::string& positions, const char* velocities, const char* unit,
+                          const Speeds& s) {
+    log_message(c, DRAPE_LOG_WARNING,
+                input.name + ": its " + positions + " it at " + number(s.by_reach) + unit + ", its " +
+                    velocities + " at " + number(s.by_rates) + unit +
+                    "; give both of one motion, or set drive = \"position\" or \"velocity\"");
+    return true;
+  };
+  const Vec3 reach = (1 / length) * (to.position - now.position);
+  const Speeds moves = speeds_of(reach, now.velocity, to.velocity, kSlow);
+  if (moves.contradict && !told.position)
+    told.position = report("positions move", "velocities", " m/s", moves);
+  if (!input.value->clamp) return;
+  const Vec3 turn = (1 / length) * math::rotation_vector_between(now.orientation,
+                                                                 math::quaternion_normalised(to.orientation));
+  const Speeds turns = speeds_of(turn, now.angular_velocity, to.angular_velocity, kSlowTurn);
+  if (turns.contradict && !told.orientation)
+    told.orientation = report("orientations turn", "angular velocities", " rad/s", turns);
+}
+
+MotionInput pin_input(drape_cloth& c, std::size_t k) {
+  return {std::string("pin.") + c.pin_inputs[k].name, &c.pin_inputs[k], &c.pin_rates[k],
+          &c.state.pin_motion[c.driven[k]]};
+}
+
+MotionInput body_input(drape_cloth& c, std::size_t k) {
+  const model::BodyContact& now = c.state.body[c.moving[k]];
+  return {std::string("body.") + c.body_inputs[k].name, &c.body_inputs[k], &c.body_rates[k], &now.motion,
+          c.system.bodies[c.moving[k]].drive != scene::Drive::kNone || now.velocity_given};
+}
+
+void contradictions_report(drape_cloth& c, const dynamics::Inputs& to, double length) {
+  for (std::size_t k = 0; k < c.driven.size(); ++k)
+    if (c.scene.pins[c.driven[k]].drive == scene::Drive::kBoth)
+      contradiction_report(c, pin_input(c, k), to.pin[c.driven[k]], length, c.pin_told[k]);
+  for (std::size_t k = 0; k < c.moving.size(); ++k) {
+    const std::size_t b = c.moving[k];
+    if (dynamics::body_drive(c.system.bodies[b], c.state.body[b], to.body[b]) == scene::Drive::kBoth)
+      contradiction_report(c, body_input(c, k), to.body[b], length, c.body_told[k]);
   }
-  if (std::sqrt(apart) <= std::max(kSlow, kShare * std::sqrt(std::max(by_position, by_velocity)))) return;
-  c.told_contradiction[k] = 1;
-  log_message(c, DRAPE_LOG_WARNING,
-              std::string("body.") + c.body_inputs[k].name + ": its positions move it at " +
-                  number(std::sqrt(by_position)) + " m/s, its velocities at " +
-                  number(std::sqrt(by_velocity)) +
-                  " m/s; give both of one motion, or set drive = \"position\" or \"velocity\"");
 }
 
 }  // namespace
@@ -124,6 +162,7 @@ void inputs_make(drape_cloth& c) {
     for (std::size_t k = 0; k < 3; ++k) in.position[k] = c.state.pin_motion[p].position[k];
     in.orientation[0] = 1;
     c.pin_inputs.push_back(in);
+    c.pin_told.emplace_back();
     c.driven.push_back(p);
   }
   for (std::size_t b = 0; b < c.system.bodies.size(); ++b) {
@@ -137,7 +176,7 @@ void inputs_make(drape_cloth& c) {
     std::copy(body.start.position.begin(), body.start.position.end(), in.position);
     std::copy(body.start.orientation.begin(), body.start.orientation.end(), in.orientation);
     c.body_inputs.push_back(in);
-    c.told_contradiction.push_back(0);
+    c.body_told.emplace_back();
     c.moving.push_back(b);
   }
   for (drape_inputs* inputs : {&c.inputs, &c.input_rates}) {
@@ -174,17 +213,11 @@ bool inputs_apply(drape_cloth& c, double length, std::vector<Problem>& problems)
     vector_apply({"wind", &scene::kWind, 3, c.inputs.wind, c.input_rates.wind, c.state.wind.data()}, length,
                  to.wind.data(), problems);
   for (std::size_t k = 0; k < c.driven.size(); ++k)
-    motion_apply({std::string("pin.") + c.pin_inputs[k].name, &c.pin_inputs[k], &c.pin_rates[k],
-                  &c.state.pin_motion[c.driven[k]]},
-                 length, to.pin[c.driven[k]], problems);
+    motion_apply(pin_input(c, k), length, to.pin[c.driven[k]], problems);
   for (std::size_t k = 0; k < c.moving.size(); ++k)
-    motion_apply({std::string("body.") + c.body_inputs[k].name, &c.body_inputs[k], &c.body_rates[k],
-                  &c.state.body[c.moving[k]].motion,
-                  c.system.bodies[c.moving[k]].drive != scene::Drive::kNone ||
-                      c.state.body[c.moving[k]].velocity_given},
-                 length, to.body[c.moving[k]], problems);
+    motion_apply(body_input(c, k), length, to.body[c.moving[k]], problems);
   if (problems.size() > before) return false;
-  for (std::size_t k = 0; k < c.moving.size(); ++k) contradiction_report(c, k, to.body[c.moving[k]], length);
+  contradictions_report(c, to, length);
   c.motion.inputs = std::move(to);
   return true;
 }

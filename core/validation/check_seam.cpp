@@ -1,6 +1,6 @@
 // Checks seams against the outlines of their pieces and each other.
-#include <algorithm>
 #include <map>
+#include <set>
 
 #include "scene/diagnostics.h"
 #include "seam/layout.h"
@@ -15,14 +15,14 @@ bool side_check(const scene::PieceSpec& piece, const scene::SeamSide& side, cons
                 Problems& problems) {
   const int count = int(piece.outline.size());
   const std::size_t before = problems.size();
+  std::set<int> seen;
   for (std::size_t i = 0; i < side.edges.size(); ++i) {
     const std::string at = scene::entry(path + ".edges", i);
     if (side.edges[i] < 0 || side.edges[i] >= count)
       problems.push_back({at, "= " + std::to_string(side.edges[i]) + "; allowed: 0 to " +
                                   std::to_string(count - 1) +
                                   " (edge i runs from point i of the outline to the next)"});
-    else if (std::find(side.edges.begin(), side.edges.begin() + std::ptrdiff_t(i), side.edges[i]) !=
-             side.edges.begin() + std::ptrdiff_t(i))
+    else if (!seen.insert(side.edges[i]).second)
       problems.push_back({at, "= " + std::to_string(side.edges[i]) + " stands there twice"});
   }
   if (problems.size() == before && seam::seam_chain(piece, side).empty())

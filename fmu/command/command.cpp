@@ -1,24 +1,24 @@
 #include "command/command.h"
 
-#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <system_error>
 
 #include "command/files/whole_file.h"
+#include "command/status_line.h"
 #include "scene/reader/read.h"
 
 namespace drape::command {
 namespace {
 
 void log_quiet(void*, drape_log_kind kind, const char* message) {
-  if (kind == DRAPE_LOG_ERROR) std::fprintf(stderr, "error: %s\n", message);
-  if (kind == DRAPE_LOG_WARNING) std::fprintf(stderr, "warning: %s\n", message);
+  if (kind == DRAPE_LOG_ERROR) message_print("error", message);
+  if (kind == DRAPE_LOG_WARNING) message_print("warning", message);
 }
 
 void log_verbose(void*, drape_log_kind kind, const char* message) {
   constexpr const char* kKinds[] = {"error", "warning", "event", "stability"};
-  std::fprintf(stderr, "%s: %s\n", kKinds[kind], message);
+  message_print(kKinds[kind], message);
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ std::vector<std::string> run_files_problems(const std::string& scene_file, const
 }
 
 int fail(ExitCode code, const std::string& sentence) {
-  std::fprintf(stderr, "error: %s\n", sentence.c_str());
+  message_print("error", sentence);
   return code;
 }
 

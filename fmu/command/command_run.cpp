@@ -15,15 +15,15 @@
 #include "command/files/input_table.h"
 #include "command/files/report.h"
 #include "command/files/whole_file.h"
+#include "command/progress.h"
+#include "command/status_line.h"
 #include "decimal.h"
-#include "scene/diagnostics.h"
+#include "instance/unfinished.h"
 
 namespace drape::command {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double kRest = 1e-5;  // of the load: the residual of a fit at rest
 
 struct Options {
   std::string scene_file, folder;
@@ -33,6 +33,7 @@ struct Options {
   std::optional<std::string> report;       // text, or CSV by its ending
   std::optional<double> limit;             // %, of elongation in the report
   bool frames = false, verbose = false;
+  bool progress = false, no_progress = false;  // whatever standard error is
   description::Nodes nodes = description::Nodes::kNone;
 };
 
@@ -71,6 +72,20 @@ int apply_settings(const Options& options, drape_cloth* cloth,
   return problems.empty() && drape_commit(cloth) == DRAPE_OK ? kDone : kBadInput;
 }
 
+// Where the time of a run went.
+struct Stages {
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last = Clock::now();
+  double reading = 0, stepping = 0, outputs = 0, frames = 0, report = 0;  // s
+};
+
+// Adds the time since the last call to a stage.
+void stage_end(Stages& stages, double Stages::* stage) {
+  const Stages::Clock::time_point now = Stages::Clock::now();
+  stages.*stage += std::chrono::duration<double>(now - stages.last).count();
+  stages.last = now;
+}
+
 // Writes the present time and outputs as a row of the CSV file, and as a frame.
 struct Recorder {
   drape_cloth* cloth;
@@ -79,6 +94,7 @@ struct Recorder {
   Csv csv;
   bool with_frames;
   Frames frames;
+  Stages& stages;
   bool frames_written = true;
 };
 
@@ -94,14 +110,10 @@ bool record(Recorder& r, double time) {
   std::vector<double> row{time};
   for (const double* value : r.columns) row.push_back(*value);
   csv_row(r.csv, row);
+  stage_end(r.stages, &Stages::outputs);
   if (r.with_frames) r.frames_written = frame_write(r.frames, r.cloth, time);
+  stage_end(r.stages, &Stages::frames);
   return r.csv.file.good() && r.frames_written;
-}
-
-void show_progress(double time, double until) {
-  static const bool terminal = isatty(STDERR_FILENO);
-  if (terminal)
-    std::fprintf(stderr, "\r%5.1f %%  t = %.6g s%s", 100 * time / until, time, time < until ? "" : "\n");
 }
 
 // Advances from `time` by `length`. With inputs, it takes steps of the communication interval (the last may
@@ -136,11 +148,11 @@ int run_rows(Recorder& r, const Driven& driven, double until, double every) {
   for (double k = 1; k <= rows; ++k) {
     const double before = (k - 1) * every, time = k < rows ? k * every : until;
     const double length = k < rows ? every : until - before;
-    if (advance(driven, before, length) != DRAPE_OK)
-      return kFailedRun;  // the last row is the last good state
+    const drape_status status = advance(driven, before, length);
+    stage_end(r.stages, &Stages::stepping);
+    if (status != DRAPE_OK) return kFailedRun;  // the last row is the last good state
     const bool at_rest = drape_at_rest(driven.cloth);
     if (!record(r, time)) return kFailedRun;
-    show_progress(at_rest ? until : time, until);
     if (at_rest && driven.inputs.time.empty()) break;
     if (interrupted && k < rows)
       return fail(kFailedRun, "interrupted at " + description::decimal_text(time) +
@@ -149,32 +161,25 @@ int run_rows(Recorder& r, const Driven& driven, double until, double every) {
   return kDone;
 }
 
-// What a run should have reached by the scene's duration: the rest of a fit, and seams that were to close.
-// Tells what is missing; that is a warning where the run was to end before.
+// Reports what the run should have reached by the scene's duration: an error, or a warning where the run was
+// to end before.
 int ends_check(drape_cloth* cloth, bool whole) {
-  const drape_outputs& o = *drape_get_outputs(cloth, DRAPE_OUT_SCALARS);
-  const std::string at = "by " + scene::rounded(drape_time(cloth)) + " s ";
-  int code = kDone;
-  const auto tell = [&](const std::string& what) {
-    if (whole) code = fail(kFailedRun, at + what);
-    else std::fprintf(stderr, "warning: %s%s\n", at.c_str(), what.c_str());
-  };
-  if (o.has_fit && !drape_at_rest(cloth))
-    tell("the fit has not come to rest: forces of " + scene::rounded(o.fit_residual) +
-         " of the load are unbalanced; allowed: " + scene::rounded(kRest));
-  for (int k = 0; k < o.seam_count; ++k)
-    if (o.seam[k].due && o.seam[k].closed == 0)
-      tell(std::string("the seam '") + o.seam[k].name + "' has not closed: its largest gap is " +
-           scene::rounded(o.seam[k].gap_max) + " m");
-  return code;
+  const std::vector<std::string> unfinished = instance::unfinished(cloth);
+  for (const std::string& sentence : unfinished) message_print(whole ? "error" : "warning", sentence);
+  return whole && !unfinished.empty() ? kFailedRun : kDone;
 }
 
 // The closing line of a run.
-void print_summary(drape_cloth* cloth, double seconds) {
-  const double time = drape_time(cloth);
-  std::printf("%s: %.6g s of cloth in %.3g s, %.3g times its time; %.0f steps\n", drape_scene_name(cloth),
-              time, seconds, time > 0 ? seconds / time : 0,
-              drape_get_outputs(cloth, DRAPE_OUT_SCALARS)->step_count);
+void print_summary(drape_cloth* cloth, const Stages& s) {
+  const double time = drape_time(cloth), total = s.reading + s.stepping + s.outputs + s.frames + s.report;
+  std::printf(
+      "%s: %.6g s of cloth in %.3g s, %.3g times its time; %.0f steps; reading %.2g s, stepping %.3g s, ",
+      drape_scene_name(cloth), time, total, time > 0 ? total / time : 0,
+      drape_get_outputs(cloth, DRAPE_OUT_SCALARS)->step_count, s.reading, s.stepping);
+  std::printf("outputs %.2g s", s.outputs);
+  if (s.frames > 0) std::printf(", frames %.2g s", s.frames);
+  if (s.report > 0) std::printf(", report %.2g s", s.report);
+  std::printf("\n");
 }
 
 // Everything that is wrong with the options alone.
@@ -187,6 +192,8 @@ std::vector<std::string> options_problems(const Options& options) {
                        " %; allowed: above 0 %, at most 1000 %");
   if (options.limit && !options.report)
     problems.push_back("--limit is of the report; allowed: together with --report FILE");
+  if (options.progress && options.no_progress)
+    problems.emplace_back("--progress and --no-progress are both given; allowed: one of them");
   if (!options.report) return problems;
   if (const std::string problem = output_problem("--report", *options.report, read); !problem.empty())
     problems.push_back(problem);
@@ -199,55 +206,83 @@ std::vector<std::string> options_problems(const Options& options) {
   return problems;
 }
 
-int run(const Options& options) {
-  const std::vector<std::string> problems = options_problems(options);
-  for (const std::string& sentence : problems) fail(kBadInput, sentence);
-  if (!problems.empty()) return kBadInput;
-  const Cloth cloth = cloth_open(options.scene_file, options.verbose);
-  if (!cloth) return kBadInput;
-  const std::vector<description::Variable> table = description::variables_of(cloth.get(), options.nodes);
-  Driven driven{cloth.get(), table, {}};
-  if (const int code = apply_settings(options, cloth.get(), table, driven.inputs); code != kDone) return code;
-  const double duration = drape_duration(cloth.get());
-  Recorder r{cloth.get(), {}, options.nodes != description::Nodes::kNone, {}, options.frames, {}};
-  r.frames.folder = options.folder;
+// The end time and the time between rows, s.
+struct Times {
+  double duration, until, every;
+};
+
+// What is wrong with the times; empty if nothing.
+std::string times_problem(const Times& t) {
+  constexpr double kLongest = 1e7, kMaxRows = 1e7;  // s; rows
+  if (t.until > kLongest)
+    return "--until is " + description::decimal_text(t.until) + " s; allowed: at most 1e7 s";
+  if (t.until / t.every > kMaxRows)
+    return "--every is " + description::decimal_text(t.every) + " s; allowed: at least " +
+           description::decimal_text(t.until / kMaxRows) + " s, a ten-millionth of the time to the end";
+  return "";
+}
+
+// Opens the files of a run and writes the header of the table.
+int files_open(const Options& options, Recorder& r, const std::vector<description::Variable>& table) {
+  std::string problem;
+  if (!csv_open(r.csv, options.folder, problem)) return fail(kBadInput, problem);
+  if (options.report)  // before the run, not only after it
+    if (problem = place_problem(*options.report); !problem.empty())
+      return fail(kBadInput, "--report: " + problem);
   std::vector<std::string> header{"time"};
   for (const description::Variable& v : table) {
     if (v.causality != description::Causality::kOutput) continue;
     header.push_back(v.name());
     r.columns.push_back(v.value);
   }
-  const double until = options.until > 0 ? options.until : duration,
-               every = options.every > 0 ? options.every : duration / 100;
-  constexpr double kLongest = 1e7, kMaxRows = 1e7;  // s; rows
-  if (until > kLongest)
-    return fail(kBadInput, "--until is " + description::decimal_text(until) + " s; allowed: at most 1e7 s");
-  if (until / every > kMaxRows)
-    return fail(kBadInput, "--every is " + description::decimal_text(every) + " s; allowed: at least " +
-                               description::decimal_text(until / kMaxRows) +
-                               " s, a ten-millionth of the time to the end");
-  for (const std::string& remark :
-       input_table_remarks(driven.inputs, table, drape_communication(cloth.get())))
-    std::fprintf(stderr, "warning: %s\n", remark.c_str());
-  std::string problem;
-  if (!csv_open(r.csv, options.folder, problem)) return fail(kBadInput, problem);
-  if (options.report)  // before the run, not only after it
-    if (problem = place_problem(*options.report); !problem.empty())
-      return fail(kBadInput, "--report: " + problem);
   csv_header(r.csv, header);
-  if (std::signal(SIGINT, interrupt) == SIG_IGN) std::signal(SIGINT, SIG_IGN);  // as in a shell's background
-  const auto start = std::chrono::steady_clock::now();
-  int code = run_rows(r, driven, until, every);
-  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  return kDone;
+}
+
+// Runs, ends the files and checks what has been reached.
+int run_and_end(const Options& options, Recorder& r, const Driven& driven, const Times& times) {
+  Progress progress;
+  if (options.progress || (!options.no_progress && isatty(STDERR_FILENO)))
+    progress_begin(progress, r.cloth, times.until);
+  int code = run_rows(r, driven, times.until, times.every);
+  progress_end(progress);
+  std::string problem;
   if (!csv_close(r.csv, problem)) return fail(kFailedRun, problem);
-  if (code == kDone) code = ends_check(cloth.get(), until >= duration * (1 - 1e-9));
+  if (code == kDone) code = ends_check(r.cloth, times.until >= times.duration * (1 - 1e-9));
   if (options.report) {
     const double limit = options.limit ? *options.limit / 100 : -1;
-    if (problem = report_write(*options.report, report_of(cloth.get(), limit)); !problem.empty())
-      return fail(kFailedRun, problem);
+    problem = report_write(*options.report, report_of(r.cloth, limit));
+    stage_end(r.stages, &Stages::report);
+    if (!problem.empty()) code = fail(kFailedRun, problem);
   }
-  if (!r.frames_written) return fail(kFailedRun, r.frames.failure);
-  print_summary(cloth.get(), spent.count());
+  return r.frames_written ? code : fail(kFailedRun, r.frames.failure);
+}
+
+int run(const Options& options) {
+  const std::vector<std::string> problems = options_problems(options);
+  for (const std::string& sentence : problems) fail(kBadInput, sentence);
+  if (!problems.empty()) return kBadInput;
+  Stages stages;
+  const Cloth cloth = cloth_open(options.scene_file, options.verbose);
+  if (!cloth) return kBadInput;
+  const std::vector<description::Variable> table = description::variables_of(cloth.get(), options.nodes);
+  Driven driven{cloth.get(), table, {}};
+  if (const int code = apply_settings(options, cloth.get(), table, driven.inputs); code != kDone) return code;
+  const double duration = drape_duration(cloth.get());
+  const Times times{duration, options.until > 0 ? options.until : duration,
+                    options.every > 0 ? options.every : duration / 100};
+  if (const std::string problem = times_problem(times); !problem.empty()) return fail(kBadInput, problem);
+  for (const std::string& remark :
+       input_table_remarks(driven.inputs, table, drape_communication(cloth.get())))
+    message_print("warning", remark);
+  const bool nodes = options.nodes != description::Nodes::kNone;
+  Recorder r{cloth.get(), {}, nodes, {}, options.frames, {}, stages};
+  r.frames.folder = options.folder;
+  if (const int code = files_open(options, r, table); code != kDone) return code;
+  if (std::signal(SIGINT, interrupt) == SIG_IGN) std::signal(SIGINT, SIG_IGN);  // as in a shell's background
+  stage_end(stages, &Stages::reading);
+  const int code = run_and_end(options, r, driven, times);
+  print_summary(cloth.get(), stages);
   return code;
 }
 
@@ -275,6 +310,9 @@ void command_run(CLI::App& app, int& exit_code) {
              "elongation beyond which the report counts area; default: the tested range",
              {.type = "PERCENT"});
   option_nodes(*command, options->nodes);
+  flag_add(*command, "--progress", options->progress,
+           "show a line of progress on standard error, even where it is no terminal");
+  flag_add(*command, "--no-progress", options->no_progress, "show none");
   flag_add(*command, "-v,--verbose", options->verbose, "print events and changes of the step");
   command_on_run(*command, [options, &exit_code] { exit_code = run(*options); });
 }

@@ -132,7 +132,7 @@ fmi2Status fmi2ExitInitializationMode(fmi2Component c) {
 
 fmi2Status fmi2Terminate(fmi2Component c) {
   return gate(c, rule_of("fmi2Terminate"), [](Component& k) {
-    k.instance->phase = instance::Phase::kTerminated;
+    instance::instance_terminate(*k.instance);
     return fmi2OK;
   });
 }

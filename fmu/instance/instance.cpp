@@ -5,6 +5,7 @@
 
 #include "decimal.h"
 #include "guid.h"
+#include "instance/unfinished.h"
 
 namespace drape::instance {
 namespace {
@@ -146,6 +147,12 @@ drape_status instance_step(Instance& instance, double time, double length) {
   if (status == DRAPE_OK) ++instance.steps;
   instance.read = 0;
   return status;
+}
+
+void instance_terminate(Instance& instance) {
+  for (const std::string& sentence : unfinished(instance.cloth))
+    log_write(instance, DRAPE_OK, DRAPE_LOG_WARNING, sentence);
+  instance.phase = Phase::kTerminated;
 }
 
 void instance_reset(Instance& instance) { instance_restore(instance, instance.initial); }

@@ -58,6 +58,7 @@ drape_status instance_refuse(Instance& instance, drape_status status, const std:
 drape_status instance_setup(Instance& instance, double start_time, double stop_time);
 drape_status instance_exit_initialization(Instance& instance);
 drape_status instance_step(Instance& instance, double time, double length);
+void instance_terminate(Instance& instance);  // warns of a fit without rest and of seams that have not closed
 void instance_reset(Instance& instance);
 
 // Values by reference. A call that names one bad value changes nothing.

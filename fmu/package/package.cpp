@@ -118,6 +118,8 @@ bool fmu_pack(drape_cloth* cloth, description::Nodes nodes, const std::string& p
   for (const License& license : kLicenses)
     entries.emplace_back("documentation/licenses/" + license.name, license.text);
   if (!bodies_add(cloth, entries, problem)) return false;
+  entries.emplace_back("documentation/licenses/components.csv",
+                       kComponents + (drape_file_count(cloth) > 0 ? kContactComponents : ""));
   return archive_write(file, entries, problem);
 }
 

@@ -1,11 +1,13 @@
-"""`drape run` says how it ended, keeps what it has written, and reads what ends."""
+"""`drape run` says how far it is and how it ended, keeps what it has written, and reads what ends."""
 import os
+import pty
+import re
 import signal
 import subprocess
 import time
 
 import pytest
-from scenes import ROOT, read_csv, swinging_sheet, two_strips
+from scenes import HANGING, ROOT, pin_edge, read_csv, sheet, swinging_sheet, two_strips
 
 COMMAND = ROOT / "build" / "drape"
 
@@ -14,10 +16,100 @@ def run(*arguments, seconds=60, **named):
     return subprocess.run([COMMAND, *map(str, arguments)], capture_output=True, text=True, timeout=seconds, **named)
 
 
+CLOSING = (r"sheet: (\S+) s of cloth in (\S+) s, (\S+) times its time; (\d+) steps; "
+           r"reading (\S+) s, stepping (\S+) s, outputs (\S+?) s(?:, frames (\S+?) s)?(?:, report (\S+) s)?\n")
+
+
+def closing_line(text):
+    """Its numbers: cloth's time, seconds, ratio, steps, then the stages."""
+    found = re.fullmatch(CLOSING, text)
+    assert found, text
+    return [float(number or 0) for number in found.groups()]
+
+
 def test_closing_line(write, tmp_path):
-    done = run("run", write(swinging_sheet()), "-o", tmp_path / "run", "--until", 0.01)
+    begin = time.perf_counter()
+    done = run("run", write(swinging_sheet()), "-o", tmp_path / "run", "--until", 0.1, "--frames", "--report", tmp_path / "report.txt")
+    spent = time.perf_counter() - begin
     assert done.returncode == 0 and done.stderr == ""
-    assert "0.01 s of cloth in " in done.stdout and " steps" in done.stdout
+    cloth, seconds, ratio, steps, *stages = closing_line(done.stdout)
+    assert cloth == 0.1 and seconds <= spent and ratio == pytest.approx(seconds / 0.1, rel=0.02)
+    assert len(stages) == 5 and all(stage > 0 for stage in stages)
+    assert sum(stages) == pytest.approx(seconds, rel=0.05)
+    names, rows = read_csv(tmp_path / "run" / "outputs.csv")
+    assert steps == rows[-1][names.index("step.count")]
+
+
+def test_closing_line_after_a_failure(write, tmp_path):
+    """The step limit falls below the given step where the cloth is jerked up."""
+    scene = swinging_sheet(step=2e-5, duration=0.1)
+    scene["pin"][0] |= {"drive": "position"}
+    inputs = tmp_path / "jerk.csv"
+    inputs.write_text("time,pin.left.position[3]\n0,1\n0.01,1\n0.02,1.15\n")
+    done = run("run", write(scene), "-o", tmp_path / "run", "--inputs", inputs)
+    assert done.returncode == 2 and done.stderr.startswith("error: ")
+    assert 0 < closing_line(done.stdout)[0] < 0.1
+
+
+def on_terminal(arguments, until, seconds=60):
+    """What the command writes to a terminal of 100 columns until that holds `until`; then it is interrupted."""
+    own, its = pty.openpty()
+    subprocess.run(["stty", "cols", "100"], stdin=its, check=True)
+    going = subprocess.Popen([COMMAND, *map(str, arguments)], stdout=subprocess.DEVNULL, stderr=its)
+    os.close(its)
+    text, end = "", time.monotonic() + seconds
+    while time.monotonic() < end:
+        try:
+            text += os.read(own, 4096).decode()
+        except OSError:  # the command has ended
+            break
+        if until and until in text and not going.poll():
+            going.send_signal(signal.SIGINT)
+            until = None
+    os.close(own)
+    try:
+        return text, going.wait(timeout=seconds)
+    finally:
+        going.kill()
+
+
+def test_progress_on_a_terminal(write, tmp_path):
+    scene = write(swinging_sheet(duration=1000.0))
+    text, code = on_terminal(["run", scene, "-o", tmp_path / "run", "--every", 0.01], until=" left; step ")
+    assert code == 2
+    *lines, last, end = re.split(r"\r(?!\n)", text)
+    step = r"; step \S+ us, set by \w+ link of piece 'sheet'.*"
+    assert re.fullmatch(r"  0\.0 %, 0 of 1000 s" + step, lines[1]), lines
+    assert re.fullmatch(r"  \d\.\d %, \S+ of 1000 s, [\d:]+ left" + step, lines[2]), lines
+    assert all(len(line) < 100 for line in lines)
+    assert last.strip() == "" and re.fullmatch(r"error: interrupted at \S+ s; what was asked for is complete up to there\r?\n", end)
+    text, code = on_terminal(["run", scene, "-o", tmp_path / "run", "--until", 0.3, "--no-progress"], until=None)
+    assert code == 0 and text == ""
+
+
+def test_progress_where_there_is_no_terminal(write, tmp_path):
+    """None unless asked for; and a line for progress changes no result, not even forces of pins over a row."""
+    scene = sheet(0.1, 0.1, 0.004, HANGING, duration=0.04)
+    pin_edge(scene, "rod", 2)
+    table = tmp_path / "run" / "outputs.csv"
+    plain = run("run", write(scene), "-o", tmp_path / "run", "--every", 0.02)
+    assert plain.returncode == 0 and plain.stderr == ""
+    before = table.read_bytes()
+    shown = run("run", write(scene), "-o", tmp_path / "run", "--every", 0.02, "--progress")
+    _, first, *_, last = shown.stderr.splitlines()  # which ends lines at \r too
+    assert shown.returncode == 0 and first.startswith("  0.0 %, 0 of 0.04 s; step ") and last.strip() == ""
+    assert table.read_bytes() == before and b"pin.rod.force" in before
+    both = run("run", write(scene), "-o", tmp_path / "run", "--progress", "--no-progress")
+    assert both.returncode == 1 and both.stderr == "error: --progress and --no-progress are both given; allowed: one of them\n"
+
+
+def test_progress_of_a_fit(write, tmp_path):
+    """The unbalanced forces and the seams that are open; no time that is left. Pins on both sides hold the seam open."""
+    scene = two_strips(gap=(0.01, 0, 0), mode="fit", duration=1000.0)
+    scene["pin"] = [{"name": side, "piece": piece, "edges": [edge]} for side, piece, edge in (("a", "sheet", 1), ("b", "right", 3))]
+    text, _ = on_terminal(["run", write(scene), "-o", tmp_path / "run", "--every", 0.05], until="open")
+    assert re.search(r"of 1000 s(; residual \S+ of the load)?; 1 seam open", text), text
+    assert " left" not in text and "set by" not in text
 
 
 def test_fit_that_does_not_rest(write, tmp_path):

@@ -309,6 +309,20 @@ drape_surface drape_surface_at(drape_cloth*, int index);
  * of the link that sets the limit. */
 double drape_step_limit(drape_cloth*, const char** set_by);
 
+/* How far a long advance has come. A function that is set here is called in drape_advance, by its thread,
+ * before each communication interval. It may call drape_progress_of, and nothing else of this cloth. NULL:
+ * none. */
+typedef struct drape_progress {
+  double time;        /* s */
+  double step_size;   /* s, present time step */
+  const char* set_by; /* the link that sets the step limit; "" in a fit, whose step stays */
+  double residual;    /* 1, of a fit, as last computed; 0 before */
+  int seams_open;     /* seams that have been told to close and have not closed */
+} drape_progress;
+typedef void drape_interval_fn(void* user);
+void drape_on_interval(drape_cloth*, drape_interval_fn*, void* user);
+drape_progress drape_progress_of(drape_cloth*); /* costs a pass over all links */
+
 /* Copies of the whole state: motion, clock, parameters in force and written, inputs. drape_save reuses `into`
  * unless it is NULL. */
 drape_snapshot* drape_save(drape_cloth*, drape_snapshot* into);

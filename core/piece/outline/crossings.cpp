@@ -1,61 +1,20 @@
-// Each segment is entered into the square buckets along its path. There are about as many buckets as
-// segments, and only segments in the same bucket are compared.
+// A sweep tells whether any two segments touch. Only then are the pairs collected: each segment is entered
+// into the square buckets along its path, and segments in the same bucket are compared. There are about as
+// many buckets as segments; fewer where the segments are long.
 #include "piece/outline/crossings.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "piece/outline/segments.h"
+#include "piece/outline/sweep.h"
+
 namespace drape::piece {
 namespace {
 
-struct Segment {
-  Vec2 p, q;
-  int loop, index, edge;
-  double length;
-};
-
-double cross(Vec2 a, Vec2 p, Vec2 q) {  // > 0 if q lies to the left of a -> p
-  return (p[0] - a[0]) * (q[1] - a[1]) - (p[1] - a[1]) * (q[0] - a[0]);
-}
-
-double end_distance(const Segment& s, Vec2 point) {
-  const Vec2 d{s.q[0] - s.p[0], s.q[1] - s.p[1]}, e{point[0] - s.p[0], point[1] - s.p[1]};
-  const double t = std::clamp((d[0] * e[0] + d[1] * e[1]) / (s.length * s.length), 0.0, 1.0);
-  return std::hypot(e[0] - t * d[0], e[1] - t * d[1]);
-}
-
-// True if a segment is on one side of the line of `a`. p and q are the cross products of its ends with `a`.
-bool is_aside(const Segment& a, double p, double q, double contact) {
-  return std::min(p, q) > contact * a.length || std::max(p, q) < -contact * a.length;
-}
-
-// Finds the point where two segments cross or touch. `follows`, `precedes`: b is the successor or predecessor
-// of a, and shares an end with it that does not count.
-bool segments_touch(const Segment& a, const Segment& b, bool follows, bool precedes, double contact,
-                    OutlineCrossing& found) {
-  for (std::size_t k = 0; k < 2; ++k)
-    if (std::max(a.p[k], a.q[k]) + contact < std::min(b.p[k], b.q[k]) ||
-        std::max(b.p[k], b.q[k]) + contact < std::min(a.p[k], a.q[k]))
-      return false;
-  const double bp = cross(a.p, a.q, b.p), bq = cross(a.p, a.q, b.q);
-  const double ap = cross(b.p, b.q, a.p), aq = cross(b.p, b.q, a.q);
-  if (is_aside(a, bp, bq, contact) || is_aside(b, ap, aq, contact)) return false;
-  if (!follows && !precedes && bp * bq < 0 && ap * aq < 0) {
-    const double t = ap / (ap - aq);
-    found.at = {a.p[0] + t * (a.q[0] - a.p[0]), a.p[1] + t * (a.q[1] - a.p[1])};
-    found.crosses = true;
-    return true;
-  }
-  found.crosses = false;
-  const auto near = [&](const Segment& s, Vec2 end) {
-    if (end_distance(s, end) > contact) return false;
-    found.at = end;
-    return true;
-  };
-  return (!follows && near(a, b.p)) || (!precedes && near(a, b.q)) || (!precedes && near(b, a.p)) ||
-         (!follows && near(b, a.q));
-}
+constexpr double kMostEntries = 4;               // a segment, in the mean: the buckets along its path
+constexpr std::size_t kMostCompared = 10000000;  // pairs; where they are not enough, fewer are reported
 
 struct Buckets {
   Vec2 low{INFINITY, INFINITY};
@@ -96,6 +55,9 @@ Buckets buckets_make(const std::vector<Segment>& segments, double contact) {
       b.low[k] = std::min(b.low[k], s.p[k] - 2 * contact), high[k] = std::max(high[k], s.p[k] + 2 * contact);
   const double width = high[0] - b.low[0], height = high[1] - b.low[1], count = double(segments.size());
   b.size = std::max(std::sqrt(width * height / count) / 2, std::max(width, height) / (2 * count));
+  double length = 0;
+  for (const Segment& s : segments) length += s.length;
+  b.size = std::max(b.size, length / (kMostEntries * count));
   b.columns = int(width / b.size) + 1;
   b.rows = int(height / b.size) + 1;
   b.segments.resize(std::size_t(b.columns) * std::size_t(b.rows));
@@ -103,35 +65,28 @@ Buckets buckets_make(const std::vector<Segment>& segments, double contact) {
   return b;
 }
 
-std::vector<Segment> segments_of(const std::vector<OutlineLoop>& loops) {
-  std::vector<Segment> segments;
-  for (std::size_t l = 0; l < loops.size(); ++l)
-    for (std::size_t k = 0, n = loops[l].points.size(); k < n; ++k) {
-      const Vec2 p = loops[l].points[k], q = loops[l].points[(k + 1) % n];
-      segments.push_back({p, q, int(l), int(k), loops[l].edge[k], std::hypot(q[0] - p[0], q[1] - p[1])});
-    }
-  return segments;
-}
-
 }  // namespace
 
 std::vector<OutlineCrossing> outline_crossings(const std::vector<OutlineLoop>& loops, double contact,
                                                std::size_t largest) {
   const std::vector<Segment> segments = segments_of(loops);
+  const auto first = sweep_touch(segments, contact);
+  if (!first) return {};
   std::map<std::array<int, 4>, OutlineCrossing> found;
-  const auto compare = [&](const Segment& a, const Segment& b) {
-    const int n = int(loops[std::size_t(a.loop)].points.size());
-    const bool follows = a.loop == b.loop && (a.index + 1) % n == b.index;
-    const bool precedes = a.loop == b.loop && (b.index + 1) % n == a.index;
+  std::size_t left = kMostCompared;
+  const auto compare = [&](int u, int v) {
+    const Segment &a = segments[std::size_t(std::min(u, v))], &b = segments[std::size_t(std::max(u, v))];
     OutlineCrossing c{{a.loop, b.loop}, {a.edge, b.edge}, {}, false};
-    if (!segments_touch(a, b, follows, precedes, contact, c)) return;
+    if (left > 0) --left;
+    if (!segments_touch(a, b, contact, c)) return;
     if (a.loop == b.loop && a.edge > b.edge) std::swap(c.edge[0], c.edge[1]);
     found.insert({{c.loop[0], c.edge[0], c.loop[1], c.edge[1]}, c});
   };
   for (const std::vector<int>& bucket : buckets_make(segments, contact).segments)
-    for (std::size_t u = 0; u < bucket.size() && found.size() < largest; ++u)
-      for (std::size_t v = u + 1; v < bucket.size() && found.size() < largest; ++v)
-        compare(segments[std::size_t(bucket[u])], segments[std::size_t(bucket[v])]);
+    for (std::size_t u = 0; u < bucket.size(); ++u)
+      for (std::size_t v = u + 1; v < bucket.size() && left > 0 && found.size() < largest; ++v)
+        compare(bucket[u], bucket[v]);
+  if (found.empty()) compare(first->first, first->second);
   std::vector<OutlineCrossing> list;
   for (const auto& pair : found) list.push_back(pair.second);
   return list;

@@ -6,6 +6,7 @@
 
 #include "command/files/whole_file.h"
 #include "decimal.h"
+#include "instance/unfinished.h"
 
 namespace drape::command {
 namespace {
@@ -34,9 +35,19 @@ ReportTable elongations(drape_cloth* cloth, double limit) {
   return table;
 }
 
+ReportTable fit(drape_cloth* cloth, const drape_outputs& o) {
+  return {"fit",
+          {"of"},
+          {{"unbalanced forces", "of the load"}, {"allowed", "of the load"}, {"at rest", "1"}},
+          {{{"the cloth"}, {o.fit_residual, instance::kResidualAtRest, double(drape_at_rest(cloth))}}}};
+}
+
 ReportTable seams(drape_cloth* cloth, const drape_outputs& o) {
   ReportTable table{
-      "seams", {"seam"}, {{"largest gap", "mm"}, {"mean gap", "mm"}, {"closed", "1"}, {"length", "m"}}, {}};
+      "seams",
+      {"seam"},
+      {{"largest gap", "mm"}, {"mean gap", "mm"}, {"told to close", "1"}, {"closed", "1"}, {"length", "m"}},
+      {}};
   for (int k = 0; k < o.seam_count; ++k) {
     const drape_seam& seam = o.seam[k];
     const drape_seam_lines lines = drape_seam_lines_at(cloth, k);
@@ -45,7 +56,8 @@ ReportTable seams(drape_cloth* cloth, const drape_outputs& o) {
       sum += std::hypot(lines.b[n] - lines.a[n], lines.b[n + 1] - lines.a[n + 1],
                         lines.b[n + 2] - lines.a[n + 2]);
     table.rows.push_back(
-        {{seam.name}, {1e3 * seam.gap_max, 1e3 * sum / lines.pair_count, seam.closed, seam.length}});
+        {{seam.name},
+         {1e3 * seam.gap_max, 1e3 * sum / lines.pair_count, double(seam.due), seam.closed, seam.length}});
   }
   return table;
 }
@@ -124,6 +136,7 @@ std::vector<ReportTable> report_of(drape_cloth* cloth, double limit) {
   std::vector<ReportTable> report{elongations(cloth, limit)};
   const drape_outputs& o =
       *drape_get_outputs(cloth, DRAPE_OUT_POSITION | DRAPE_OUT_VELOCITY | DRAPE_OUT_STRAIN);
+  if (o.has_fit) report.push_back(fit(cloth, o));
   if (o.seam_count > 0) report.push_back(seams(cloth, o));
   if (o.body_count > 0) {
     report.push_back(contact(cloth, o));

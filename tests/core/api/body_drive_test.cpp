@@ -117,6 +117,32 @@ TEST(BodyDrive, ReportsOnceThatPositionsAndVelocitiesContradictEachOther) {
   EXPECT_NE(told.warnings[0].find("its velocities at 0 m/s"), std::string::npos) << told.warnings[0];
 }
 
+// The belt turns about z by 0.02 rad in 10 ms: at 2 rad/s.
+std::size_t belt_turn(Told& told, double angular_velocity) {
+  const SceneFolder folder;
+  const Cloth c = open_ride(folder, told, "drive = \"both\"\n");
+  drape_pin_input& in = drape_inputs_of(c.get())->body[0];
+  for (int k = 1; k <= 3; ++k) {
+    in.orientation[0] = std::cos(0.01 * k);
+    in.orientation[3] = std::sin(0.01 * k);
+    in.angular_velocity[2] = angular_velocity;
+    EXPECT_EQ(drape_advance(c.get(), 0.01), DRAPE_OK);
+  }
+  return told.warnings.size();
+}
+
+TEST(BodyDrive, ReportsOnceThatOrientationsAndAngularVelocitiesContradictEachOther) {
+  Told still, other, same;
+  ASSERT_EQ(belt_turn(still, 0), 1u);
+  EXPECT_NE(
+      still.warnings[0].find("body.belt: its orientations turn it at 2 rad/s, its angular velocities at "
+                             "0 rad/s"),
+      std::string::npos)
+      << still.warnings[0];
+  EXPECT_EQ(belt_turn(other, -2), 1u);  // the other way round
+  EXPECT_EQ(belt_turn(same, 2), 0u);
+}
+
 TEST(BodyDrive, IsOfBodiesThatMove) {
   const SceneFolder folder;
   Told told;
@@ -125,6 +151,57 @@ TEST(BodyDrive, IsOfBodiesThatMove) {
                          "position = [0, 0, -1]\ndrive = \"position\"\n"));
   ASSERT_EQ(told.errors.size(), 1u);
   EXPECT_NE(told.errors[0].find("drive is of a body that moves"), std::string::npos) << told.errors[0];
+}
+
+// A clamp along an edge, driven by both.
+TEST(PinDrive, ReportsOnceOfEachKindThatTheInputsContradictEachOther) {
+  const SceneFolder folder;
+  Told told;
+  const Cloth c(drape_open(folder
+                               .write("scene.toml", R"(
+[scene]
+name = "pole"
+[fabric.f]
+areal_density = 0.2
+thickness = 0.0005
+warp = { elongation_percent = [0, 10], force = [0, 100] }
+weft = { elongation_percent = [0, 10], force = [0, 100] }
+bias = { elongation_percent = [0, 10], force = [0, 10] }
+bending = { rigidity_uN_cm2 = [900, 900] }
+[[piece]]
+name = "p"
+fabric = "f"
+cell = 0.02
+outline = [[0, 0], [0.1, 0], [0.1, 0.1], [0, 0.1]]
+[[pin]]
+name = "pole"
+piece = "p"
+edges = [3]
+hold = "clamp"
+drive = "both"
+)")
+                               .c_str(),
+                           on_told, &told));
+  ASSERT_TRUE(c) << told.errors[0];
+  drape_pin_input& in = drape_inputs_of(c.get())->pin[0];
+  const double start = in.position[0];
+  const auto step = [&](int k, double velocity, double angular_velocity) {
+    in.position[0] = start + 1e-4 * k;  // at 0.1 m/s
+    in.velocity[0] = velocity;
+    in.orientation[0] = std::cos(5e-4 * k);  // at 1 rad/s
+    in.orientation[2] = std::sin(5e-4 * k);
+    in.angular_velocity[1] = angular_velocity;
+    EXPECT_EQ(drape_advance(c.get(), 0.001), DRAPE_OK);
+  };
+  for (int k = 1; k <= 3; ++k) step(k, 0.1, 1);
+  EXPECT_TRUE(told.warnings.empty()) << told.warnings[0];
+  for (int k = 4; k <= 9; ++k) step(k, 0.1, -1);
+  ASSERT_EQ(told.warnings.size(), 1u);
+  EXPECT_NE(told.warnings[0].find("pin.pole: its orientations turn it at"), std::string::npos);
+  for (int k = 10; k <= 19; ++k) step(k, 0, -1);
+  ASSERT_EQ(told.warnings.size(), 2u);
+  EXPECT_NE(told.warnings[1].find("pin.pole: its positions move it at 0.1 m/s"), std::string::npos)
+      << told.warnings[1];
 }
 
 }  // namespace

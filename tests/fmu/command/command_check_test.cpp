@@ -35,6 +35,17 @@ outline = [[0, 0], [0.03, 0], [0.03, 0.03], [0.0151, 0.03], [0.015, 0.008], [0.0
     EXPECT_NE(done.text.find(line), std::string::npos) << line << done.text;
 }
 
+// In processor seconds. A fit ends where it is at rest, which nothing foretells.
+TEST_F(Command, CheckEstimatesTheCostOfMotionsOnly) {
+  EXPECT_NE(drape("check scene.toml").text.find(" CPU s per simulated second, "), std::string::npos);
+  std::string scene = text_of("scene.toml");
+  scene.replace(scene.find("[scene]\n"), 8, "[scene]\nmode = \"fit\"\n");
+  std::ofstream(folder / "fit.toml") << scene;
+  const Done fit = drape("check fit.toml");
+  EXPECT_EQ(fit.code, 0) << fit.text;
+  EXPECT_EQ(fit.text.find("cost"), std::string::npos) << fit.text;
+}
+
 TEST_F(Command, CheckDrawsOnlyWhenAsked) {
   ASSERT_EQ(drape("check scene.toml").code, 0);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);

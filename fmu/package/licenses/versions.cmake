@@ -1,0 +1,32 @@
+# The versions of what an FMU packs: those of Debian's packages, which name the source too; on other systems what CMake or
+# pkg-config knows.
+pkg_check_modules(CCD QUIET ccd)
+pkg_check_modules(OCTOMAP QUIET octomap)
+pkg_check_modules(TINYOBJLOADER QUIET tinyobjloader)
+find_program(DPKG_QUERY dpkg-query)
+
+function(component_version NAME PACKAGE OTHERWISE)
+  set(VERSION "")
+  if(DPKG_QUERY)
+    execute_process(COMMAND ${DPKG_QUERY} -W "-f=\${Version}" ${PACKAGE}
+      OUTPUT_VARIABLE VERSION ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
+  endif()
+  if(NOT VERSION)
+    set(VERSION "${OTHERWISE}")
+  endif()
+  set(VERSION_${NAME} "${VERSION}" PARENT_SCOPE)
+endfunction()
+
+string(REGEX MATCH "^[0-9]+" GCC_MAJOR "${CMAKE_CXX_COMPILER_VERSION}")
+set(GCC_PACKAGE libstdc++-${GCC_MAJOR}-dev)
+component_version(GCC ${GCC_PACKAGE} "${CMAKE_CXX_COMPILER_VERSION}")
+component_version(TOMLPLUSPLUS libtomlplusplus-dev "${tomlplusplus_VERSION}")
+component_version(EIGEN libeigen3-dev "${Eigen3_VERSION}")
+component_version(FCL libfcl0.7 "${fcl_VERSION}")
+component_version(CCD libccd2 "${CCD_VERSION}")
+component_version(OCTOMAP liboctomap1.9 "${OCTOMAP_VERSION}")
+component_version(TINYOBJLOADER libtinyobjloader-dev "${TINYOBJLOADER_VERSION}")
+component_version(STDCXX libstdc++6 "${CMAKE_CXX_COMPILER_VERSION}")
+component_version(GCC_S libgcc-s1 "${CMAKE_CXX_COMPILER_VERSION}")
+file(STRINGS ${DRAPE_FMI_HEADERS}/fmi2Functions.h FMI_LINE REGEX "FMI [0-9.]+ Model Exchange")
+string(REGEX MATCH "[0-9]+\\.[0-9.]+" VERSION_FMI "${FMI_LINE}")
