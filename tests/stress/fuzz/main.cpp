@@ -102,7 +102,7 @@ struct Clock {
 void file_replay(const Reader& reader, const Options& options) {
   const fs::path file = options.work / "files" / reader.file;
   fs::copy_file(options.file, file, fs::copy_options::overwrite_existing);
-  guard_case(options.file);
+  guard_case(options.file, kFileSeconds);
   const Outcome outcome = outcome_of([&](Outcome& o) { reader.run(file, o); });
   guard_case("");
   for (const std::string& sentence : outcome.sentences) std::printf("%s\n", sentence.c_str());
@@ -127,7 +127,7 @@ Tally files_fuzz(const Reader& reader, const Options& options) {
                              std::to_string(tally.cases) + ", " + file.string();
     const std::string bytes = mutate(random, corpus, reader.form);
     std::ofstream(file, std::ios::binary) << bytes;
-    guard_case(name);
+    guard_case(name, kFileSeconds);
     const Outcome outcome = outcome_of([&](Outcome& o) { reader.run(file, o); });
     if (tally.cases % 1000 == 999) leaks_check(name, tally);
     guard_case("");
@@ -153,7 +153,7 @@ Tally fmi_fuzz(const Options& options, bool touching) {
        ++seed) {
     if (touching && !fmi_scene_touches(seed, options.scene)) continue;
     const std::string name = "fmi --seed " + std::to_string(seed) + " --cases 1";
-    guard_case(name);
+    guard_case(name, kSequenceSeconds);
     const Outcome outcome =
         outcome_of([&](Outcome& o) { fmi_sequence(options.work, seed, options.scene, o); });
     if (tally.cases % 100 == 99) leaks_check(name, tally);
