@@ -77,9 +77,18 @@ std::uint64_t bucket_key(std::int64_t i, std::int64_t j, std::int64_t k) {
   return (part(i) << 21 | part(j)) << 21 | part(k);
 }
 
+bool key_within(std::uint64_t key, const Bucket& low, const Bucket& high) {
+  constexpr std::uint64_t kMask = (1u << 21) - 1;
+  const std::uint64_t part[3] = {key >> 42, key >> 21 & kMask, key & kMask};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::int64_t at = std::int64_t(part[k]) - std::int64_t(kBucketFar);
+    if (at < low[k] || at > high[k]) return false;
+  }
+  return true;
+}
+
 template <class Visit>
-void buckets_visit(const Vec3& low, const Vec3& high, double size, Visit visit) {
-  const Bucket a = bucket_of(low, size), b = bucket_of(high, size);
+void buckets_visit(const Bucket& a, const Bucket& b, Visit visit) {
   for (std::int64_t i = a[0]; i <= b[0]; ++i)
     for (std::int64_t j = a[1]; j <= b[1]; ++j)
       for (std::int64_t k = a[2]; k <= b[2]; ++k) visit(bucket_key(i, j, k));
@@ -105,7 +114,7 @@ void buckets_fill(SharpFeatures& to) {
       Vec3 low = from, high = from;
       for (std::size_t k = 0; k < 3; ++k)
         low[k] = std::min(from[k], on[k]), high[k] = std::max(from[k], on[k]);
-      buckets_visit(low, high, to.bucket,
+      buckets_visit(bucket_of(low, to.bucket), bucket_of(high, to.bucket),
                     [&](std::uint64_t key) { to.entry.push_back({key, std::uint32_t(r)}); });
     }
   }
@@ -142,12 +151,28 @@ SharpFeatures sharp_features_make(const BodySurface& surface, double sine, doubl
 void sharp_features_in(const SharpFeatures& features, const Vec3& low, const Vec3& high,
                        std::vector<std::uint32_t>& found) {
   found.clear();
-  buckets_visit(low, high, features.bucket, [&](std::uint64_t key) {
-    const auto [known, first] = features.table[table_index(features, key)];
-    if (known != key) return;
-    for (std::size_t k = first; k < features.entry.size() && features.entry[k].first == key; ++k)
-      found.push_back(features.entry[k].second);
-  });
+  if (features.entry.empty()) return;
+  Bucket a = bucket_of(low, features.bucket), b = bucket_of(high, features.bucket);
+  const Bucket first = bucket_of(features.low, features.bucket),
+               last = bucket_of(features.high, features.bucket);
+  double buckets = 1;
+  for (std::size_t k = 0; k < 3; ++k) {  // one more on each side, for the rounding of an edge's pieces
+    a[k] = std::max(a[k], first[k] - 1), b[k] = std::min(b[k], last[k] + 1);
+    if (a[k] > b[k]) return;
+    buckets *= double(b[k] - a[k] + 1);
+  }
+  if (buckets >
+      double(features.entry.size())) {  // a box around cloth that flies off may hold millions of them
+    for (const auto& [key, feature] : features.entry)
+      if (key_within(key, a, b)) found.push_back(feature);
+  } else {
+    buckets_visit(a, b, [&](std::uint64_t key) {
+      const auto [known, entry] = features.table[table_index(features, key)];
+      if (known != key) return;
+      for (std::size_t k = entry; k < features.entry.size() && features.entry[k].first == key; ++k)
+        found.push_back(features.entry[k].second);
+    });
+  }
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }

@@ -64,10 +64,16 @@ std::string number_text(double value) {
   return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general).ptr};
 }
 
-std::string in_quotes(const std::string& text) {
+std::string shortened(const std::string& text) {
   constexpr std::size_t kMaxLength = 80;
-  return '"' + text.substr(0, kMaxLength) + (text.size() > kMaxLength ? "...\"" : "\"");
+  if (text.size() <= kMaxLength) return text;
+  std::size_t end = kMaxLength;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
+    --end;  // within a character of UTF-8
+  return text.substr(0, end) + "...";
 }
+
+std::string in_quotes(const std::string& text) { return '"' + shortened(text) + '"'; }
 
 std::string entries_text(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " entry" : " entries");

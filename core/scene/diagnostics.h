@@ -43,7 +43,8 @@ void faults_report(const Faults& faults, std::vector<Problem>& problems);
 
 // Parts of messages.
 std::string number_text(double value);           // the shortest decimal that gives the same double
-std::string in_quotes(const std::string& text);  // cut after 80 characters
+std::string shortened(const std::string& text);  // cut after 80 bytes, between characters
+std::string in_quotes(const std::string& text);  // shortened
 std::string entries_text(std::size_t count);     // the length of a list: "3 entries"
 std::string rounded(double value);               // to six digits, for computed numbers
 std::string point_text(Vec2 point);

@@ -1,22 +1,34 @@
 #include "command/garmentcode/json.h"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "scene/diagnostics.h"
 
 namespace drape::command {
 
 bool json_parse(std::istream& stream, Json& value, std::string& problem) {
+  constexpr int kMaxDepth = 256;  // the library writes and copies a value with one call for every level
+  const auto depth_check = [](int depth, Json::parse_event_t event, const Json&) {
+    const bool opens =
+        event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
+    if (opens && depth >= kMaxDepth)
+      throw std::length_error("is nested in more than 256 levels; allowed: up to 256");
+    return true;
+  };
   try {
-    value = Json::parse(stream);
+    value = Json::parse(stream, depth_check);
   } catch (const Json::exception& e) {
+    problem = std::string("is not valid JSON: ") + e.what();
+    return false;
+  } catch (const std::length_error& e) {
     problem = e.what();
     return false;
   }
   return true;
 }
 
-std::string json_text(const Json& value) { return value.dump(); }
+std::string json_text(const Json& value) { return scene::shortened(value.dump()); }
 
 void json_fault(const JsonFaults& faults, const std::string& path, const std::string& message) {
   faults.problems.push_back({faults.file + (path.empty() ? ":" : ": " + path), message});

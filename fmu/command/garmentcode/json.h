@@ -17,10 +17,10 @@ struct JsonFaults {
   std::vector<Problem>& problems;
 };
 
-// Reads a text. False: it is no JSON; `problem` says why.
+// Reads a text. False: it is no JSON, or nested too deeply; `problem` says so.
 bool json_parse(std::istream& stream, Json& value, std::string& problem);
 
-// A value as a text in one line.
+// A value as a text in one line, shortened.
 std::string json_text(const Json& value);
 
 // "dress.json: pattern.panels.front.edges[3] <message>"

@@ -118,7 +118,7 @@ void stitches_read(const JsonFaults& faults, const Json& list, const std::vector
       stitch.right_wrong = json[2] == "right_wrong";
       if (!stitch.right_wrong)
         json_fault(faults, scene::entry(path, 2),
-                   "= " + json_text(json[2]).substr(0, 80) + "; allowed: \"right_wrong\", or nothing");
+                   "= " + json_text(json[2]) + "; allowed: \"right_wrong\", or nothing");
     }
     if (valid) pattern.stitches.push_back(stitch);
   }
@@ -160,8 +160,7 @@ Pattern pattern_read(const std::filesystem::path& file, std::vector<Problem>& pr
   if (!stream) return json_fault(faults, "", "cannot be read"), pattern;
   Json root;
   std::string problem;
-  if (!json_parse(stream, root, problem))
-    return json_fault(faults, "", "is not valid JSON: " + problem), pattern;
+  if (!json_parse(stream, root, problem)) return json_fault(faults, "", problem), pattern;
   if (root.is_object()) pattern_fill(faults, root, pattern);
   else json_fault(faults, "", std::string("is ") + json_kind(root.type()) + "; wanted: an object {...}");
   return pattern;

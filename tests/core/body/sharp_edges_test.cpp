@@ -70,6 +70,27 @@ TEST(SharpEdges, SearchFindsTheNearest) {
 
 // d is the distance of the elements while they are apart, and grows below 0 as they pass through: D.n by
 // differences of the nodes' positions, W = dd/dr_k . n.
+// A search visits at most as many buckets as there are entries: a box of 1e18 m holds 1e60 buckets.
+TEST(SharpEdges, SearchInABoxOfAnySizeFindsWhatLiesInIt) {
+  const SharpFeatures features = sharp_features_make(surface_of(box(0.3, 0.2, 0.1)), kSharpSine, 0.02);
+  std::vector<std::uint32_t> all(features.feature.size()), upper, found;
+  for (std::uint32_t k = 0; k < all.size(); ++k) {
+    all[k] = k;
+    const SharpFeature& f = features.feature[k];
+    if (std::max(f.from[2], f.to[2]) > 0.04) upper.push_back(k);
+  }
+  ASSERT_EQ(all.size(), 20u);
+  ASSERT_EQ(upper.size(), 12u);
+  for (const double far : {0.2, 10.0, 1e6, 1e18, 1e300}) {
+    sharp_features_in(features, {-far, -far, -far}, {far, far, far}, found);
+    EXPECT_EQ(found, all) << far;
+    sharp_features_in(features, {-far, -far, 0.04}, {far, far, far}, found);
+    EXPECT_EQ(found, upper) << far;
+    sharp_features_in(features, {-far, -far, 0.1}, {far, far, far}, found);
+    EXPECT_TRUE(found.empty()) << far;
+  }
+}
+
 TEST(SharpEdges, WeightsAreTheGradientOfTheDistance) {
   const SharpFeatures edges = sharp_features_make(surface_of(roof(0.7)), kSharpSine, 0.1),
                       tips = sharp_features_make(surface_of(pyramid(0.7)), kSharpSine, 0.1);

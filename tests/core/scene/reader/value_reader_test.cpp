@@ -229,6 +229,15 @@ TEST(SceneFile, ThatIsNotToml) {
       starts(messages_of(folder, folder.write("scene.toml", kScene)), "wool.toml:2:15: is not valid TOML: "));
 }
 
+// Texts are cut after 80 bytes, here within the two bytes of the letter.
+TEST(SceneFile, ThatHoldsALongTextIsQuotedUpToAWholeLetter) {
+  const std::string first(79, 'a');
+  const Messages messages = scene_messages("[scene]\nname = \"" + first + "\u00e9\u00e9\"\n");
+  ASSERT_FALSE(messages.empty());
+  EXPECT_TRUE(messages.back().starts_with("scene.toml:2: scene.name = \"" + first + "...\" "))
+      << messages.back();
+}
+
 TEST(SceneFile, WhoseFabricFileIsNone) {
   const SceneFolder folder;
   const std::filesystem::path file = folder.write("scene.toml", kScene);
