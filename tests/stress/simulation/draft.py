@@ -139,7 +139,7 @@ def variants(d):
         options["clamp_correction"] = False
     if rng.random() < 0.2:
         d.sim.scene["scene"]["imperfection"] = {"amplitude": 0.01 * d.cell, "seed": rng.randrange(1000)}
-    if rng.random() < 0.05:
+    if d.speed > 0 and rng.random() < 0.1:  # what neither falls nor moves has no energy to judge by
         d.sim.scene["scene"]["gravity"] = [0.0, 0.0, 0.0]
 
 
