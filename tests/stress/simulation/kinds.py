@@ -236,7 +236,8 @@ MOST_STEPS = 2e5  # of an interval
 
 def high_order(rng, sim):
     d = begin(rng, sim)
-    sim.scene["scene"]["order"] = rng.choice([4, 6])
+    order = sim.scene["scene"]["order"] = rng.choice([4, 6])
+    d.cost = {4: 3, 6: 6}[order]
     driven = rng.random() < 0.3
     pin(d, **({"drive": drive_of(rng)} if driven else {}))
     if rng.random() < 0.5:
