@@ -6,6 +6,7 @@ import pytest
 from scenes import ROOT
 
 sys.path.insert(0, str(ROOT / "tests" / "stress"))
+import simulations  # noqa: E402
 from simulation import kinds, report, run, verdict  # noqa: E402
 
 SUITE = ROOT / "tests" / "stress" / "simulations.py"
@@ -106,6 +107,24 @@ def test_seeds_repeat():
         assert (sim.scene, sim.until, sim.every, sim.settings, sim.tuning) == (
             same.scene, same.until, same.every, same.settings, same.tuning)
     assert {sim.kind for sim in again} == set(kinds.KINDS)
+
+
+def test_shards_and_kinds():
+    """Shards share out the seeds; a kind takes its own."""
+
+    def chosen(*arguments):
+        return simulations.chosen(simulations.options_of(arguments))
+
+    parts = [chosen("--seeds", "10:121", "--shard", f"{k}/4") for k in (1, 2, 3, 4)]
+    assert [seed for part in parts for seed in part] == list(range(10, 121))
+    bodies = chosen("--seeds", "0:100", "--kind", "body")
+    assert len(bodies) == 10 and all(kinds.kind_of(seed) == "body" for seed in bodies)
+
+
+@pytest.mark.parametrize("words", [("--seeds", "5:5"), ("--seeds", "5"), ("--shard", "3/2"), ("--kind", "bodies")])
+def test_bad_words(words):
+    done = suite(*words)
+    assert done.returncode != 0 and f"argument {words[0]}: " in done.stderr
 
 
 def suite(*arguments):

@@ -58,19 +58,32 @@ def chosen(options):
     """The seeds to run."""
     if options.seed is not None:
         return [options.seed]
-    first, end = (int(x) for x in options.seeds.split(":"))
-    seeds = [seed for seed in range(first, end) if options.kind in (None, kinds.kind_of(seed))]
-    k, n = (int(x) for x in options.shard.split("/"))
+    seeds = [seed for seed in range(*options.seeds) if options.kind in (None, kinds.kind_of(seed))]
+    k, n = options.shard
     return seeds[len(seeds) * (k - 1) // n:len(seeds) * k // n]
+
+
+def seed_range(text):
+    first, end = (int(x) for x in text.split(":"))
+    if not 0 <= first < end:
+        raise ValueError
+    return first, end
+
+
+def shard(text):
+    k, n = (int(x) for x in text.split("/"))
+    if not 1 <= k <= n:
+        raise ValueError
+    return k, n
 
 
 def options_of(arguments):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--drape", type=Path, default=ROOT / "build" / "drape", help="the command to test")
-    parser.add_argument("--seeds", default="0:2000", metavar="A:B", help="from A up to, without, B")
+    parser.add_argument("--seeds", type=seed_range, default="0:2000", metavar="A:B", help="from A up to, without, B")
     parser.add_argument("--seed", type=int, help="one seed; its folder is kept")
     parser.add_argument("--kind", choices=list(kinds.KINDS), help="of these seeds, only those of a kind")
-    parser.add_argument("--shard", default="1/1", metavar="K/N", help="the K-th of N parts of these seeds")
+    parser.add_argument("--shard", type=shard, default="1/1", metavar="K/N", help="the K-th of N parts of these seeds")
     parser.add_argument("--jobs", type=int, default=1, help="runs at a time")
     parser.add_argument("--report", type=Path, metavar="FILE", help="a row a run (.csv), or the tables (.md)")
     parser.add_argument("--compare", type=Path, metavar="FILE.csv", help="steps over those of an earlier report")

@@ -101,10 +101,13 @@ def read(file):
 
 
 def write(file, rows):
-    if str(file).endswith(".md"):
-        file.write_text(whole(rows) + "\n")
-        return
-    with open(file, "w", newline="") as table:
-        out = csv.DictWriter(table, COLUMNS, restval="", extrasaction="ignore")
-        out.writeheader()
-        out.writerows(rows)
+    """Appears whole: the suite may be ended at any time."""
+    part = file.with_name(file.name + ".part")
+    if file.suffix == ".md":
+        part.write_text(whole(rows) + "\n")
+    else:
+        with open(part, "w", newline="") as table:
+            out = csv.DictWriter(table, COLUMNS, restval="", extrasaction="ignore")
+            out.writeheader()
+            out.writerows(rows)
+    part.replace(file)
