@@ -71,7 +71,7 @@ def row(seed, kind="plain", outcome=verdict.SOUND, **values):
 @pytest.mark.parametrize("bad, fails", [
     (row(7), False), (row(7, outcome=verdict.MISSED, error="0.02"), True), (row(7, outcome=verdict.HUNG), True),
     (row(7, "body", verdict.MISSED, error="0.02"), False), (row(7, "body", verdict.NOT_FINITE), True),
-    (row(7, outcome=verdict.UNEXPLAINED), True), (row(7, outcome=verdict.FELL), True),
+    (row(7, outcome=verdict.UNEXPLAINED), True), (row(7, outcome=verdict.FELL), True), (row(7, "self-contact", verdict.FELL), False),
     (row(7, outcome=verdict.STOPPED, sentence=SENTENCE), False)])
 def test_what_fails(bad, fails):
     rows = [bad, *(row(seed) for seed in range(100, 199))]
@@ -87,8 +87,12 @@ def test_share_that_may_stop():
 
 
 def test_bookkeeping():
-    assert report.bookkeeping(row(1, outcome=verdict.MISSED, error="0.032", error_quarter="0.002"))
-    assert not report.bookkeeping(row(1, outcome=verdict.MISSED, error="0.032", error_quarter="0.008"))
+    """A sixteenth is left with a quarter of the step; only driven pins have their work summed."""
+    missed = row(1, outcome=verdict.MISSED, error="0.032", error_quarter="0.002", drive="position")
+    assert report.bookkeeping(missed) and report.falls(missed)
+    assert report.falls(missed | {"drive": ""}) and not report.bookkeeping(missed | {"drive": ""})
+    assert not report.falls(missed | {"error_quarter": "0.008"})
+    assert not report.falls(missed | {"error_quarter": ""})
 
 
 def test_comparison():
@@ -149,7 +153,7 @@ case $4 in */out) cp {tmp_path}/first.csv "$4"/outputs.csv ;; *) cp {tmp_path}/a
     assert (tmp_path / "kept" / str(seed) / "scene.toml").exists()
     table = report.read(tmp_path / "table.csv")
     assert [r["seed"] for r in table] == [seed]
-    assert report.bookkeeping(table[0]) == bool(code)
+    assert report.falls(table[0]) == bool(code)
 
 
 def test_a_dozen_seeds(tmp_path):
