@@ -21,14 +21,14 @@ ROOT = Path(__file__).resolve().parents[2]
 def simulate(seed, drape, folder):
     """Runs a seed in a folder, and again with a quarter of the step where energy is missing. Returns a row of the report."""
     sim = kinds.simulation(seed)
-    ended, outputs, _ = run.run(sim, drape, folder)
+    ended, outputs = run.run(sim, drape, folder)
     v = verdict.judge(ended.code, ended.hung, ended.text, verdict.read_rows(outputs))
     row = {"seed": seed, "kind": sim.kind, "outcome": v.outcome, "error": f"{v.error:.4g}", "fall": f"{v.fall:.4g}",
            "scale": f"{v.scale:.4g}", "steps": f"{v.steps:.0f}", "time": f"{v.time:.6g}", "seconds": f"{ended.seconds:.2f}",
            "exit": ended.code, "sentence": v.sentence, **sim.facts,
            **{name: f"{value:.4g}" for name, value in v.columns.items()}}
     if v.outcome == verdict.MISSED:
-        ended, outputs, _ = run.run(sim, drape, folder, [f"step.max={max(v.smallest_step / 4, 1e-9)!r}"], longer=6)
+        ended, outputs = run.run(sim, drape, folder, [f"step.max={max(v.smallest_step / 4, 1e-9)!r}"], longer=6)
         again = verdict.judge(ended.code, ended.hung, ended.text, verdict.read_rows(outputs))
         if ended.code == 0 and again.outcome != verdict.NOT_FINITE:
             row["error_quarter"] = f"{again.error:.4g}"

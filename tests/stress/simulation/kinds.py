@@ -247,7 +247,8 @@ def high_order(rng, sim):
     d.speed = max(d.speed, 2.0 if driven else 0.0)
     until = last(d)
     if driven:
-        moments, sim.path, speed = motion.shake(rng, until, "pin.p", sim.scene["pin"][0]["drive"], sim.facts["communication"])
+        q, drive = sim.facts["communication"], sim.scene["pin"][0]["drive"]
+        moments, sim.path, speed = motion.shake(rng, until, "pin.p", drive, q)
         finish_path(sim, moments, max(speed, d.speed))
 
 

@@ -4,7 +4,6 @@ import os
 import re
 import subprocess
 import sys
-import threading
 import time
 from dataclasses import dataclass
 from pathlib import Path
@@ -30,16 +29,28 @@ def watched(command, folder, limit):
     """Runs a command with a limit of processor time, and one by the clock."""
     log = folder / "stderr.txt"
     wrapped = ["bash", "-c", 'ulimit -c 0 -t "$0"; exec "$@"', str(limit), *map(str, command)]
-    late = threading.Event()
     with open(log, "w") as errors:
         process = subprocess.Popen(wrapped, stdout=subprocess.DEVNULL, stderr=errors, cwd=folder)
-        timer = threading.Timer(limit * HANG_WALL, lambda: (late.set(), process.kill()))
-        timer.start()
-        _, status, usage = os.wait4(process.pid, 0)
-        timer.cancel()
+        late, status, usage = wait(process, limit * HANG_WALL)
     process.returncode = code = os.waitstatus_to_exitcode(status)
     seconds = usage.ru_utime + usage.ru_stime
-    return Ended(code, late.is_set() or (code < 0 and seconds > 0.95 * limit), log.read_text(errors="replace"), seconds)
+    return Ended(code, late or (code < 0 and seconds > 0.95 * limit), log.read_text(errors="replace"), seconds)
+
+
+def wait(process, limit):
+    """Waits for the end, and kills after `limit` seconds. Time in which the suite or the run is stopped does not count."""
+    waited, pause = 0.0, 0.02
+    while waited < limit:
+        ended, status, usage = os.wait4(process.pid, os.WNOHANG)
+        if ended:
+            return False, status, usage
+        time.sleep(pause)
+        stat = Path(f"/proc/{process.pid}/stat").read_text()
+        if stat.rpartition(")")[2].split()[0] != "T":
+            waited += pause
+        pause = min(0.2, 1.2 * pause)
+    process.kill()
+    return True, *os.wait4(process.pid, 0)[1:]
 
 
 def start_values(drape, scene):
@@ -78,9 +89,8 @@ def command_of(sim, drape, folder, out, settings):
 
 def run(sim, drape, folder, settings=(), longer=1):
     """Writes and runs a simulation. Its rows are in out/outputs.csv of the folder."""
-    started = time.monotonic()
     write(sim, drape, folder)
     out = folder / ("out" if not settings else "again")
     threads = max([int(s.split("=")[1]) for s in sim.settings if s.startswith("threads=")], default=1)
     ended = watched(command_of(sim, drape, folder, out, settings), folder, HANG_SECONDS * threads * longer)
-    return ended, out / "outputs.csv", time.monotonic() - started
+    return ended, out / "outputs.csv"

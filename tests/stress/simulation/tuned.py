@@ -4,7 +4,8 @@
 
 FOLDER holds scene.toml and tuning.json: {"changes": [{"at", "group", "high", "ramp"}], "steps"}. A group is one parameter, or
 one diagram; its number from 0 to 1 picks one of all that the FMU has. Rows go to OUT/outputs.csv, as `drape run` writes them.
-The run ends at the scene's duration, or once it has taken about "steps" steps; 0: no limit. The exit code is 0, or 2 with the last message.
+The run ends at the scene's duration, or once it has taken about "steps" steps; 0: no limit. The exit code is 0, or 2 with
+the last message.
 """
 import csv
 import json
