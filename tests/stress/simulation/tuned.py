@@ -3,7 +3,8 @@
     tuned.py DRAPE FOLDER OUT [NAME=VALUE ...]
 
 FOLDER holds scene.toml and tuning.json: {"changes": [{"at", "group", "high", "ramp"}], "steps"}. A group is one parameter, or
-one diagram; its number from 0 to 1 picks one of all that the FMU has. Rows go to OUT/outputs.csv, as `drape run` writes them.
+one diagram; its number from 0 to 1 picks one of all that the FMU has. Rows go to OUT/outputs.csv, as `drape run` writes them;
+what is tuned goes to stderr.
 The run ends at the scene's duration, or once it has taken about "steps" steps; 0: no limit. The exit code is 0, or 2 with
 the last message.
 """
@@ -45,6 +46,9 @@ def tune(cloth, change):
     for name in group:
         v = cloth.fmu.variables[name]
         values[name] = float(v.max if change["high"] else v.min)
+    end = "high" if change["high"] else "low"
+    print(f"{group[0]} ... {group[-1]}, {len(group)} in all, to the {end} end at {cloth.time:.6g} s within {change['ramp']:.3g} s",
+          file=sys.stderr)
     if any(cloth.set(name, value) != OK for name, value in values.items()):
         raise Stopped
 
