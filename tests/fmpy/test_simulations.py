@@ -98,6 +98,8 @@ def test_bookkeeping():
 def test_comparison():
     old = [row(seed, steps="100") for seed in range(21)]
     new = [row(seed, steps=str(100 + seed)) for seed in range(20)] + [row(20, outcome=verdict.HUNG)]
+    old.append(row(21, steps="100", scene="that of an older suite"))
+    new.append(row(21, steps="900", scene="another"))
     told = report.compared(new, old)
     assert "20 seeds sound in both: median 1.100, 95 % 1.180, worst 1.190 (seed 19)" in told
     assert "seed 20, plain: sound -> hang" in told

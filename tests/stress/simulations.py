@@ -13,7 +13,7 @@ import traceback
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
-from simulation import kinds, report, run, verdict
+from simulation import draft, kinds, report, run, verdict
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -25,7 +25,7 @@ def simulate(seed, drape, folder):
     v = verdict.judge(ended.code, ended.hung, ended.text, verdict.read_rows(outputs))
     row = {"seed": seed, "kind": sim.kind, "outcome": v.outcome, "error": f"{v.error:.4g}", "fall": f"{v.fall:.4g}",
            "scale": f"{v.scale:.4g}", "steps": f"{v.steps:.0f}", "time": f"{v.time:.6g}", "seconds": f"{ended.seconds:.2f}",
-           "exit": ended.code, "sentence": v.sentence, **sim.facts,
+           "exit": ended.code, "scene": draft.fingerprint(sim), "sentence": v.sentence, **sim.facts,
            **{name: f"{value:.4g}" for name, value in v.columns.items()}}
     if v.outcome == verdict.MISSED:
         ended, outputs = run.run(sim, drape, folder, [f"step.max={max(v.smallest_step / 4, 1e-9)!r}"], longer=6)

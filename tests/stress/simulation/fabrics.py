@@ -28,6 +28,7 @@ class Fabric:
     rigidity: float  # N m, the larger one
     threads: list  # [(strain, N/m)] of warp and weft
     bias: list  # [(strain, N/m)]
+    start: float = 0.0  # N/m, the steeper slope of warp and weft at zero
     rough_bias: bool = False  # no odd law has such a diagram; it is for bias_model "tension" and "paper"
 
 
@@ -138,7 +139,8 @@ def made(rng, kind):
     if kind != "rough" and rng.random() < 0.1:
         del keys[rng.choice(["warp", "weft", "bias"])]
     threads = points(max((laws["warp"], laws["weft"]), key=lambda law: max_slope(points(law))))
-    return Fabric(kind, keys, density, keys["thickness"], max(rigidity), threads, points(laws["bias"]), rough_bias)
+    start = max(max_slope(points(laws[way]), 0) for way in ("warp", "weft"))
+    return Fabric(kind, keys, density, keys["thickness"], max(rigidity), threads, points(laws["bias"]), start, rough_bias)
 
 
 def max_slope(law, tension=math.inf):

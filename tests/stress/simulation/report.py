@@ -7,7 +7,8 @@ APART = ("body", "self-contact")  # kinds whose energies are counted apart
 STOPPED_SHARE = 0.01  # of all runs that may stop
 
 COLUMNS = ("seed", "kind", "outcome", "error", "error_quarter", "fall", "scale", "steps", "time", "seconds", "stability",
-           "strain", "fabric", "cell", "outline", "particles", "speed", "drive", "body", "communication", "exit", "sentence")
+           "strain", "fabric", "cell", "outline", "particles", "speed", "drive", "body", "communication", "scene", "exit",
+           "sentence")
 
 
 def number(row, key):
@@ -77,23 +78,21 @@ def by_sentence(rows):
 
 def compared(rows, other):
     """How many steps each took, over the steps of the other, for seeds that were sound in both."""
-    before = {row["seed"]: row for row in other}
-    ratios = []
+    before = {(row["seed"], row.get("scene")): row for row in other}
+    ratios, changed = [], []
     for row in rows:
-        old = before.get(row["seed"])
-        if old and row["outcome"] == old["outcome"] == SOUND and old["kind"] == row["kind"] and number(old, "steps"):
+        old = before.get((row["seed"], row.get("scene")))
+        if old and row["outcome"] != old["outcome"]:
+            changed.append(f"  seed {row['seed']}, {row['kind']}: {old['outcome']} -> {row['outcome']}")
+        elif old and row["outcome"] == SOUND and number(old, "steps"):
             ratios.append((number(row, "steps") / number(old, "steps"), row["seed"]))
     ratios.sort()
     if not ratios:
-        return "no seed is sound in both"
-    changed = [row["seed"] for row in rows if row["seed"] in before and row["outcome"] != before[row["seed"]]["outcome"]]
+        return "\n".join(["no seed is the same simulation and sound in both", *changed])
     middle, high, (worst, seed) = ratios[len(ratios) // 2][0], ratios[int(0.95 * (len(ratios) - 1))][0], ratios[-1]
     text = [f"steps over those of the other run, {len(ratios)} seeds sound in both: median {middle:.3f}, 95 % {high:.3f}, "
             f"worst {worst:.3f} (seed {seed})"]
-    for s in changed:
-        row = next(row for row in rows if row["seed"] == s)
-        text.append(f"  seed {s}, {row['kind']}: {before[s]['outcome']} -> {row['outcome']}")
-    return "\n".join(text)
+    return "\n".join(text + changed)
 
 
 def whole(rows):
