@@ -154,6 +154,16 @@ std::vector<double> strip_elongations(const scene::FabricSpec& fabric, model::Ya
   return elongation;
 }
 
+double strip_slope_path(const scene::FabricSpec& f, model::YarnDirection along,
+                        const fabric::LawOptions& options) {
+  std::vector<Problem> none;
+  const fabric::Law law = fabric::law_make(f, options, 1, "", none);
+  const math::Curve& curve = along == model::YarnDirection::kWarp   ? law.warp
+                             : along == model::YarnDirection::kWeft ? law.weft
+                                                                    : law.bias;
+  return curve.segments > 0 ? math::curve_slope_path(curve) : 0;
+}
+
 StripExcess strip_excess(const scene::FabricSpec& fabric, model::YarnDirection along,
                          const fabric::LawOptions& options) {
   const scene::DiagramSpec& d = strip_diagram(fabric, along);

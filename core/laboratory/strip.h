@@ -49,6 +49,11 @@ StripPull strip_pull(const scene::FabricSpec& fabric, model::YarnDirection along
 std::vector<double> strip_elongations(const scene::FabricSpec& fabric, model::YarnDirection along,
                                       double pull);
 
+// How far the slope of a direction's law travels: math::curve_slope_path. 0 where the fabric has no such law.
+double strip_slope_path(const scene::FabricSpec& fabric, model::YarnDirection along,
+                        const fabric::LawOptions& options);
+inline constexpr double kMaxSlopePath = 2;  // beyond, it is noise that makes the slope travel
+
 // The largest deviation of a simulated strip from its diagram without correction: S/F - 1, and the elongation
 // (fraction) where it occurs. The strip has kExcessCells across.
 struct StripExcess {

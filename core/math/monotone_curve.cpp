@@ -44,6 +44,11 @@ std::vector<double> slopes_of(const std::vector<double>& d, const std::vector<do
   return k;
 }
 
+// Slope of the segment whose bump is `bump`, at the share t of its width.
+double slope_within(double k, double k_next, double bump, double t) {
+  return k + (k_next - k) * t * t * (3 - 2 * t) + bump * t * t * (1 - t) * (1 - t);
+}
+
 const CurveSegment& segment_of(const Curve& c, double e) {
   const CurveSegment* s = c.segment;
   while (e >= s->end) ++s;
@@ -143,7 +148,50 @@ void starts_set(Curve& c) {
   start_set(c, c.start16);
 }
 
+// The path of a slope from its values at the points where it turns, over the range of these values.
+double path_over_range(const std::vector<double>& slope) {
+  if (slope.empty()) return 1;
+  const auto [low, high] = std::minmax_element(slope.begin(), slope.end());
+  if (*high - *low <= kConstantSlope * std::max(std::abs(*low), std::abs(*high))) return 1;
+  double path = 0;
+  for (std::size_t i = 1; i < slope.size(); ++i) path += std::abs(slope[i] - slope[i - 1]);
+  return path / (*high - *low);
+}
+
 }  // namespace
+
+double slope_path(const std::vector<double>& e, const std::vector<double>& f) {
+  if (e.size() < 2) return 1;
+  std::vector<double> d, s;
+  for (std::size_t i = 0; i + 1 < e.size(); ++i) {
+    d.push_back(e[i + 1] - e[i]);
+    s.push_back((f[i + 1] - f[i]) / d[i]);
+  }
+  const std::vector<double> k = slopes_of(d, s);
+  std::vector<double> turns{k[0]};
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const double rise = k[i + 1] - k[i], bump = 30 * (s[i] - (k[i] + k[i + 1]) / 2);
+    // p'' = t (1 - t) [6 rise + 2 bump (1 - 2 t)]/d
+    if (3 * std::abs(rise) < std::abs(bump))
+      turns.push_back(slope_within(k[i], k[i + 1], bump, (1 + 3 * rise / bump) / 2));
+    turns.push_back(k[i + 1]);
+  }
+  return path_over_range(turns);
+}
+
+double curve_slope_path(const Curve& c) {
+  std::vector<double> turns;
+  for (int k = 0; k + 1 < c.segments; ++k) {
+    const CurveSegment& s = c.segment[k];
+    if (s.origin < 0 || !(s.end <= c.last)) continue;
+    turns.push_back(s.c1);
+    // p'' = t (6 c3 + 12 c4 t + 20 c5 t^2) has the roots 0, d and one more.
+    if (const double d = s.end - s.origin, turn = 0.3 * s.c3 / (s.c5 * d); turn > 0 && turn < d)
+      turns.push_back(curve_slope(c, s.origin + turn));
+    turns.push_back(curve_slope(c, s.end));
+  }
+  return path_over_range(turns);
+}
 
 Curve curve_make(const std::vector<double>& e, const std::vector<double>& f, const Continuation& below) {
   Curve c;

@@ -68,4 +68,16 @@ double curve_value(const Curve& curve, double e);
 double curve_slope(const Curve& curve, double e);
 double curve_energy(const Curve& curve, double e);  // integral of f from 0 to e
 
+// How far the slope of a curve travels from 0 to the last point, over the range of its values:
+//
+//   integral of |f''(e)| de/(max f' - min f')
+//
+// 1 where the slope only rises or only falls, and where it is constant but for the rounding of the points:
+// within a hundredth of its largest value. A slope that rises and falls back has 2.
+inline constexpr double kConstantSlope = 0.01;
+double curve_slope_path(const Curve& curve);
+
+// The same of the interpolant through points of any number, of any sign of their secants.
+double slope_path(const std::vector<double>& e, const std::vector<double>& f);
+
 }  // namespace drape::math

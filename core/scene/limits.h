@@ -1,8 +1,11 @@
 // The allowed range of each quantity that can be set, in SI units. The keys of a scene, the checks of new
 // parameter values and the ranges of the FMU variables all use this table.
 #pragma once
+#include <cstddef>
 
 namespace drape::scene {
+
+inline constexpr std::size_t kMinSamples = 3, kMaxSamples = 100000;  // of a tensile tester, a diagram
 
 struct Quantity {
   const char* name;

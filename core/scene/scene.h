@@ -25,6 +25,9 @@ struct GivenAs {
   double per_si;  // key units in one SI unit
 };
 
+// What the diagrams of a fabric hold: points for a law, or the samples of a tensile tester, with noise.
+enum class Diagrams { kFinished, kSamples };
+
 // A load-elongation diagram of a strip: point k is (elongation[k], force[k]); point 0 is the origin.
 struct DiagramSpec {
   std::vector<double> elongation;               // [n] fraction, increasing

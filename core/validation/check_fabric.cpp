@@ -8,7 +8,8 @@ namespace drape::validation {
 
 namespace {
 
-constexpr double kMinRise = 1e-8;     // smallest increase of the elongation from point to point
+constexpr double kMinRise = 1e-8;  // smallest increase of the elongation from point to point
+constexpr const char* kSmooth = ": `drape fabric smooth` makes a diagram of a tester's samples";
 constexpr double kLocking = 0.41421;  // below sqrt(2) - 1, where the trellis of a bias strip locks
 
 // Checks that the values of a diagram rise by `least` or more from point to point. A noisy list has one
@@ -43,8 +44,8 @@ void diagram_check(const scene::DiagramSpec& d, const std::string& path, Problem
                                     std::to_string(d.elongation.size()) + "; wanted: as many"});
   };
   if (!d.elongation.empty() && (d.elongation.size() < 2 || d.elongation.size() > 64))
-    problems.push_back(
-        {elongation, "has " + scene::entries_text(d.elongation.size()) + "; allowed: 2 to 64"});
+    problems.push_back({elongation, "has " + scene::entries_text(d.elongation.size()) + "; allowed: 2 to 64" +
+                                        (d.elongation.size() > 64 ? kSmooth : "")});
   length_check(d.force, force);
   length_check(d.correction, path + ".correction");
   length_check(d.correction_elongation, path + ".correction_elongation");
@@ -53,11 +54,14 @@ void diagram_check(const scene::DiagramSpec& d, const std::string& path, Problem
     problems.push_back({scene::entry(elongation, 0),
                         "= " + stretch(d.elongation[0]) + "; a diagram starts at " + stretch(0)});
   if (!d.force.empty() && d.force[0] != 0)
-    problems.push_back({scene::entry(force, 0), "= " + pull(d.force[0]) + "; a diagram starts at " + pull(0) +
-                                                    ": subtract a pretension from all its forces"});
+    problems.push_back(
+        {scene::entry(force, 0), "= " + pull(d.force[0]) + "; a diagram starts at " + pull(0) +
+                                     ": subtract a pretension from all its forces, or let `drape "
+                                     "fabric smooth` do so"});
   entries_check(d.elongation, kMinRise, elongation, stretch,
                 "; wanted: a rise of at least " + stretch(kMinRise), problems);
-  entries_check(d.force, 0, force, pull, "; the force of a diagram does not fall", problems);
+  entries_check(d.force, 0, force, pull, std::string("; the force of a diagram does not fall") + kSmooth,
+                problems);
   if (!d.correction_elongation.empty() && d.correction.empty())
     problems.push_back(
         {path + ".correction_elongation", "stands without correction; wanted: both or neither"});

@@ -12,6 +12,10 @@ Scene scene_load(const std::filesystem::path& file, std::vector<Problem>& proble
 scene::FabricSpec fabric_load(const std::filesystem::path& file, std::vector<Problem>& problems,
                               scene::Corrections corrections = scene::Corrections::kKept);
 
+// Reads a fabric file whose diagrams may be the samples of a tensile tester, with noise, and checks the
+// lengths of their lists. The corrections of a calibration are dropped.
+scene::FabricFile samples_load(const std::filesystem::path& file, std::vector<Problem>& problems);
+
 // The checks that involve several keys: geometry, pins and probes against their pieces, diagrams.
 void scene_check(const Scene& scene, std::vector<Problem>& problems);
 

@@ -81,6 +81,16 @@ std::vector<std::string> run_files_problems(const std::string& scene_file, const
   return problems;
 }
 
+std::string fraction_doubt(const std::string& fabric, const std::string& along, double end, double force) {
+  constexpr double kSmall = 0.005;
+  if (end > kSmall) return "";
+  char text[32], newtons[32];
+  std::snprintf(text, sizeof text, "%.4g", 100 * end);
+  std::snprintf(newtons, sizeof newtons, "%.6g", force);
+  return "fabric " + fabric + ": " + along + " ends at " + text + " % with " + newtons +
+         " N; if its elongations are fractions, elongation_percent is 100 times as large";
+}
+
 int fail(ExitCode code, const std::string& sentence) {
   message_print("error", sentence);
   return code;

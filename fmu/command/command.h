@@ -22,6 +22,7 @@ void command_reference(CLI::App& app, int& exit_code);
 void command_variables(CLI::App& app, int& exit_code);
 void command_bench(CLI::App& app, int& exit_code);
 void command_fabric(CLI::App& app, int& exit_code);
+void command_smooth(CLI::App& fabric, int& exit_code);  // adds `smooth` to `drape fabric`
 void command_import(CLI::App& app, int& exit_code);
 void command_form(CLI::App& app, int& exit_code);
 
@@ -48,6 +49,10 @@ std::string output_problem(const std::string& option, const std::string& file,
 std::vector<std::string> run_files_problems(const std::string& scene_file, const std::string& folder,
                                             const std::optional<std::string>& inputs_file,
                                             std::vector<std::filesystem::path>& read);
+
+// A sentence on elongations so small that they may be fractions; empty where they are not. `end`: the last
+// elongation (fraction), `force`: there (N).
+std::string fraction_doubt(const std::string& fabric, const std::string& along, double end, double force);
 
 // Prints "error: ..." on standard error and returns the code.
 int fail(ExitCode code, const std::string& sentence);

@@ -1,20 +1,19 @@
-// `drape fabric test` and `drape fabric calibrate`: the virtual laboratory.
+// `drape fabric test` and `drape fabric calibrate`: the virtual laboratory. `drape fabric smooth` is in
+// command_smooth.cpp.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <numbers>
 #include <optional>
 
+#include "command/calibration.h"
 #include "command/command.h"
 #include "figures/fabric_plot.h"
 #include "laboratory/bending.h"
 #include "laboratory/strip_order.h"
-#include "laboratory/write_calibration.h"
 #include "standards/strip.h"
 #include "validation/load.h"
 
@@ -97,11 +96,6 @@ bool wishes_check(const Options& options, const scene::FabricSpec& f) {
   return problems.empty();
 }
 
-bool problems_report(const std::vector<Problem>& problems) {
-  for (const Problem& p : problems) fail(kBadInput, scene::problem_text(p));
-  return problems.empty();
-}
-
 // Repeats a bias strip on other cells. Prints the largest difference and the order of convergence.
 void cells_report(const scene::FabricSpec& f, double cell, const std::vector<double>& elongation) {
   std::vector<Problem> problems;
@@ -124,9 +118,10 @@ int strip_test(const Options& options, const scene::FabricSpec& f, model::YarnDi
   const laboratory::StripPull strip = laboratory::strip_pull(f, along, cell, elongation, problems);
   if (!problems_report(problems)) return kBadInput;
   const bool free = along == model::YarnDirection::kBias && !f.bias.jaws;
-  std::printf("%s, %s, cells of %.6g mm, %s\n", name, free ? "a trellis without jaws" : "between jaws",
-              1e3 * laboratory::strip_cell(f, along, cell),
-              d.correction.empty() ? "not calibrated" : "calibrated");
+  std::printf("%s, %s, cells of %.6g mm, %s, slope path %.3g\n", name,
+              free ? "a trellis without jaws" : "between jaws", 1e3 * laboratory::strip_cell(f, along, cell),
+              d.correction.empty() ? "not calibrated" : "calibrated",
+              laboratory::strip_slope_path(f, along, {}));
   std::printf("  elongation, %%      input, N  simulated, N  difference, %%\n");
   figures::PlotPanel panel{name, {}, {}, strip.force};
   for (std::size_t k = 0; k < strip.force.size(); ++k) {
@@ -212,13 +207,6 @@ int test(const Options& options) {
   return code;
 }
 
-std::string today() {
-  const std::time_t now = std::time(nullptr);
-  char text[16];
-  std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
-  return text;
-}
-
 int calibrate_fabric(const Options& options) {
   if (options.has_output)
     if (const std::string problem =
@@ -229,24 +217,12 @@ int calibrate_fabric(const Options& options) {
   const scene::FabricSpec f =
       validation::fabric_load(options.fabric_file, problems, scene::Corrections::kDropped);
   if (!problems_report(problems) || !wishes_check(options, f)) return kBadInput;
-  const laboratory::Calibration c = laboratory::calibrate(f, {.cell = options.cell}, problems);
-  if (!problems_report(problems)) return kBadInput;
-  for (std::size_t k = 0; k < c.residuals.size(); ++k)
-    std::printf("sweep %zu: strips at most %.4f %% off their diagrams\n", k + 1, 100 * c.residuals[k]);
-  if (!c.converged) {
-    std::string reached;
-    if (!c.residuals.empty())
-      reached = "; least difference reached: " +
-                text_of(100 * *std::min_element(c.residuals.begin(), c.residuals.end()), "%.3g") + " %";
-    return fail(kFailedRun, "the calibration of " + f.name + " does not converge: " + c.why + reached +
-                                "; the corrections of the file stay as they were");
-  }
   std::ifstream in(options.fabric_file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  const std::string stored = laboratory::write_calibration(text, c, today(), problems);
-  if (!problems_report(problems)) return kBadInput;
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  laboratory::Calibration c;
+  if (const int code = fabric_calibrate(f, options.cell, text, c); code != kDone) return code;
   const std::string file = options.has_output ? options.output : options.fabric_file;
-  if (const int code = file_put(file, stored); code != kDone) return code;
+  if (const int code = file_put(file, text); code != kDone) return code;
   std::printf("%s: corrections for cells of %.6g mm, within %.4f %%\n", file.c_str(), 1e3 * c.cell,
               100 * c.residuals.back());
   return kDone;
@@ -290,6 +266,8 @@ void command_fabric(CLI::App& app, int& exit_code) {
     calibrated->has_output = option_given(*output);
     exit_code = calibrate_fabric(*calibrated);
   });
+
+  command_smooth(*fabric, exit_code);
 }
 
 }  // namespace drape::command

@@ -90,11 +90,13 @@ void datasheet_convert(Faults& faults, const toml::table& table, const std::stri
         "strip", toml::table{{"width", text.spec.strip_width}, {"gauge", text.spec.strip_gauge}});
   tensile_convert(s, text);
   shear_convert(s, text);
+  for (std::size_t k = 0; k < std::size(kDiagrams); ++k) raw_convert(s, text, k);
   bending_convert(s, text);
 }
 
-FabricText fabric_read(Faults& faults, const toml::table& table, const std::string& path) {
+FabricText fabric_read(Faults& faults, const toml::table& table, const std::string& path, Diagrams diagrams) {
   FabricText text;
+  text.diagrams = diagrams;
   keys_read(faults, table, path, fabric_keys(text));
   datasheet_convert(faults, table, path, text);
   keys_read(faults, text.datasheet.plain, path, fabric_keys(text));
@@ -114,6 +116,7 @@ void fabric_flatten(toml::table& table, const FabricText& text) {
     for (const char* key : {"gost_10550", "length_mm", "overhang_mm"}) bending->erase(key);
   for (const char* name : kDiagrams)
     if (toml::table* diagram = table[name].as_table()) {
+      diagram->erase("raw");
       for (const OtherUnit& unit : kExtensions) diagram->erase(unit.as.key);
       for (const OtherUnit& unit : kForces) diagram->erase(unit.as.key);
     }

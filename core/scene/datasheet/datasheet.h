@@ -46,10 +46,17 @@ struct DiagramText {
   std::vector<double> force[5];      // N, in the order of kForces
 };
 
+// The samples of a tester that a smoothed diagram keeps beside its points.
+struct RawText {
+  std::vector<double> percent, newtons;
+  DiagramText other;  // in other units
+};
+
 struct DatasheetText {
   KesText kes;
   FastText fast;
-  DiagramText diagram[3];               // in the order of kDiagrams
+  DiagramText diagram[3];  // in the order of kDiagrams
+  RawText raw[3];
   Vec2 gost_mass{}, gost_deflection{};  // kg, mass of five strips; m
   Vec2 bending_length{}, overhang{};    // m
   bool strip_by_name = false;           // the strip was given as the name of a standard
@@ -65,7 +72,8 @@ std::vector<Key> datasheet_keys(FabricText& text);
 void datasheet_convert(Faults& faults, const toml::table& table, const std::string& path, FabricText& text);
 
 // Reads a fabric, including its data sheets.
-FabricText fabric_read(Faults& faults, const toml::table& table, const std::string& path);
+FabricText fabric_read(Faults& faults, const toml::table& table, const std::string& path,
+                       Diagrams diagrams = Diagrams::kFinished);
 
 // Replaces the data-sheet keys of a table by plain keys.
 void fabric_flatten(toml::table& table, const FabricText& text);

@@ -25,12 +25,15 @@ Key strip_key(FabricText& t) {
   return {"strip", choice};
 }
 
+// samples: noise may take the numbers below 0.
 template <std::size_t N>
 void lists_add(std::vector<Key>& keys, const std::string& name, const OtherUnit (&units)[N],
-               std::vector<double> (&lists)[N]) {
+               std::vector<double> (&lists)[N], bool samples) {
   for (std::size_t u = 0; u < N; ++u) {
     const GivenAs& as = units[u].as;
-    keys.push_back({name + "." + as.key, &lists[u], kOptional, {0, units[u].high}, as.unit, as.per_si});
+    const double high = units[u].high;
+    keys.push_back(
+        {name + "." + as.key, &lists[u], kOptional, {samples ? -high : 0, high}, as.unit, as.per_si});
   }
 }
 
@@ -68,8 +71,13 @@ std::vector<Key> datasheet_keys(FabricText& t) {
       {"fast.EB5", &fast.EB5, kOptional, {0.1, 41}, "percent"},
   };
   for (std::size_t k = 0; k < std::size(kDiagrams); ++k) {
-    lists_add(keys, kDiagrams[k], kExtensions, t.datasheet.diagram[k].extension);
-    lists_add(keys, kDiagrams[k], kForces, t.datasheet.diagram[k].force);
+    const bool samples = t.diagrams == Diagrams::kSamples;
+    DiagramText &diagram = t.datasheet.diagram[k], &raw = t.datasheet.raw[k].other;
+    const std::string name = kDiagrams[k], beside = name + ".raw";
+    lists_add(keys, name, kExtensions, diagram.extension, samples);
+    lists_add(keys, name, kForces, diagram.force, samples);
+    lists_add(keys, beside, kExtensions, raw.extension, true);
+    lists_add(keys, beside, kForces, raw.force, true);
   }
   return keys;
 }

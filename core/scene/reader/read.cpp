@@ -116,15 +116,18 @@ SceneText scene_read(const std::filesystem::path& file) {
   return text;
 }
 
-FabricFile fabric_read(const std::filesystem::path& file, Corrections corrections) {
+FabricFile fabric_read(const std::filesystem::path& file, Corrections corrections, Diagrams diagrams) {
   FabricFile text;
   Document document = document_load_file(file, text.faults);
   text.loaded = document.loaded;
   if (!text.loaded) return text;
+  text.calibration_cell = document.root["calibration"]["cell"].value_or(0.0);
   if (corrections == Corrections::kDropped) calibration_drop(document.root);
   const std::string name = file.stem().string(), path = "fabric." + name;
-  text.fabric = fabric_read(text.faults, document.root, path).spec;
+  FabricText read = fabric_read(text.faults, document.root, path, diagrams);
+  text.fabric = std::move(read.spec);
   text.fabric.name = name;
+  std::move(std::begin(read.raw), std::end(read.raw), text.raw);
   if (document.root.contains("file"))
     fault_add(text.faults, path + ".file", "stands in a fabric file; a fabric file cannot name another one");
   return text;

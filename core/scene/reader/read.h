@@ -22,13 +22,16 @@ SceneText scene_read(const std::filesystem::path& file);
 // A fabric file by itself. The fabric has the name of the file without the extension.
 struct FabricFile {
   FabricSpec fabric;
+  DiagramSpec raw[3];           // samples kept beside warp, weft and bias; empty where there are none
+  double calibration_cell = 0;  // m; 0: not calibrated
   Faults faults;
   bool loaded = false;
 };
 
 // kDropped: read the fabric without the corrections of its calibration.
 enum class Corrections { kKept, kDropped };
-FabricFile fabric_read(const std::filesystem::path& file, Corrections corrections);
+FabricFile fabric_read(const std::filesystem::path& file, Corrections corrections,
+                       Diagrams diagrams = Diagrams::kFinished);
 
 // The location of a dotted path as text, "scene.toml:12: scene.step", for faults found only in the assembled
 // cloth. Reads the files again.

@@ -8,8 +8,9 @@ namespace drape::scene {
 
 namespace {
 
-constexpr double kPercent = 100;     // per 1
-constexpr double kMicroNcm2 = 1e10;  // uN cm^2 per N m^2
+constexpr double kPercent = 100;        // per 1
+constexpr double kMicroNcm2 = 1e10;     // uN cm^2 per N m^2
+constexpr double kMaxElongation = 1e3;  // percent
 constexpr Range kPosition{-1e4, 1e4};
 constexpr Range kWhole{-2147483647, 2147483647};  // checked against the outline later
 
@@ -72,9 +73,16 @@ std::vector<Key> fabric_keys(FabricText& t) {
       {"friction", Pair{&f.friction, "[static, kinetic]"}, kOptional, range_of(kFriction)},
       {"damping", &f.damping, kOptional, range_of(kSpringDamping), "s"},
   };
+  const bool samples = t.diagrams == Diagrams::kSamples;  // noise may take them below 0
   const auto diagram = [&](const std::string& name, DiagramSpec& d) {
-    keys.push_back({name + ".elongation_percent", &d.elongation, kOptional, {0, 1e3}, "percent", kPercent});
-    keys.push_back({name + ".force", &d.force, kOptional, range_of(kForce), "N"});
+    keys.push_back({name + ".elongation_percent",
+                    &d.elongation,
+                    kOptional,
+                    {samples ? -kMaxElongation : 0, kMaxElongation},
+                    "percent",
+                    kPercent});
+    keys.push_back({name + ".force", &d.force, kOptional,
+                    samples ? Range{-kForce.high, kForce.high} : range_of(kForce), "N"});
     keys.push_back({name + ".correction", &d.correction, kOptional, {1e-3, 1e3}});
     keys.push_back({name + ".correction_elongation", &d.correction_elongation, kOptional, {0.1, 10}});
   };
@@ -88,6 +96,17 @@ std::vector<Key> fabric_keys(FabricText& t) {
   keys.push_back({"calibration.date", &t.calibration_date, kRequired});
   for (std::size_t k = 0; k < 3; ++k)
     keys.push_back({std::string("calibration.") + kDiagrams[k], &t.calibration[k], kOptional, {1e-3, 1e3}});
+  for (std::size_t k = 0; k < 3; ++k) {
+    RawText& raw = t.datasheet.raw[k];
+    const std::string name = std::string(kDiagrams[k]) + ".raw.";
+    keys.push_back({name + "elongation_percent",
+                    &raw.percent,
+                    kOptional,
+                    {-kMaxElongation, kMaxElongation},
+                    "percent",
+                    kPercent});
+    keys.push_back({name + "force", &raw.newtons, kOptional, {-kForce.high, kForce.high}, "N"});
+  }
   for (Key& key : datasheet_keys(t)) keys.push_back(std::move(key));
   return keys;
 }

@@ -13,7 +13,9 @@ namespace drape::scene {
 
 // A fabric as its text gives it, before conversion.
 struct FabricText {
+  Diagrams diagrams = Diagrams::kFinished;
   FabricSpec spec;
+  DiagramSpec raw[3];   // samples kept beside the diagrams, in the order of kDiagrams
   Vec2 rigidity{0, 0};  // N m^2, EI of the bending specimen, warp and weft
   double bending_width = 0.03;
   std::string file, description, source;

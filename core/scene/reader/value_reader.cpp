@@ -66,6 +66,16 @@ struct ValueReader {
     return complete ? std::optional(values) : std::nullopt;
   }
 
+  // Leaves one fault where more than a few entries of a list have one: a list of noise has hundreds.
+  void entries_condense(std::size_t before) const {
+    constexpr std::size_t kEach = 3;
+    const std::size_t count = faults.found.size() - before;
+    if (count <= kEach) return;
+    faults.found.resize(before + 1);
+    faults.found.back().problem.message +=
+        "; " + std::to_string(count - 1) + " more entries are not allowed either";
+  }
+
   // A list with at least one entry, each read by `read`. `nested`: the entries are lists themselves.
   template <class Read>
   auto list(const toml::node& n, const std::string& at, const std::string& want, bool nested, Read read) const
@@ -78,8 +88,10 @@ struct ValueReader {
     if (nested && std::all_of(entries->begin(), entries->end(), flat))
       return fault_add(faults, at, "is a flat list; wanted: " + want), std::nullopt;
     std::vector<typename decltype(read(n, at))::value_type> values;
+    const std::size_t before = faults.found.size();
     for (std::size_t i = 0; i < entries->size(); ++i)
       if (auto value = read((*entries)[i], entry(at, i))) values.push_back(std::move(*value));
+    if (!nested) entries_condense(before);
     if (values.size() != entries->size()) return std::nullopt;
     return values;
   }

@@ -196,12 +196,12 @@ const Case kSheets[] = {
      "[0, 2, 5]",
      "[0, 5, 2]",
      {"wool.toml:7: fabric.wool.warp.force_lbf[2] = 2 lbf after 5 lbf; the force of a diagram does not "
-      "fall"}},
+      "fall: `drape fabric smooth` makes a diagram of a tester's samples"}},
     {"strips_force_starts_high",
      "force_kgf = [0, 1]",
      "force_kgf = [0.5, 1]",
      {"wool.toml:11: fabric.wool.weft.force_kgf[0] = 0.5 kgf; a diagram starts at 0 kgf: subtract a "
-      "pretension from all its forces"}},
+      "pretension from all its forces, or let `drape fabric smooth` do so"}},
     {"strips_force_negative",
      "force_kgf = [0, 1]",
      "force_kgf = [0, -1]",
