@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 
+#include "command/balance_watch.h"
 #include "command/command.h"
 #include "command/files/csv.h"
 #include "command/files/frames.h"
@@ -95,6 +96,7 @@ struct Recorder {
   bool with_frames;
   Frames frames;
   Stages& stages;
+  BalanceWatch balance;
   bool frames_written = true;
 };
 
@@ -106,7 +108,7 @@ struct Driven {
 };
 
 bool record(Recorder& r, double time) {
-  drape_get_outputs(r.cloth, r.nodes ? DRAPE_OUT_ALL : DRAPE_OUT_SCALARS);
+  balance_update(r.balance, *drape_get_outputs(r.cloth, r.nodes ? DRAPE_OUT_ALL : DRAPE_OUT_SCALARS), time);
   std::vector<double> row{time};
   for (const double* value : r.columns) row.push_back(*value);
   csv_row(r.csv, row);
@@ -249,6 +251,7 @@ int run_and_end(const Options& options, Recorder& r, const Driven& driven, const
   std::string problem;
   if (!csv_close(r.csv, problem)) return fail(kFailedRun, problem);
   if (code == kDone) code = ends_check(r.cloth, times.until >= times.duration * (1 - 1e-9));
+  if (problem = balance_problem(r.balance); !problem.empty()) code = fail(kFailedRun, problem);
   if (options.report) {
     const double limit = options.limit ? *options.limit / 100 : -1;
     problem = report_write(*options.report, report_of(r.cloth, limit));
@@ -276,7 +279,7 @@ int run(const Options& options) {
        input_table_remarks(driven.inputs, table, drape_communication(cloth.get())))
     message_print("warning", remark);
   const bool nodes = options.nodes != description::Nodes::kNone;
-  Recorder r{cloth.get(), {}, nodes, {}, options.frames, {}, stages};
+  Recorder r{cloth.get(), {}, nodes, {}, options.frames, {}, stages, {}};
   r.frames.folder = options.folder;
   if (const int code = files_open(options, r, table); code != kDone) return code;
   if (std::signal(SIGINT, interrupt) == SIG_IGN) std::signal(SIGINT, SIG_IGN);  // as in a shell's background

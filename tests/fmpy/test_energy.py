@@ -42,14 +42,20 @@ def test_slow_wool_takes_long_steps_and_keeps_its_energy(drape, write, tmp_path)
     assert 0.5 < max(row["step.stability"] for row in rows[len(rows) // 2:]) <= 0.7
 
 
-# Steep and flat parts by turns, stressed at the start: the first step already knows the motion.
-def test_kinks_keep_their_energy(drape, write, tmp_path):
+def kinked_strip():
+    """Steep and flat parts of a diagram by turns, stressed at the start."""
     scene = sheet(0.01, 0.04, 0.004, {"origin": [0, 0, 1], "axis_x": [1, 0, 0], "axis_y": [0, 1, 0]}, duration=0.01)
     kinks = {"elongation_percent": [0, 0.03, 0.05, 0.2, 0.25, 0.4], "force": [0, 6, 9, 36, 36.1, 40]}
     fabric = next(iter(scene["fabric"].values()))
     fabric |= {"areal_density": 0.05, "warp": kinks, "weft": kinks}
     scene["scene"]["imperfection"] = {"amplitude": 4e-4, "seed": 7}
     pin_points(scene, "pin", (0, 0))
+    return scene
+
+
+# The first step already knows the motion.
+def test_kinks_keep_their_energy(drape, write, tmp_path):
+    scene = kinked_strip()
     error, _, _ = balance(drape, write, scene, tmp_path)
     assert error < 0.01
 
@@ -71,3 +77,12 @@ def test_body_that_presses_on_a_pin_dissipates(drape, write, tmp_path):
     error, fall, rows = balance(drape, write, scene, tmp_path, "--inputs", inputs)
     assert max(row["contact.count"] for row in rows) > 0
     assert fall < 1e-9 and error < 0.01
+
+
+# Steps of half the limit, whatever the motion, feed energy into kinks.
+def test_energy_that_nothing_accounts_for_fails_the_run(drape, write, tmp_path):
+    scene = kinked_strip()
+    scene["scene"] |= {"energy": True, "step": 5e-7}
+    done = drape("run", write(scene), "-o", tmp_path / "run", check=False)
+    assert done.returncode == 2
+    assert "that no force accounts for" in done.stderr and "allowed: at most 1 %" in done.stderr

@@ -14,6 +14,7 @@ COLUMNS = ("time", "step.count", "step.size", "step.stability", "strain.warp.min
            "energy.stretch", "energy.shear", "energy.bending", "energy.gravity", "energy.dissipated", "energy.input",
            "energy.balance_error")
 SENTENCE = "error: by 0.1 s the seam 'j' has not closed: its largest gap is 0.01 m"
+TOLD = f"error: at 1 s the cloth has lost 0.04 J {verdict.UNACCOUNTED}, 2 % of its largest energy"
 
 
 def planted(file, rows):
@@ -47,10 +48,16 @@ def test_planted_outputs(tmp_path, rows, outcome):
 @pytest.mark.parametrize("code, hung, text, outcome", [
     (2, False, SENTENCE, verdict.STOPPED), (1, False, SENTENCE, verdict.STOPPED), (2, False, "", verdict.UNEXPLAINED),
     (2, False, "error: \n", verdict.UNEXPLAINED), (2, False, SENTENCE + "\n" + SENTENCE, verdict.UNEXPLAINED),
-    (-11, False, "", verdict.UNEXPLAINED), (-9, True, "", verdict.HUNG)])
+    (2, False, TOLD, verdict.STOPPED), (-11, False, "", verdict.UNEXPLAINED), (-9, True, "", verdict.HUNG)])
 def test_ends(tmp_path, code, hung, text, outcome):
     rows = verdict.read_rows(planted(tmp_path / "outputs.csv", [{}, {}]))
     assert verdict.judge(code, hung, text, rows).outcome == outcome
+
+
+def test_run_that_tells_of_its_energy(tmp_path):
+    rows = verdict.read_rows(planted(tmp_path / "outputs.csv", [{}, {"energy.balance_error": -0.04}]))
+    judged = verdict.judge(2, False, TOLD, rows)
+    assert judged.outcome == verdict.MISSED and judged.sentence == TOLD
 
 
 def test_row_cut_off(tmp_path):
@@ -72,7 +79,8 @@ def row(seed, kind="plain", outcome=verdict.SOUND, **values):
     (row(7), False), (row(7, outcome=verdict.MISSED, error="0.02"), True), (row(7, outcome=verdict.HUNG), True),
     (row(7, "body", verdict.MISSED, error="0.02"), False), (row(7, "body", verdict.NOT_FINITE), True),
     (row(7, outcome=verdict.UNEXPLAINED), True), (row(7, outcome=verdict.FELL), True), (row(7, "self-contact", verdict.FELL), False),
-    (row(7, outcome=verdict.STOPPED, sentence=SENTENCE), False)])
+    (row(7, outcome=verdict.STOPPED, sentence=SENTENCE), False),
+    (row(7, outcome=verdict.MISSED, error="0.02", sentence=TOLD), False)])
 def test_what_fails(bad, fails):
     rows = [bad, *(row(seed) for seed in range(100, 199))]
     assert bool(report.failures(rows)) == fails

@@ -9,6 +9,8 @@ FALLING = 1e-6  # of the same: dissipated energy may not fall by more
 POTENTIALS = ("kinetic", "stretch", "shear", "bending", "contact", "input")
 ORDER_TWO = 10  # a quarter of the step leaves 1/16 of an error of second order; at least a tenth counts
 
+UNACCOUNTED = "that no force accounts for"  # so `drape run` ends a run that has missed energy, with exit code 2
+
 # What can become of a run.
 SOUND, STOPPED, UNEXPLAINED, HUNG, NOT_FINITE, MISSED, FELL = (
     "sound", "stopped", "no sentence", "hang", "not finite", "energy missing", "dissipation fell")
@@ -76,6 +78,8 @@ def judge(code, hung, text, rows):
         v.outcome = HUNG
     elif not finite:
         v.outcome = NOT_FINITE
+    elif code == 2 and len(told) == 1 and UNACCOUNTED in told[0] and v.error > MISSING:
+        v.outcome, v.sentence = MISSED, told[0]
     elif code != 0:
         v.outcome = STOPPED if code in (1, 2) and len(told) == 1 and len(told[0]) > len("error: ") + 10 else UNEXPLAINED
         v.sentence = told[0] if told else f"exit code {code}: {text.strip()[-200:]}"

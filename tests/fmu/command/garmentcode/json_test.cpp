@@ -19,7 +19,9 @@ std::string problem_of(const std::string& text) {
   std::istringstream stream(text);
   Json value;
   std::string problem;
-  if (json_parse(stream, value, problem)) EXPECT_TRUE(text.starts_with(json_text(value).substr(0, 80)));
+  if (json_parse(stream, value, problem)) {
+    EXPECT_TRUE(text.starts_with(json_text(value).substr(0, 80)));
+  }
   return problem;
 }
 

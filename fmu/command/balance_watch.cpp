@@ -1,0 +1,34 @@
+#include "command/balance_watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace drape::command {
+
+void balance_update(BalanceWatch& watch, const drape_outputs& outputs, double time) {
+  if (!outputs.has_energy || !outputs.has_balance) return;
+  const drape_energy& e = outputs.energy;
+  if (!watch.begun) watch.begun = true, watch.gravity = e.gravity;
+  double energy = std::abs(e.gravity - watch.gravity) + std::abs(e.input);
+  for (double part : {e.kinetic, e.stretch, e.shear, e.bending, e.contact}) energy += std::abs(part);
+  watch.largest = std::max(watch.largest, energy);
+  if (std::abs(e.balance_error) <= std::abs(watch.error)) return;
+  watch.error = e.balance_error;
+  watch.time = time;
+}
+
+std::string balance_problem(const BalanceWatch& watch) {
+  constexpr double kAllowed = 0.01;
+  const double size = std::abs(watch.error);
+  if (size <= kAllowed * watch.largest) return "";
+  char text[240];
+  std::snprintf(
+      text, sizeof text,
+      "at %.6g s the cloth has %s %.3g J that no force accounts for, %.3g %% of its largest energy; "
+      "allowed: at most %g %%; smaller steps (step.max) keep its energy better",
+      watch.time, watch.error > 0 ? "gained" : "lost", size, 100 * size / watch.largest, 100 * kAllowed);
+  return text;
+}
+
+}  // namespace drape::command
