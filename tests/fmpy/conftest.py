@@ -2,10 +2,25 @@
 import subprocess
 from pathlib import Path
 
+import fmpy.fmi2
+import fmpy.simulation
 import pytest
 from convergence import measure
 from master import Fmu
 from scenes import ROOT, toml
+
+
+class KeptCallbacks(fmpy.fmi2.fmi2CallbackFunctions):
+    """FMPy passes every FMU's messages to the logger that was set last in the process, even after it has been freed."""
+
+    kept = []
+
+    def __init__(self):
+        super().__init__()
+        self.kept.append(self)
+
+
+fmpy.simulation.fmi2CallbackFunctions = KeptCallbacks
 
 
 @pytest.fixture(scope="session")

@@ -50,6 +50,7 @@ def test_every_source_is_compiled_so():
     """No header tells of a stack that grows past its guard page, nor of a single source without its flags."""
     commands = json.loads((BUILD / "compile_commands.json").read_text())
     own = [c for c in commands if re.match(r"(core|fmu|modelDescription)/", str(c["file"]).removeprefix(f"{ROOT}/"))]
+    own = [c for c in own if " -o tests/" not in c["command"]]  # a test compiles a source of the command once more
     assert len(own) > 100
     for command in own:
         words = shlex.split(command["command"])

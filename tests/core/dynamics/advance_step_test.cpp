@@ -16,13 +16,13 @@ namespace {
 // Whatever made the step short has gone: after 50 intervals, or sooner after 20,000 steps, it is as long as
 // before. Damped cloth in free fall is calm.
 TEST(Leapfrog, GivesAShortStepBack) {
-  for (const auto& [factor, intervals] : {std::pair{8, 50}, std::pair{1000, 1}}) {
+  for (const auto& [factor, intervals] : {std::pair{8, 50}, std::pair{20000, 1}}) {
     Scene scene = reference::rectangle(reference::curved_fabric(), 0.05, 0.03, 0.01);
     scene.damping = 5;
     Assembled a = assemble(scene);
     std::string event;
     const std::int64_t start = a.state.steps_per_interval;
-    ASSERT_EQ(start * factor * intervals >= 20000, factor == 1000);
+    ASSERT_EQ(start * factor * intervals >= 20000, intervals == 1);
     a.state.steps_per_interval *= factor;
     for (int k = 0; k < intervals; ++k) {
       EXPECT_EQ(a.state.steps_per_interval, start * factor) << k;
