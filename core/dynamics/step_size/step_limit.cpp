@@ -265,12 +265,12 @@ double step_limit_of(const System& system, double omega2) {
 }
 
 double step_automatic(const System& system, double omega2, const MotionBound& motion) {
-  const double limit = step_limit_of(system, omega2), damped = 1 + 2 * kDampingTime * system.damping;
+  const double limit = step_limit_of(system, omega2), c = system.damping;
+  const double flutter = kFlutter * (1 + 2 * c * kFlutterTime), drift = kDrift * (1 + 2 * c * kDriftTime);
   double step = kSafety * limit;
   if (motion.flutter > 0)
-    step = std::clamp(std::cbrt(4 * kFlutter * damped / motion.flutter), kSafetyNonlinear * limit, step);
-  if (motion.drift > 0)
-    step = std::clamp(std::sqrt(kDrift * damped / motion.drift), kSafetyLeast * limit, step);
+    step = std::clamp(std::cbrt(4 * flutter / motion.flutter), kSafetyNonlinear * limit, step);
+  if (motion.drift > 0) step = std::clamp(std::sqrt(drift / motion.drift), kSafetyLeast * limit, step);
   return step;
 }
 

@@ -52,9 +52,9 @@ struct MotionBound {
 // The automatic step (s): the share kSafety of the step limit. It is less where (h omega)^2 of a cell changes
 // by more than 4 kFlutter in a step, but at least kSafetyNonlinear; and less where the energy defects of a
 // second exceed kDrift (1/s) of the kinetic energy, but at least kSafetyLeast. Damping c takes energy out
-// meanwhile: both bounds grow by 1 + 2 c kDampingTime.
+// meanwhile: the bounds grow by 1 + 2 c kFlutterTime and 1 + 2 c kDriftTime.
 inline constexpr double kSafety = 0.7, kSafetyNonlinear = 0.4, kSafetyLeast = 0.05;
-inline constexpr double kFlutter = 0.01, kDrift = 25, kDampingTime = 4;
+inline constexpr double kFlutter = 0.01, kFlutterTime = 4, kDrift = 25, kDriftTime = 0.5;
 double step_automatic(const System& system, double omega2, const MotionBound& motion);
 
 // The flutter to be expected of a motion that is not known yet: infinite, but 0 in damped cloth, which has

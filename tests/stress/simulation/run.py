@@ -34,7 +34,7 @@ def watched(command, folder, limit):
         late, status, usage = wait(process, limit * HANG_WALL)
     process.returncode = code = os.waitstatus_to_exitcode(status)
     seconds = usage.ru_utime + usage.ru_stime
-    return Ended(code, late or (code < 0 and seconds > 0.95 * limit), log.read_text(errors="replace"), seconds)
+    return Ended(code, late or (code < 0 and seconds > 0.8 * limit), log.read_text(errors="replace"), seconds)
 
 
 def wait(process, limit):

@@ -84,7 +84,8 @@ TEST(CellDefect, HasTheSameBitsInAllLanes) {
   }
 }
 
-// Between the bounds, h^2 drift is 25/s and h^3 flutter/4 is 0.01; with c, 1 + 8 s c times that.
+// Between the bounds, h^2 drift is 25/s and h^3 flutter/4 is 0.01; with c, 1 + c 1 s and 1 + c 8 s times
+// that.
 TEST(AutomaticStep, FollowsFromTheMotion) {
   Scene scene = curved_scene();
   for (double c : {0.0, 0.5}) {
@@ -96,7 +97,7 @@ TEST(AutomaticStep, FollowsFromTheMotion) {
     };
     EXPECT_DOUBLE_EQ(step(0, 0), 0.7 * limit);
     const double h = 0.2 * limit, slower = 0.5 * limit;
-    EXPECT_NEAR(step(25 * more / (h * h), 0), h, 1e-12 * h);
+    EXPECT_NEAR(step(25 * (1 + c) / (h * h), 0), h, 1e-12 * h);
     EXPECT_NEAR(step(0, 0.04 * more / std::pow(slower, 3)), slower, 1e-12 * slower);
     EXPECT_DOUBLE_EQ(step(0, INFINITY), 0.4 * limit);
     EXPECT_DOUBLE_EQ(step(INFINITY, INFINITY), 0.05 * limit);
