@@ -1,8 +1,10 @@
 #include "scene/reader/document.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -50,6 +52,21 @@ unsigned deep_line(const std::string& text) {
   return 0;
 }
 
+// The first of the least whole numbers, which toml++ cannot print: it negates them. Null if there is none.
+const toml::node* least_integer(const toml::node& node) {
+  if (const auto* number = node.as_integer())
+    return number->get() == std::numeric_limits<std::int64_t>::min() ? &node : nullptr;
+  const toml::node* found = nullptr;
+  if (const toml::array* list = node.as_array()) {
+    for (const toml::node& one : *list)
+      if (!found) found = least_integer(one);
+  } else if (const toml::table* table = node.as_table()) {
+    for (const auto& [key, one] : *table)
+      if (!found) found = least_integer(one);
+  }
+  return found;
+}
+
 // The table of a TOML text. Adds a fault where the text is not valid.
 std::optional<toml::table> text_parse(const std::string& text, const std::string& file, Faults& faults) {
   if (const unsigned line = deep_line(text)) {
@@ -58,7 +75,13 @@ std::optional<toml::table> text_parse(const std::string& text, const std::string
     return std::nullopt;
   }
   try {
-    return toml::parse(text, file);
+    toml::table table = toml::parse(text, file);
+    const toml::node* least = least_integer(table);
+    if (!least) return table;
+    const unsigned line = least->source().begin.line;
+    fault_add_at(faults, {file, line}, file + ":" + std::to_string(line) + ":",
+                 "has the whole number -9223372036854775808; allowed: from -9223372036854775807");
+    return std::nullopt;
   } catch (const toml::parse_error& error) {
     const toml::source_position at = error.source().begin;
     const Location place{file, at.line};

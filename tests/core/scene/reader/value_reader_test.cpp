@@ -229,6 +229,14 @@ TEST(SceneFile, ThatIsNotToml) {
       starts(messages_of(folder, folder.write("scene.toml", kScene)), "wool.toml:2:15: is not valid TOML: "));
 }
 
+// toml++ prints a whole number by its sign and size, and this one has no size.
+TEST(SceneFile, HasNoLeastInteger) {
+  const std::string told = " has the whole number -9223372036854775808; allowed: from -9223372036854775807";
+  for (const char* value : {"-9223372036854775808", "[1, {y = -9223372036854775808}]"})
+    EXPECT_EQ(scene_messages("[scene]\nx = " + std::string(value) + "\n"), Messages{"scene.toml:2:" + told});
+  EXPECT_NE(scene_messages("[scene]\nx = -9223372036854775807\n")[0], "scene.toml:2:" + told);
+}
+
 // Texts are cut after 80 bytes, here within the two bytes of the letter.
 TEST(SceneFile, ThatHoldsALongTextIsQuotedUpToAWholeLetter) {
   const std::string first(79, 'a');
