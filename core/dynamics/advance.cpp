@@ -9,6 +9,7 @@
 #include "dynamics/step_size/step_limit.h"
 #include "math/plain_environment.h"
 #include "math/vector3.h"
+#include "model/kinetic_energy.h"
 
 namespace drape::dynamics {
 namespace {
@@ -49,15 +50,13 @@ MotionBound motion_bound(const State& s) {
   return {s.mean_defect > 0 ? s.mean_defect / s.mean_kinetic : 0, s.flutter};
 }
 
-double step_now(const System& system, const State& s) {
-  return std::min(step_allowed(system, s.omega2, motion_bound(s)), s.max_contact_step);
+// The same with what is near the cloth at present.
+double step_near(const System& system, const State& s, double omega2, const MotionBound& motion) {
+  return std::min(step_allowed(system, omega2, motion), s.max_contact_step);
 }
 
-double kinetic_energy(const System& system, const State& s) {
-  double sum = 0;
-  for (std::size_t n : system.particle)
-    sum += system.mass[n] * (s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n]);
-  return sum / 2;
+double step_now(const System& system, const State& s) {
+  return step_near(system, s, s.omega2, motion_bound(s));
 }
 
 // Updates how the motion bounds the step, by the last step (h > 0) or by the next (h < 0) at the present
@@ -68,7 +67,7 @@ void motion_update(const System& system, const Motion& motion, double h, double 
   s.flutter = defect.omega2 / std::abs(h);
   if (path_moves(motion.path)) s.flutter = std::max(s.flutter, flutter_unknown(system, s.omega2));
   s.mean_defect += weight * (defect.energy / std::pow(std::abs(h), 3) - s.mean_defect);
-  s.mean_kinetic += weight * (kinetic_energy(system, s) - s.mean_kinetic);
+  s.mean_kinetic += weight * (model::kinetic_energy(system, s) - s.mean_kinetic);
 }
 
 // The largest omega^2 and motion of all checks since the number of steps last changed; from the present ones.
@@ -123,9 +122,8 @@ void steps_relax(const System& system, State& s, std::string& event) {
       since >= kIntervalsBeforeGrowth || double(since) * double(s.steps_per_interval) >= kStepsBeforeGrowth;
   if (since == 0 || !long_enough || system.fit) return;
   const double q = system.communication;
-  const double allowed =
-      std::min(step_allowed(system, s.max_omega2, {s.max_drift, s.max_flutter}), s.max_contact_step);
-  const std::int64_t expected = steps_for(q, allowed);
+  const std::int64_t expected =
+      steps_for(q, step_near(system, s, s.max_omega2, {s.max_drift, s.max_flutter}));
   s.intervals_since_change = 0;
   largest_begin(s);
   if (double(expected) > (1 - kLeastGrowth) * double(s.steps_per_interval)) return;
@@ -242,7 +240,7 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   bodies_follow(motion.path, 0, s);
   held_refresh(motion.constraints, s, motion.held);
   held_rates(motion.constraints, s, model::Pass::kSynchronous, motion.held);
-  const double before = jumps && system.energy ? kinetic_energy(system, s) : 0;
+  const double before = jumps && system.energy ? model::kinetic_energy(system, s) : 0;
   if (jumps) {
     constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
                         &s.pin_impulse);
@@ -251,7 +249,7 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   if (!s.body.empty() && (jumps || bodies_jump(motion.path)))  // neighbours took all to move as before
     contact::update_proximity(system, motion.kernel->contact, motion.contact, s, 0,
                               model::step_next(system, s));
-  if (jumps && system.energy) s.input += kinetic_energy(system, s) - before;
+  if (jumps && system.energy) s.input += model::kinetic_energy(system, s) - before;
   if (jumps || bodies_jump(motion.path)) s.steps_to_limit_check = 0;
 }
 

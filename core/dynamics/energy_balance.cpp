@@ -17,6 +17,7 @@
 #include "forces/rates.h"
 #include "forces/seam_closing.h"
 #include "model/elements.h"
+#include "model/kinetic_energy.h"
 #include "model/seam_rows.h"
 
 namespace drape::dynamics {
@@ -126,11 +127,7 @@ void balance_end(const System& system, const Balance& b, State& s, double h_old,
 }
 
 void balance_drifted(const System& system, const Balance& b, State& s, double decay) {
-  double sum = 0;
-  if (system.damping > 0)
-    for (std::size_t n : system.particle)
-      sum += system.mass[n] * (s.vx[n] * s.vx[n] + s.vy[n] * s.vy[n] + s.vz[n] * s.vz[n]);
-  s.dissipated += sum * (1 - decay * decay) / 2;
+  if (system.damping > 0) s.dissipated += model::kinetic_energy(system, s) * (1 - decay * decay);
   s.input += clamps_work(system, b, s);
 }
 
@@ -140,10 +137,7 @@ BalanceNow balance_now(const System& system, Balance& b, const State& s, double 
   if (system.integrator == scene::Integrator::kPaper || system.composition) return {s.dissipated, s.input};
   rates_set(system, b, s, extrapolation);
   pull_set(system, b, s, extrapolation);
-  double damped = 0;
-  if (system.damping > 0)
-    for (std::size_t n : system.particle)
-      damped += system.mass[n] * (vx[n] * vx[n] + vy[n] * vy[n] + vz[n] * vz[n]);
+  const double damped = system.damping > 0 ? 2 * model::kinetic_energy(system, vx, vy, vz) : 0;
   const double half = s.h_old / 2, wind = dot(b.air, s.wind);
   return {s.dissipated + half * (system.damping * damped - (power(system, b, vx, vy, vz) - wind)),
           s.input + half * (wind + pull_power(system, b, vx, vy, vz))};

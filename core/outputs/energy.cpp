@@ -7,6 +7,7 @@
 #include "forces/irregular_elements.h"
 #include "forces/seam_bending.h"
 #include "model/elements.h"
+#include "model/kinetic_energy.h"
 
 namespace drape::outputs {
 namespace {
@@ -56,16 +57,9 @@ double energy_sum(const drape_energy& e) {
   return e.kinetic + e.stretch + e.shear + e.bending + e.gravity + e.contact;
 }
 
-double energy_kinetic(const System& system, const Array& vx, const Array& vy, const Array& vz) {
-  double sum = 0;
-  for (std::size_t n : system.particle)
-    sum += system.mass[n] * (vx[n] * vx[n] + vy[n] * vy[n] + vz[n] * vz[n]);
-  return sum / 2;
-}
-
 void energy_begin(const System& system, State& s) {
   const drape_energy e = energy_potential(system, s);
-  s.energy_start = energy_kinetic(system, s.vx, s.vy, s.vz) + energy_sum(e);
+  s.energy_start = model::kinetic_energy(system, s) + energy_sum(e);
   s.dissipated = s.input = 0;
 }
 

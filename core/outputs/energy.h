@@ -8,9 +8,6 @@ namespace drape::outputs {
 // The potential energies at the present positions, J. The kinetic energy and the balance are left at 0.
 drape_energy energy_potential(const System& system, const State& state);
 
-// The kinetic energy sum m v^2/2, J, from velocities [nodes], m/s.
-double energy_kinetic(const System& system, const Array& vx, const Array& vy, const Array& vz);
-
 // The sum of the kinetic and all potential energies, J.
 double energy_sum(const drape_energy& energy);
 

@@ -5,6 +5,7 @@
 
 #include "dynamics/step_size/step_limit.h"
 #include "math/vector3.h"
+#include "model/kinetic_energy.h"
 #include "model/seam_rows.h"
 #include "outputs/energy.h"
 #include "outputs/strain.h"
@@ -113,7 +114,7 @@ void summary_fill(Outputs& o, const System& system, const State& s, const contac
 void energy_fill(Outputs& o, const System& system, dynamics::Motion& motion, const State& s) {
   drape_energy& e = o.c_view.energy;
   e = energy_potential(system, s);
-  e.kinetic = energy_kinetic(system, o.velocity[0], o.velocity[1], o.velocity[2]);
+  e.kinetic = model::kinetic_energy(system, o.velocity[0], o.velocity[1], o.velocity[2]);
   if (!o.c_view.has_balance) return;
   const dynamics::BalanceNow now =
       dynamics::balance_now(system, motion.balance, s, dynamics::velocity_extrapolation(system, s),

@@ -9,6 +9,7 @@
 //      line.
 #pragma once
 #include "dynamics/kernel/kernel.h"
+#include "forces/shear.h"
 #include "forces/tension.h"
 #include "simd/vector_lanes.h"
 
@@ -63,30 +64,56 @@ DRAPE_INLINE L diagonal_bound(simd::Vec<L> from, simd::Vec<L> to, L inverse_rest
   return L(4.0) * max(bias.slope(e), max(bias(e) / ratio, L(0.0)));
 }
 
+// The corners a, b, c, d of cells.
+template <class L>
+struct CellCorners {
+  simd::Vec<L> a, b, c, d;
+};
+
+// rho b^2 omega^2 of a cell, N/m.
+template <class L>
+DRAPE_INLINE L cell_bound(const CellCorners<L>& at, const model::Lattice& l) {
+  const L edges = edges_bound(at.a, at.b, at.c, at.d, l);
+  if (!l.law.bias.segments) return edges;
+  const L inverse_diagonal = 1 / forces::shear_rest(l.cell);
+  return edges + max(diagonal_bound(at.a, at.d, inverse_diagonal, l.law.bias),
+                     diagonal_bound(at.b, at.c, inverse_diagonal, l.law.bias));
+}
+
+// The row of cells above row j of a lattice: their shares, and the nodes of row j.
+struct CellRow {
+  const double* share;
+  simd::ConstRow r, v;
+  int stride;
+};
+inline CellRow cell_row(const System& system, const model::Lattice& l, const State& s, int j) {
+  const std::size_t first = l.node(0, j);
+  return {system.share.data() + first,
+          {s.x.data() + first, s.y.data() + first, s.z.data() + first},
+          {s.vx.data() + first, s.vy.data() + first, s.vz.data() + first},
+          l.stride};
+}
+
 // r + ahead v
 template <class L>
-DRAPE_INLINE simd::Vec<L> corner_ahead(simd::ConstRow r, simd::ConstRow v, long i, L ahead) {
-  const simd::Vec<L> at = simd::vec_load<L>(r, i), speed = simd::vec_load<L>(v, i);
+DRAPE_INLINE simd::Vec<L> corner_ahead(const CellRow& row, long i, L ahead) {
+  const simd::Vec<L> at = simd::vec_load<L>(row.r, i), speed = simd::vec_load<L>(row.v, i);
   return {fma(ahead, speed.x, at.x), fma(ahead, speed.y, at.y), fma(ahead, speed.z, at.z)};
+}
+template <class L>
+DRAPE_INLINE CellCorners<L> corners_ahead(const CellRow& row, long i, L ahead) {
+  const long up = i + row.stride;
+  return {corner_ahead<L>(row, i, ahead), corner_ahead<L>(row, i + 1, ahead), corner_ahead<L>(row, up, ahead),
+          corner_ahead<L>(row, up + 1, ahead)};
 }
 
 template <class L>
 double cells_omega2(const System& system, const model::Lattice& l, const State& s, int j, double ahead) {
-  const std::size_t first = l.node(0, j);
-  const double* share = system.share.data() + first;
-  const simd::ConstRow r{s.x.data() + first, s.y.data() + first, s.z.data() + first};
-  const simd::ConstRow v{s.vx.data() + first, s.vy.data() + first, s.vz.data() + first};
-  const L inverse_diagonal = 1 / (__builtin_sqrt(2.0) * l.cell);
+  const CellRow row = cell_row(system, l, s, j);
   alignas(math::kLine) double worst[L::kWidth] = {};
   for (int i = 0; i < l.stride; i += L::kWidth) {
-    const long up = i + l.stride;
-    const auto a = corner_ahead<L>(r, v, i, ahead), b = corner_ahead<L>(r, v, i + 1, ahead),
-               c = corner_ahead<L>(r, v, up, ahead), d = corner_ahead<L>(r, v, up + 1, ahead);
-    L bound = edges_bound(a, b, c, d, l);
-    if (l.law.bias.segments)
-      bound = bound + max(diagonal_bound(a, d, inverse_diagonal, l.law.bias),
-                          diagonal_bound(b, c, inverse_diagonal, l.law.bias));
-    const L present = select(gt(L::load(share + i), L(0.0)), bound, L(0.0));
+    const L bound = cell_bound(corners_ahead<L>(row, i, ahead), l);
+    const L present = select(gt(L::load(row.share + i), L(0.0)), bound, L(0.0));
     L::store(worst, max(present, L::load(worst)));
   }
   double largest = 0;

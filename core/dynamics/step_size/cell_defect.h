@@ -41,19 +41,19 @@ DRAPE_INLINE LinkDefect<L> link_defects_join(const LinkDefect<L>& a, const LinkD
   return {a.sum + b.sum, max(a.change, b.change)};
 }
 
-// Of the weft and warp links at the first corner a of a cell, and of its diagonals; corners a, b, c, d.
+// Of the weft and warp links at the first corner of a cell, and of its diagonals.
 template <class L>
-DRAPE_INLINE LinkDefect<L> cell_defect(const simd::Vec<L>* now, const simd::Vec<L>* before,
+DRAPE_INLINE LinkDefect<L> cell_defect(const CellCorners<L>& before, const CellCorners<L>& now,
                                        const model::Lattice& l) {
-  const L inverse_rest = 1 / l.cell, inverse_diagonal = 1 / (__builtin_sqrt(2.0) * l.cell);
-  const auto link = [&](int from, int to, L inverse, const math::Curve& curve) DRAPE_INLINE_LAMBDA {
-    return link_defect(before[to] - before[from], now[to] - now[from], inverse, curve);
-  };
+  const L inverse_rest = 1 / l.cell, inverse_diagonal = 1 / forces::shear_rest(l.cell);
   const LinkDefect<L> yarns =
-      link_defects_join(link(0, 1, inverse_rest, l.law.weft), link(0, 2, inverse_rest, l.law.warp));
+      link_defects_join(link_defect(before.b - before.a, now.b - now.a, inverse_rest, l.law.weft),
+                        link_defect(before.c - before.a, now.c - now.a, inverse_rest, l.law.warp));
   if (!l.law.bias.segments) return yarns;
-  return link_defects_join(yarns, link_defects_join(link(0, 3, inverse_diagonal, l.law.bias),
-                                                    link(1, 2, inverse_diagonal, l.law.bias)));
+  return link_defects_join(
+      yarns,
+      link_defects_join(link_defect(before.d - before.a, now.d - now.a, inverse_diagonal, l.law.bias),
+                        link_defect(before.c - before.b, now.c - now.b, inverse_diagonal, l.law.bias)));
 }
 
 // Width times length of a link, over 12: of a link along a yarn b b, of a diagonal (b/sqrt(2)) sqrt(2) b.
@@ -66,22 +66,14 @@ DRAPE_INLINE double defect_change(const model::Lattice& l) {
 
 template <class L>
 StepDefect cells_defect(const System& system, const model::Lattice& l, const State& s, int j, double step) {
-  const std::size_t first = l.node(0, j);
-  const double* share = system.share.data() + first;
-  const simd::ConstRow r{s.x.data() + first, s.y.data() + first, s.z.data() + first};
-  const simd::ConstRow v{s.vx.data() + first, s.vy.data() + first, s.vz.data() + first};
+  const CellRow row = cell_row(system, l, s, j);
   // by place, so that every lane width gives the same bits
   alignas(math::kLine) double sums[math::kRowUnit] = {}, changes[math::kRowUnit] = {};
   for (int i = 0; i < l.stride; i += L::kWidth) {
-    const int at[4] = {i, i + 1, i + l.stride, i + l.stride + 1};
-    simd::Vec<L> now[4], before[4];
-    for (int k = 0; k < 4; ++k) {
-      now[k] = corner_ahead<L>(r, v, at[k], L(0.0));
-      before[k] = corner_ahead<L>(r, v, at[k], L(-step));
-    }
-    const L weight = L::load(share + i);
+    const LinkDefect<L> defect =
+        cell_defect(corners_ahead<L>(row, i, -step), corners_ahead<L>(row, i, 0.0), l);
+    const L weight = L::load(row.share + i);
     const auto present = gt(weight, L(0.0));
-    const LinkDefect<L> defect = cell_defect(now, before, l);
     double *const sum = sums + i % math::kRowUnit, *const change = changes + i % math::kRowUnit;
     L::store(sum, L::load(sum) + select(present, weight * defect.sum, L(0.0)));
     L::store(change, max(select(present, defect.change, L(0.0)), L::load(change)));

@@ -11,7 +11,6 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <numbers>
 
 #include "contact/particle/contact.h"
 #include "dynamics/step_size/cell_defect.h"
@@ -37,23 +36,17 @@ double distance(const State& s, std::size_t a, std::size_t b, double ahead) {
   return std::sqrt(dot(d, d).v);
 }
 
-// rho b^2 omega^2 of a cell.
-double cell_bound(const model::Lattice& l, const State& s, const std::size_t* corner, double ahead) {
-  const double inverse_diagonal = 1 / (std::numbers::sqrt2 * l.cell);
-  simd::Vec<Lane> r[4];
-  for (int k = 0; k < 4; ++k) r[k] = node_ahead(s, corner[k], ahead);
-  Lane bound = edges_bound(r[0], r[1], r[2], r[3], l);
-  if (l.law.bias.segments)
-    bound = bound + max(diagonal_bound(r[0], r[3], Lane(inverse_diagonal), l.law.bias),
-                        diagonal_bound(r[1], r[2], Lane(inverse_diagonal), l.law.bias));
-  return bound.v;
+CellCorners<Lane> corners_ahead(const State& s, const std::size_t* corner, double ahead) {
+  return {node_ahead(s, corner[0], ahead), node_ahead(s, corner[1], ahead), node_ahead(s, corner[2], ahead),
+          node_ahead(s, corner[3], ahead)};
 }
 
 // The largest of the irregular cells, times rho b^2.
 double irregular_bound(const System& system, const model::Lattice& l, const State& s, double ahead) {
   double largest = 0;
   for (const model::IrregularCell& cell : system.irregular.cells)
-    if (cell.lattice == l.piece) largest = max_of(cell_bound(l, s, cell.node, ahead), largest);
+    if (cell.lattice == l.piece)
+      largest = max_of(cell_bound(corners_ahead(s, cell.node, ahead), l).v, largest);
   return largest;
 }
 
@@ -68,10 +61,8 @@ StepDefect lattice_defect(const System& system, const Kernel& kernel, const mode
   for (int j = 0; j + 1 < l.rows; ++j) defects_join(all, kernel.defect(system, l, s, j, step));
   for (const model::IrregularCell& cell : system.irregular.cells) {
     if (cell.lattice != l.piece) continue;
-    simd::Vec<Lane> now[4], before[4];
-    for (int k = 0; k < 4; ++k)
-      now[k] = node_ahead(s, cell.node[k], 0), before[k] = node_ahead(s, cell.node[k], -step);
-    const LinkDefect<Lane> defect = cell_defect(now, before, l);
+    const LinkDefect<Lane> defect =
+        cell_defect(corners_ahead(s, cell.node, -step), corners_ahead(s, cell.node, 0), l);
     defects_join(all, {cell.share * defect.sum.v * defect_unit(l), defect.change.v * defect_change(l)});
   }
   return all;
@@ -192,7 +183,8 @@ void seams_offer(WorstPart& worst, const System& system, const Scene& scene, con
 }  // namespace
 
 double step_limit_cell(const model::Lattice& l, const State& s, const std::size_t* corner, double ahead) {
-  return cell_bound(l, s, corner, ahead) / (l.mass_kept * l.law.areal_density * l.cell * l.cell);
+  return cell_bound(corners_ahead(s, corner, ahead), l).v /
+         (l.mass_kept * l.law.areal_density * l.cell * l.cell);
 }
 
 double step_limit_clamps(const System& system, const model::Lattice& l, const State& s, double ahead) {

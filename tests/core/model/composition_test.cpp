@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cloth_fixture.h"
+#include "model/kinetic_energy.h"
 #include "outputs/energy.h"
 
 namespace drape::model {
@@ -149,7 +150,7 @@ Swung swung(int order, int n, double damping, bool driven = false,
   const dynamics::BalanceNow now =
       dynamics::balance_now(a.system, a.motion.balance, a.state, 0, {vx, vy, vz});
   drape_energy e = outputs::energy_potential(a.system, a.state);
-  e.kinetic = outputs::energy_kinetic(a.system, vx, vy, vz);
+  e.kinetic = model::kinetic_energy(a.system, vx, vy, vz);
   return {
       positions(a), gathered(a.system, vx, vy, vz),
       (a.state.pin_impulse[0].force[2] + dynamics::last_half(a.system, a.state) * load[0].force[2]) / 0.02,
