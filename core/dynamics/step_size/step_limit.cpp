@@ -175,7 +175,7 @@ void seams_offer(WorstPart& worst, const System& system, const Scene& scene, con
     worst.bound = welded;
     worst.words = "hinges and links of " + seam_words(system, scene, s, model::Sewn::kWelded,
                                                       [](const model::Seam& seam, std::size_t) {
-                                                        return double(seam.link_count + seam.tape);
+                                                        return double(seam.link_count) + seam.tape;
                                                       });
   }
 }
