@@ -6,10 +6,11 @@
 
 #include "api/cloth.h"
 #include "assembly/assemble.h"
+#include "dynamics/energy_guard.h"
+#include "dynamics/potential_energy.h"
 #include "dynamics/seam_welding.h"
 #include "dynamics/step_size/step_limit.h"
 #include "math/plain_environment.h"
-#include "outputs/energy.h"
 #include "validation/load.h"
 
 struct drape_snapshot {
@@ -59,7 +60,7 @@ void cloth_assemble(drape_cloth& c, std::vector<Problem>& problems) {
   if (!problems.empty()) return;
   c.motion = dynamics::motion_make(c.system);
   dynamics::leapfrog_begin(c.system, c.motion, c.state);
-  outputs::energy_begin(c.system, c.state);
+  dynamics::energy_begin(c.system, c.state);
   contact::check_start(c.system, c.scene, c.motion.contact, c.state, problems);
   contact::self_check_start(c.system, c.scene, c.state, problems);
   step_check(c, problems);
@@ -97,6 +98,19 @@ void log_failure(const drape_cloth& c, dynamics::Advance how, double length) {
         when + " the run left the finite numbers, first seen at " + failure_place(c) + " after step " +
             std::to_string(c.state.steps) + " of size " + number(c.state.h_old) +
             " s; loads or strains grew beyond what the fabric's laws can carry; the state is that of " +
+            number(from, 9) + " s");
+    return;
+  }
+  if (how == dynamics::Advance::kEnergyLost) {
+    const model::EnergyGuard& g = c.state.guard;
+    log_message(
+        c, DRAPE_LOG_ERROR,
+        when + " the cloth has " + (g.unaccounted > 0 ? "gained " : "lost ") +
+            number(std::abs(g.unaccounted), 3) + " J that no force accounts for, " +
+            number(100 * std::abs(g.unaccounted) / g.largest, 3) + " % of its largest energy, at a step of " +
+            number(c.state.h_old, 3) + " s, set by the " +
+            dynamics::step_limit_link(c.system, c.scene, c.state) +
+            "; give the cloth smaller steps (scene.step, step.max) or slower motion; the state is that of " +
             number(from, 9) + " s");
     return;
   }
@@ -172,6 +186,13 @@ void drape_inputs_start(drape_cloth* c) {
   dynamics::leapfrog_retuned(c->system, c->motion, c->state);
 }
 int drape_at_rest(const drape_cloth* c) { return c->state.relaxation.at_rest; }
+
+drape_unaccounted drape_energy_unaccounted(const drape_cloth* c) {
+  const math::PlainEnvironment plain;
+  const model::EnergyGuard& g = c->state.guard;
+  return {g.worst, std::max(g.largest, dynamics::guard_floor(c->system)), g.worst_time,
+          dynamics::kGuardAllowed};
+}
 
 drape_status drape_start(drape_cloth* c, double time) {
   const math::PlainEnvironment plain;

@@ -3,10 +3,11 @@
 #include <algorithm>
 
 #include "api/cloth.h"
+#include "dynamics/energy_guard.h"
+#include "dynamics/potential_energy.h"
 #include "dynamics/seam_welding.h"
 #include "math/vector3.h"
 #include "model/seam_rows.h"
-#include "outputs/energy.h"
 
 namespace drape::api {
 namespace {
@@ -40,15 +41,17 @@ bool seam_events_advance(drape_cloth& c) {
   bool changed = dynamics::seams_pull_begin(c.system, c.state);
   const std::vector<std::size_t> pairs = dynamics::seams_within_tolerance(c.system, c.state);
   if (!pairs.empty()) {
+    dynamics::guard_pause(c.system, c.motion, c.state, true);
     dynamics::leapfrog_complete(c.system, c.motion, c.state);
     const double before = balance_error(c);
     dynamics::seams_weld(c.system, c.motion, c.state, pairs);
-    if (c.state.steps == 0) outputs::energy_begin(c.system, c.state);
+    if (c.state.steps == 0) dynamics::energy_begin(c.system, c.state);
     c.state.input += balance_error(c) - before;
     log_closed(c, pairs);
     changed = true;
   }
-  if (changed) dynamics::leapfrog_retuned(c.system, c.motion, c.state);
+  if (!pairs.empty()) dynamics::leapfrog_welded(c.system, c.motion, c.state);
+  else if (changed) dynamics::leapfrog_retuned(c.system, c.motion, c.state);
   return changed;
 }
 

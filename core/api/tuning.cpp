@@ -6,9 +6,10 @@
 
 #include "api/cloth.h"
 #include "assembly/assemble.h"
+#include "dynamics/energy_guard.h"
+#include "dynamics/potential_energy.h"
 #include "dynamics/step_size/step_limit.h"
 #include "math/plain_environment.h"
-#include "outputs/energy.h"
 
 namespace drape::api {
 
@@ -136,7 +137,7 @@ bool parameters_try(drape_cloth& c, const ParameterValues& before, std::vector<P
 
 // Restarts the step and books the work after a change of the system at the present state.
 void tuning_changed(drape_cloth& c, double error_before) {
-  if (c.state.steps == 0) outputs::energy_begin(c.system, c.state);
+  if (c.state.steps == 0) dynamics::energy_begin(c.system, c.state);
   dynamics::leapfrog_retuned(c.system, c.motion, c.state);
   c.state.input += balance_error(c) - error_before;
 }
@@ -159,6 +160,7 @@ void parameters_commit(drape_cloth& c, const ParameterValues& before, std::vecto
   if (parameters_read(c.parameters) == before) return;
   const ParameterValues in_force = c.tuning.in_force;
   const State untouched = c.state;
+  dynamics::guard_pause(c.system, c.motion, c.state, false);
   dynamics::leapfrog_complete(c.system, c.motion, c.state);
   const double error_before = balance_error(c);
   while (parameters_try(c, before, problems)) continue;
@@ -191,7 +193,10 @@ bool tuning_advance(drape_cloth& c, double intervals) {
   ramp_advance(ramp, intervals);
   const ParameterValues values = ramp_values(ramp);
   const bool moves = parameters_change_motion(c.parameters, c.tuning.in_force, values);
-  if (moves) dynamics::leapfrog_complete(c.system, c.motion, c.state);
+  if (moves) {
+    dynamics::guard_pause(c.system, c.motion, c.state, false);
+    dynamics::leapfrog_complete(c.system, c.motion, c.state);
+  }
   const double error_before = moves ? balance_error(c) : 0;
   std::vector<Problem> problems;
   values_apply(c, values, problems);

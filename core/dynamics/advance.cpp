@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "dynamics/energy_guard.h"
 #include "dynamics/relaxation.h"
 #include "dynamics/step_size/step_limit.h"
 #include "math/plain_environment.h"
@@ -23,6 +24,12 @@ constexpr int kLimitCheckGiven = 8;     // where the scene gives the step
 constexpr std::int64_t kIntervalsBeforeGrowth = 50, kStepsBeforeGrowth = 20000;
 constexpr double kLeastGrowth = 0.1;
 constexpr double kMargin = 0.9;  // of the allowed step, for the intervals after one in which it fell
+
+// Held points at the motions of the pins of a state.
+void refresh_held(Motion& motion, const State& s) {
+  held_refresh(motion.constraints, s, motion.held);
+  held_rates(motion.constraints, s, model::Pass::kSynchronous, motion.held);
+}
 
 // Allocates v_{n-3/2} where forces depend on velocity. While it is unknown, v_{n-1/2} stands for it.
 void rates_begin(const System& system, State& s) {
@@ -52,7 +59,8 @@ MotionBound motion_bound(const State& s) {
 
 // The same with what is near the cloth at present.
 double step_near(const System& system, const State& s, double omega2, const MotionBound& motion) {
-  return std::min(step_allowed(system, omega2, motion), s.max_contact_step);
+  const double refined = system.step_given > 0 ? 1 : s.guard.refinement;
+  return std::min(step_allowed(system, omega2, motion) / refined, s.max_contact_step);
 }
 
 double step_now(const System& system, const State& s) {
@@ -64,10 +72,12 @@ double step_now(const System& system, const State& s) {
 // at any time.
 void motion_update(const System& system, const Motion& motion, double h, double weight, State& s) {
   const StepDefect defect = step_defect(system, *motion.kernel, s, h);
+  const double kinetic = model::kinetic_energy(system, s);
   s.flutter = defect.omega2 / std::abs(h);
   if (path_moves(motion.path)) s.flutter = std::max(s.flutter, flutter_unknown(system, s.omega2));
   s.mean_defect += weight * (defect.energy / std::pow(std::abs(h), 3) - s.mean_defect);
-  s.mean_kinetic += weight * (model::kinetic_energy(system, s) - s.mean_kinetic);
+  s.mean_kinetic += weight * (kinetic - s.mean_kinetic);
+  if (h > 0) guard_damped(system, s, h, kinetic);
 }
 
 // The largest omega^2 and motion of all checks since the number of steps last changed; from the present ones.
@@ -93,6 +103,7 @@ bool all_finite(const System& system, const State& s) {
 // the step too large is repeated over fewer: in vibrating cloth velocities reverse long before.
 void check_step_limit(const System& system, const Motion& motion, State& s, double h) {
   if (system.step_given > 0) {
+    if (system.damping > 0) guard_damped(system, s, h, model::kinetic_energy(system, s));
     s.omega2 = step_limit_omega2(system, *motion.kernel, s);
     s.steps_to_limit_check = kLimitCheckGiven;
     return;
@@ -109,7 +120,7 @@ void check_step_limit(const System& system, const Motion& motion, State& s, doub
 }
 
 void describe_step(std::string& event, const char* verb, double time, double h, const State& s) {
-  char text[120];
+  char text[160];
   std::snprintf(text, sizeof text, "at %.9g s the step %s to %.4g s (omega = %.4g 1/s)", time, verb, h,
                 std::sqrt(s.omega2));
   event = text;
@@ -175,10 +186,35 @@ Advance interval_run(const System& system, Motion& motion, State& s, Interval in
       --s.steps_to_limit_check;
     }
     const double steps = double(interval.steps);
+    guard_step(system, motion, s, interval.h());
     leapfrog_step(system, motion, s, interval.length / steps, double(interval.done + 1) / steps, 1 / steps);
   }
   if (system.fit && !s.relaxation.at_rest && !path_moves(motion.path)) check_convergence(system, motion, s);
   return Advance::kDone;
+}
+
+// An interval watched by the energy guard. One that fails, and is long enough for a check of its own, is
+// repeated from its start with twice the steps. After a shorter one, the next have twice the steps.
+Advance interval_watched(const System& system, Motion& motion, State& s, double length, std::string& event) {
+  const double q = system.communication;
+  const auto steps = [&] {
+    return length == q ? s.steps_per_interval : steps_for(length, q / double(s.steps_per_interval));
+  };
+  const bool repeats = guard_watches(system, s) && system.step_given == 0 && steps() >= s.guard.period;
+  if (repeats) motion.before = s;
+  for (;;) {
+    const Advance how = interval_run(system, motion, s, {length, steps()}, event);
+    if (how != Advance::kDone) return how;
+    const Guard guard = guard_check(system, motion, s, length);
+    if (guard == Guard::kLost) return Advance::kEnergyLost;
+    if (guard == Guard::kKept || system.step_given > 0) return Advance::kDone;
+    if (!guard_refine(repeats ? motion.before : s)) return Advance::kDone;
+    describe_step(event, "is refined, since energy is missing,", model::state_time(s, q),
+                  q / double(s.steps_per_interval), s);
+    if (!repeats) return Advance::kDone;
+    s = motion.before;
+    refresh_held(motion, s);
+  }
 }
 
 // The motion of the first step, at the velocities that the forces give within it: cloth under load starts
@@ -238,9 +274,8 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   edge_half_kick_report(system, motion, s);
   path_follow(motion.path, 0, s);
   bodies_follow(motion.path, 0, s);
-  held_refresh(motion.constraints, s, motion.held);
-  held_rates(motion.constraints, s, model::Pass::kSynchronous, motion.held);
-  const double before = jumps && system.energy ? model::kinetic_energy(system, s) : 0;
+  refresh_held(motion, s);
+  const double before = jumps ? model::kinetic_energy(system, s) : 0;
   if (jumps) {
     constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
                         &s.pin_impulse);
@@ -249,15 +284,14 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   if (!s.body.empty() && (jumps || bodies_jump(motion.path)))  // neighbours took all to move as before
     contact::update_proximity(system, motion.kernel->contact, motion.contact, s, 0,
                               model::step_next(system, s));
-  if (jumps && system.energy) s.input += model::kinetic_energy(system, s) - before;
+  if (jumps) s.drive_work += model::kinetic_energy(system, s) - before;
   if (jumps || bodies_jump(motion.path)) s.steps_to_limit_check = 0;
 }
 
 // Lets the system change before an interval. Where it has, targets and rates of held points are updated.
 void interval_open(Motion& motion, State& s, double intervals, const IntervalBegins& begins) {
   if (!begins || !begins(intervals)) return;
-  held_refresh(motion.constraints, s, motion.held);
-  held_rates(motion.constraints, s, model::Pass::kSynchronous, motion.held);
+  refresh_held(motion, s);
 }
 
 }  // namespace
@@ -283,8 +317,7 @@ Motion motion_make(const System& system) {
 void leapfrog_begin(const System& system, Motion& motion, State& s) {
   motion.inputs = inputs_at(s);
   motion.path.wind_from = motion.path.wind_to = s.wind;
-  held_refresh(motion.constraints, s, motion.held);
-  held_rates(motion.constraints, s, model::Pass::kSynchronous, motion.held);
+  refresh_held(motion, s);
   constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
                       nullptr);
   rates_begin(system, s);
@@ -293,6 +326,11 @@ void leapfrog_begin(const System& system, Motion& motion, State& s) {
   contact::begin(system, motion.kernel->contact, motion.contact, s);
   contact::self_begin(system, s);
   steps_begin(system, motion, s);  // with contact in the bound
+}
+
+void leapfrog_welded(const System& system, Motion& motion, State& s) {
+  if (system.step_given == 0 && !system.fit) motion_begin(system, motion, s);
+  leapfrog_retuned(system, motion, s);
 }
 
 void leapfrog_retuned(const System& system, Motion& motion, State& s) {
@@ -323,15 +361,14 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& s, double 
       interval_open(motion, s, 1, interval_begins);
       steps_relax(system, s, event);
       path_interval(motion.path, s, k, q);
-      result = interval_run(system, motion, s, {q, s.steps_per_interval}, event);
+      result = interval_watched(system, motion, s, q, event);
       ++s.tick;
       ++s.intervals_since_change;
     }
   } else {
     interval_open(motion, s, length / q, interval_begins);
     steps_relax(system, s, event);
-    result =
-        interval_run(system, motion, s, {length, steps_for(length, q / double(s.steps_per_interval))}, event);
+    result = interval_watched(system, motion, s, length, event);
     s.intervals_since_change += std::max<std::int64_t>(1, std::int64_t(length / q));
     s.origin = model::state_time(s, q) + length;
     s.tick = 0;

@@ -25,6 +25,7 @@ struct Motion {
   Array now_x, now_y, now_z;  // [nodes] scratch: velocities, accelerations or forces at t_n
   std::vector<Vec3> torque;   // [pins] N m, of clamps
   Balance balance;
+  State before;  // at the start of an interval that the energy guard may repeat
   contact::ContactWorkspace contact;
   contact::SelfContactWorkspace self;
 };
@@ -34,7 +35,7 @@ inline model::Field motion_field(Motion& m) { return {m.now_x.data(), m.now_y.da
 // At most so many steps make a communication interval.
 inline constexpr std::int64_t kMaxStepsPerInterval = 1000000;
 
-enum class Advance { kDone, kStepAboveLimit, kTooManySteps, kNotFinite };
+enum class Advance { kDone, kStepAboveLimit, kTooManySteps, kEnergyLost, kNotFinite };
 
 // Steps in an interval of q that a state with this omega^2 (1/s^2) needs; may be infinite.
 double leapfrog_steps(const System& system, double omega2);
@@ -42,6 +43,9 @@ double leapfrog_steps(const System& system, double omega2);
 // Begins a new state: held points take the velocities of their pins; the step limit sets the number of steps
 // in an interval of q.
 void leapfrog_begin(const System& system, Motion& motion, State& state);
+
+// After seams were welded, which jolts the cloth.
+void leapfrog_welded(const System& system, Motion& motion, State& state);
 
 // After a change of the system: the step limit is checked before the next step. Before the first step the
 // number of steps is chosen anew.
@@ -74,7 +78,8 @@ using IntervalBegins = std::function<bool(double intervals)>;
 // Advances by `length` > 0 (s): whole communication intervals of q on the grid, or one interval of that
 // length. Each interval of q has state.steps_per_interval steps. The number doubles when the step limit
 // falls, and is chosen anew after 100 intervals without a change. kStepAboveLimit: the step limit fell below
-// a given step. kTooManySteps: the automatic step fell below q / kMaxStepsPerInterval. kNotFinite: the run
+// a given step. kTooManySteps: the automatic step fell below q / kMaxStepsPerInterval. kEnergyLost:
+// the energy guard misses ten times what a run may lose. kNotFinite: the run
 // left the finite numbers; the caller holds the state from before. `event` receives a sentence when the step
 // changed.
 Advance leapfrog_advance(const System& system, Motion& motion, State& state, double length,
@@ -82,8 +87,8 @@ Advance leapfrog_advance(const System& system, Motion& motion, State& state, dou
 
 // J of the last half kick, which the sums of the state lack.
 struct HalfKick {
-  double dissipated = 0;  // by contact
-  double work_of_pins = 0, work_of_bodies = 0;
+  double dissipated = 0;                          // by contact
+  double work_of_drives = 0, work_of_bodies = 0;  // work_of_drives: of pins and closing seams
 };
 
 // The scheme of the last half kick, which completes the state to one of t_n; of the accelerations at t_n

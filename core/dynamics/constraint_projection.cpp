@@ -92,7 +92,7 @@ void fixed_apply(const System& system, const constraint::Constraints& c, const S
     const Vec3 next = at(held.next, k), free = at(v, n),
                kept = (1 / step.scheme.drift) * (next - at(held.now, k));
     Vec3 impulse = (system.mass[n] * step.scheme.impulse) * (free - kept);
-    if (system.energy) s.input += impulse_work(impulse, step.scheme.decay_before * at(held.old, k), kept);
+    if (held.moves) s.drive_work += impulse_work(impulse, step.scheme.decay_before * at(held.old, k), kept);
     if (step.scheme.begins_advance)
       impulse -= system.mass[n] * (step.again ? reported_change(step, free - kept)
                                               : reported(step, at(held.old, k), free, at(held.rate, k)));
@@ -102,8 +102,7 @@ void fixed_apply(const System& system, const constraint::Constraints& c, const S
   }
 }
 
-void rows_apply(const System& system, const constraint::Constraints& c, const StepProjection& step,
-                HeldMotion& held, State& s) {
+void rows_apply(const constraint::Constraints& c, const StepProjection& step, HeldMotion& held, State& s) {
   const model::Field r{s.x.data(), s.y.data(), s.z.data()}, v{s.vx.data(), s.vy.data(), s.vz.data()};
   const std::size_t fixed = c.fixed.size();
   const bool reports = step.scheme.begins_advance && !step.again;
@@ -132,9 +131,9 @@ void rows_apply(const System& system, const constraint::Constraints& c, const St
     return (step.scheme.impulse / step.scheme.drift) * at(held.y, k);
   };
   entry = fixed;
-  for (std::size_t k = 0; system.energy && k < c.rows.size(); ++k) {
+  for (std::size_t k = 0; held.moves && k < c.rows.size(); ++k) {
     const math::SparseRow& row = c.rows[k].on;
-    s.input += impulse_work(impulse_of(k), step.scheme.decay_before * old_of(row), row_sum(row, v));
+    s.drive_work += impulse_work(impulse_of(k), step.scheme.decay_before * old_of(row), row_sum(row, v));
   }
   for (std::size_t k : c.rows_with_target) {
     Vec3 impulse = impulse_of(k);
@@ -240,8 +239,8 @@ void rigid_apply(const System& system, const constraint::Constraints& c, const S
   rigid_project_positions(system, c, held.next, {r, &v, step.scheme.drift}, now);
   for (std::size_t k = 0; k < c.rows.size(); ++k) {
     Vec3 impulse = (step.scheme.impulse / step.scheme.drift) * at(now.y, k);
-    if (system.energy)
-      s.input += impulse_work(impulse, step.scheme.decay_before * old[k], row_sum(c.rows[k].on, v));
+    if (held.moves)
+      s.drive_work += impulse_work(impulse, step.scheme.decay_before * old[k], row_sum(c.rows[k].on, v));
     if (step.scheme.begins_advance)
       impulse -= reports ? at(held.z, k) : reported_change(step, (1 / step.scheme.drift) * at(now.y, k));
     load_add(c, held.arm, c.rows[k].target, impulse, s.pin_impulse);
@@ -252,7 +251,7 @@ void step_project(const System& system, const constraint::Constraints& c, const 
                   HeldMotion& held, State& s) {
   fixed_apply(system, c, step, held, s);
   if (!c.rigid.link.empty()) rigid_apply(system, c, step, held, s);
-  else if (!c.rows.empty()) rows_apply(system, c, step, held, s);
+  else if (!c.rows.empty()) rows_apply(c, step, held, s);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 // Between kicks the potential energy grows by F.dr, which the work of the kicks equals to O(h^2).
 #include "dynamics/energy_balance.h"
 
+#include "dynamics/kernel/kernel.h"
 #include "forces/hinge_energy.h"
 #include "forces/irregular_elements.h"
 #include "forces/rates.h"
@@ -44,7 +45,26 @@ Vec3 link_now(const model::ClampHinge& c, const State& s) {
   return {s.x[to] - s.x[from], s.y[to] - s.y[from], s.z[to] - s.z[from]};
 }
 
-// The work of turning clamps since balance_begin, J.
+}  // namespace
+
+Balance balance_make(const System& system) {
+  Balance b;
+  b.held.resize(system.irregular.clamps.size());
+  b.link.resize(system.irregular.clamps.size());
+  b.pull.resize(system.seams.pair.size());
+  b.rate.resize(system.seams.pair.size());
+  if (!system.energy) return b;
+  for (Array* a : {&b.vx, &b.vy, &b.vz, &b.fx, &b.fy, &b.fz}) a->assign(system.nodes, 0.0);
+  return b;
+}
+
+void clamps_begin(const System& system, Balance& b, const State& s) {
+  for (std::size_t k = 0; k < b.held.size(); ++k) {
+    b.held[k] = forces::clamp_direction(system.irregular.clamps[k], s);
+    b.link[k] = link_now(system.irregular.clamps[k], s);
+  }
+}
+
 double clamps_work(const System& system, const Balance& b, const State& s) {
   double sum = 0;
   for (std::size_t k = 0; k < system.irregular.clamps.size(); ++k) {
@@ -58,38 +78,32 @@ double clamps_work(const System& system, const Balance& b, const State& s) {
   return sum;
 }
 
-}  // namespace
-
-Balance balance_make(const System& system) {
-  Balance b;
-  if (!system.energy) return b;
-  for (Array* a : {&b.vx, &b.vy, &b.vz, &b.fx, &b.fy, &b.fz}) a->assign(system.nodes, 0.0);
-  b.held.resize(system.irregular.clamps.size());
-  b.link.resize(system.irregular.clamps.size());
-  b.pull.resize(system.seams.pair.size());
-  b.rate.resize(system.seams.pair.size());
-  return b;
-}
-
-namespace {
-
-void pull_set(const System& system, Balance& b, const State& s, double extrapolation) {
+void pull_begin(const System& system, Balance& b, const State& s, double extrapolation) {
   for (const model::Seam& seam : system.seams.seam)
     for (std::size_t p = seam.first; p < seam.first + seam.count; ++p) {
+      if (s.sewn[p] != model::Sewn::kPulled) continue;
       b.pull[p] = forces::seam_closing_force(system, seam, p, s, extrapolation);
       b.rate[p] = model::sum_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz);
     }
 }
 
-// sum F.v of the closing forces
-double pull_power(const System& system, const Balance& b, const Array& vx, const Array& vy, const Array& vz) {
-  double sum = 0;
+double pull_work(const System& system, const Balance& b, const State& s, double span) {
+  double power = 0;
   for (std::size_t p = 0; p < b.pull.size(); ++p)
-    sum += dot(b.pull[p], model::sum_value(system.seams.pair[p].gap, vx, vy, vz));
-  return sum;
+    if (s.sewn[p] == model::Sewn::kPulled)
+      power += dot(b.pull[p], b.rate[p] + model::sum_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz)) / 2;
+  return span * power;
 }
 
-}  // namespace
+double pull_power(const System& system, Balance& b, const State& s, const model::Field& v) {
+  if (!forces::seams_any_pulled(s)) return 0;
+  pull_begin(system, b, s, velocity_extrapolation(system, s));
+  double sum = 0;
+  for (std::size_t p = 0; p < b.pull.size(); ++p)
+    if (s.sewn[p] == model::Sewn::kPulled)
+      sum += dot(b.pull[p], model::sum_value(system.seams.pair[p].gap, v.x, v.y, v.z));
+  return sum;
+}
 
 void balance_begin(const System& system, Balance& b, const State& s, double extrapolation) {
   b.vx = s.vx;
@@ -97,11 +111,6 @@ void balance_begin(const System& system, Balance& b, const State& s, double extr
   b.vz = s.vz;
   rates_set(system, b, s, extrapolation);
   b.wind = s.wind;
-  pull_set(system, b, s, extrapolation);
-  for (std::size_t k = 0; k < b.held.size(); ++k) {
-    b.held[k] = forces::clamp_direction(system.irregular.clamps[k], s);
-    b.link[k] = link_now(system.irregular.clamps[k], s);
-  }
 }
 
 void balance_end(const System& system, const Balance& b, State& s, double h_old, double h) {
@@ -120,15 +129,11 @@ void balance_end(const System& system, const Balance& b, State& s, double h_old,
   const double wind = span * dot(b.air, b.wind);
   const double rates = span / 2 * (power(system, b, b.vx, b.vy, b.vz) + power(system, b, s.vx, s.vy, s.vz));
   s.dissipated += system.damping * damped - (rates - wind);
-  double pulled = 0;
-  for (std::size_t p = 0; p < b.pull.size(); ++p)
-    pulled += dot(b.pull[p], b.rate[p] + model::sum_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz));
-  s.input += wind + clamps_work(system, b, s) + span / 2 * pulled;
+  s.input += wind;
 }
 
-void balance_drifted(const System& system, const Balance& b, State& s, double decay) {
+void balance_drifted(const System& system, State& s, double decay) {
   if (system.damping > 0) s.dissipated += model::kinetic_energy(system, s) * (1 - decay * decay);
-  s.input += clamps_work(system, b, s);
 }
 
 BalanceNow balance_now(const System& system, Balance& b, const State& s, double extrapolation,
@@ -136,11 +141,10 @@ BalanceNow balance_now(const System& system, Balance& b, const State& s, double 
   const Array &vx = v.x, &vy = v.y, &vz = v.z;
   if (system.integrator == scene::Integrator::kPaper || system.composition) return {s.dissipated, s.input};
   rates_set(system, b, s, extrapolation);
-  pull_set(system, b, s, extrapolation);
   const double damped = system.damping > 0 ? 2 * model::kinetic_energy(system, vx, vy, vz) : 0;
   const double half = s.h_old / 2, wind = dot(b.air, s.wind);
   return {s.dissipated + half * (system.damping * damped - (power(system, b, vx, vy, vz) - wind)),
-          s.input + half * (wind + pull_power(system, b, vx, vy, vz))};
+          s.input + half * wind};
 }
 
 }  // namespace drape::dynamics

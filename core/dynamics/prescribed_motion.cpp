@@ -144,8 +144,15 @@ Path path_make(const System& system, const State& s, const Inputs& inputs, doubl
   return path;
 }
 
+namespace {
+bool still(const Vec3 (&c)[3]) { return norm(c[0]) == 0 && norm(c[1]) == 0 && norm(c[2]) == 0; }
+}  // namespace
+
+bool path_rotates(const Path& path) {
+  return std::any_of(path.pins.begin(), path.pins.end(), [](const PinPath& p) { return !still(p.rotation); });
+}
+
 bool path_moves(const Path& path) {
-  const auto still = [](const Vec3(&c)[3]) { return norm(c[0]) == 0 && norm(c[1]) == 0 && norm(c[2]) == 0; };
   for (const std::vector<PinPath>* paths : {&path.pins, &path.bodies})
     for (const PinPath& p : *paths)
       if (!still(p.translation) || !still(p.rotation)) return true;

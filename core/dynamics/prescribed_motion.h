@@ -47,8 +47,9 @@ Path path_make(const System& system, const State& state, const Inputs& inputs, d
 bool pins_jump(const Path& path);
 bool bodies_jump(const Path& path);
 
-// True where a pin or the wind moves.
+// True where a pin or the wind moves; where a pin rotates.
 bool path_moves(const Path& path);
+bool path_rotates(const Path& path);
 
 // Begins interval k, of `length` (s). Uniform motion restarts there, so that it does not depend on how a
 // master groups its steps.

@@ -58,14 +58,19 @@ struct StepContext {
   double share;       // of the interval: where the stage leads
   bool near_body;     // a particle is near a body, or a link near a sharp edge
   bool self_contact;  // cloth touches cloth in this scene
+  bool pulled;        // a pair of a seam is closing
 };
 
 void store_velocities(StepContext& c) {
   const System& system = c.system;
   if (system.energy) balance_begin(system, c.motion.balance, c.state, c.scheme.extrapolation);
-  if (c.scheme.begins_advance || system.energy)
+  if (path_rotates(c.motion.path)) clamps_begin(system, c.motion.balance, c.state);
+  if (c.scheme.begins_advance || c.motion.held.moves)
     held_store_velocities(c.motion.constraints, c.state, c.motion.held);
-  if (!c.state.sewn.empty()) forces::seams_gap_rates(system, c.state, c.motion.gap_rate);
+  if (!c.state.sewn.empty()) {
+    forces::seams_gap_rates(system, c.state, c.motion.gap_rate);
+    if (c.pulled) pull_begin(system, c.motion.balance, c.state, c.scheme.extrapolation);
+  }
   if (c.near_body) contact::store_velocities(system, c.motion.contact, c.state);
   if (c.self_contact) contact::self_store_velocities(system, c.motion.self, c.state, c.h);
 }
@@ -139,8 +144,10 @@ void update_seams(StepContext& c) {
 }
 
 void balance_energy(StepContext& c) {
+  if (path_rotates(c.motion.path)) c.state.drive_work += clamps_work(c.system, c.motion.balance, c.state);
+  if (c.pulled) c.state.drive_work += pull_work(c.system, c.motion.balance, c.state, c.scheme.span);
   if (!c.system.energy) return;
-  if (c.system.composition) balance_drifted(c.system, c.motion.balance, c.state, c.scheme.decay_drift);
+  if (c.system.composition) balance_drifted(c.system, c.state, c.scheme.decay_drift);
   else balance_end(c.system, c.motion.balance, c.state, c.state.h_old, c.h);
 }
 
@@ -196,8 +203,15 @@ static_assert(phases_in_order());
 void stage_run(const System& system, Motion& motion, State& s, model::Scheme scheme, double h, double share) {
   scheme.gravity = gravity_of(system, s);
   scheme.extrapolation = velocity_extrapolation(system, s);
-  StepContext context{
-      system, motion, s, scheme, h, share, contact::any_near(s), contact::self_enabled(system)};
+  StepContext context{system,
+                      motion,
+                      s,
+                      scheme,
+                      h,
+                      share,
+                      contact::any_near(s),
+                      contact::self_enabled(system),
+                      forces::seams_any_pulled(s)};
   for (const Phase& phase : kPhases) phase.run(context);
   s.advance_begins = false;
 }

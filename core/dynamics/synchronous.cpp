@@ -19,8 +19,9 @@ void leapfrog_complete(const System& system, Motion& motion, State& s) {
     const BalanceNow now =
         balance_now(system, motion.balance, s, extrapolation, {motion.now_x, motion.now_y, motion.now_z});
     s.dissipated = now.dissipated + done.dissipated;
-    s.input = now.input + done.work_of_pins + done.work_of_bodies;
+    s.input = now.input + done.work_of_bodies;
   }
+  s.drive_work += done.work_of_drives;
   const double half = last_half(system, s);
   // The half kick that was taken out in advance (edge_half_kick_report) is added back here.
   const bool adds = !s.advance_begins || motion.contact.half_kick_reported;
@@ -128,10 +129,9 @@ HalfKick leapfrog_synchronous(const System& system, Motion& motion, const State&
       return (decay * v + kick * (force * inverse_mass + g)) / centred;
     });
     project_synchronous(system, motion, s, scheme, f, &load);
-    if (system.energy) {
-      done = contact_half_kick(system, motion, s, f);
-      done.work_of_pins = held_work(motion.constraints, s, decay, centred, held);
-    }
+    if (system.energy) done = contact_half_kick(system, motion, s, f);
+    if (held.moves) done.work_of_drives = held_work(motion.constraints, s, decay, centred, held);
+    done.work_of_drives += half * pull_power(system, motion.balance, s, f);
     for (math::Wrench& l : load) l = {(centred / half) * l.force, (centred / half) * l.torque};
   } else {
     each([&](double force, double v, double kick, double inverse_mass, double g) {

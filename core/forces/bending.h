@@ -15,6 +15,8 @@
 // exact to 6e-17. With h = cos(theta/2) = sqrt((1 + y)/2), psi(y) = psi(h)/h, so the same series serves up to
 // 120 degrees. Beyond, psi continues as its second-order Taylor polynomial.
 #pragma once
+#include <numbers>
+
 #include "forces/bending_constants.h"
 #include "simd/vector_lanes.h"
 
@@ -54,6 +56,17 @@ DRAPE_INLINE L bending_psi(L y) {
   const L psi = bending_series(y);
   const auto folded = gt(L(0.5), y);
   return any(folded) ? select(folded, bending_folded(y), psi) : psi;
+}
+
+// theta^2/2 = psi^2 sin^2 theta/2 from the cosine and the square of the sine; beyond 120 degrees the
+// continuation that belongs to psi.
+template <class L>
+DRAPE_INLINE L bending_energy(L cosine, L sine2) {
+  constexpr double kTheta = 2 * std::numbers::pi / 3;
+  const L psi = bending_psi(max(cosine, L(kSharp))), d = L(kSharp) - cosine;
+  const L sharp =
+      fma(d, fma(d, fma(d, L(kSharpPsi2 / 6), L(-kSharpPsi1 / 2)), L(kSharpPsi)), L(kTheta * kTheta / 2));
+  return select(ge(cosine, L(kSharp)), L(0.5) * (psi * psi) * sine2, sharp);
 }
 
 // Forces on the two ends of a hinge of stiffness kappa between links (u, 1/|a|) and (v, 1/|c|).

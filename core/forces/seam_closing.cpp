@@ -66,6 +66,10 @@ void seams_update_integral(const System& system, State& s, double h) {
   }
 }
 
+bool seams_any_pulled(const State& s) {
+  return std::find(s.sewn.begin(), s.sewn.end(), model::Sewn::kPulled) != s.sewn.end();
+}
+
 void seams_gap_rates(const System& system, const State& s, Array& rates) {
   rates.resize(3 * system.seams.pair.size());
   for (std::size_t p = 0; p < system.seams.pair.size(); ++p) {

@@ -36,6 +36,9 @@ double seams_integral_bound(const System& system, const State& state);
 // Advances s after a step of h, s, with the gap at the middle of the step.
 void seams_update_integral(const System& system, State& state, double h);
 
+// True where a pair is kPulled.
+bool seams_any_pulled(const State& state);
+
 // Sets rates [pairs x 3], m/s: the rates at v_{n-1/2} of the gaps of pairs that are kPulled.
 void seams_gap_rates(const System& system, const State& state, Array& rates);
 

@@ -3,6 +3,8 @@
 // A straight diagram is one product. Any other curve is a table: first find the segment that contains the
 // strain, then evaluate its polynomial.
 #pragma once
+#include <cstddef>
+
 #include "math/monotone_curve.h"
 #include "simd/lane.h"
 
@@ -52,7 +54,7 @@ DRAPE_INLINE Read<L> strain_read(const math::Curve& curve, L e) {
   return {bits_xor(e, sign), sign};
 }
 
-// f = c0 + t (c1 + t^2 (c3 + t (c4 + t c5)))
+// f = c0 + t (c1 + t^2 (c3 + t (c4 + t c5))), its slope, and its integral from the origin.
 template <class L>
 DRAPE_INLINE L segments_value(const Segments<L>& s, Read<L> at) {
   const L t = at.x - s.origin;
@@ -65,6 +67,13 @@ DRAPE_INLINE L segments_slope(const Segments<L>& s, Read<L> at) {
 }
 
 template <class L>
+DRAPE_INLINE L segments_integral(const Segments<L>& s, Read<L> at) {
+  const L t = at.x - s.origin, t2 = t * t;
+  const L cubic = fma(t, fma(t, s.c5 * L(1.0 / 6), s.c4 * L(0.2)), s.c3 * L(0.25));
+  return fma(t2, fma(t2, cubic, s.c1 * L(0.5)), t * s.c0);
+}
+
+template <class L>
 DRAPE_INLINE Segments<L> segments_load(const double* const* rows) {
   Segments<L> s;
   L::columns(rows, s.origin, s.c0, s.c1, s.c3, s.c4, s.c5);
@@ -73,13 +82,17 @@ DRAPE_INLINE Segments<L> segments_load(const double* const* rows) {
 
 // Any curve, its segments loaded from memory.
 template <class L>
-DRAPE_INLINE Segments<L> segments_search(const math::Curve& curve, L x) {
+DRAPE_INLINE void segments_find(const math::Curve& curve, L x, const double** rows) {
   alignas(64) int bins[L::kWidth];
   alignas(64) double strains[L::kWidth];
-  const double* rows[L::kWidth];
   bins_store(curve, x, bins);
   L::store(strains, x);
   for (int i = 0; i < L::kWidth; ++i) rows[i] = segment_find(curve, bins[i], strains[i]);
+}
+template <class L>
+DRAPE_INLINE Segments<L> segments_search(const math::Curve& curve, L x) {
+  const double* rows[L::kWidth];
+  segments_find(curve, x, rows);
   return segments_load<L>(rows);
 }
 
@@ -121,6 +134,17 @@ struct CurveTension {
   DRAPE_INLINE L slope(L e) const {
     const Read<L> at = strain_read(*curve, e);
     return segments_slope(segments_of(*curve, at.x), at);
+  }
+  // The integral from 0 to e.
+  template <class L>
+  DRAPE_INLINE L energy(L e) const {
+    constexpr std::ptrdiff_t kEnergy = offsetof(math::CurveSegment, energy) / sizeof(double);
+    const Read<L> at = strain_read(*curve, e);
+    const double* rows[L::kWidth];
+    alignas(64) double before[L::kWidth];
+    segments_find(*curve, at.x, rows);
+    for (int i = 0; i < L::kWidth; ++i) before[i] = rows[i][kEnergy];
+    return L::load(before) + segments_integral(segments_load<L>(rows), at);
   }
 };
 

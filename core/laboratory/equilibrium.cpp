@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "dynamics/potential_energy.h"
 #include "laboratory/null_space_basis.h"
 #include "math/vector3.h"
-#include "outputs/energy.h"
 
 namespace drape::laboratory {
 
@@ -155,7 +155,7 @@ bool line_search(const EquilibriumSearch& search, const System& system, const Ve
   double cell = system.lattices[0].cell;
   for (const model::Lattice& l : system.lattices) cell = std::min(cell, l.cell);
   double share = std::min(1.0, kMaxTravel * cell / direction.lpNorm<Eigen::Infinity>());
-  const auto energy = [&] { return outputs::energy_sum(outputs::energy_potential(system, s)); };
+  const auto energy = [&] { return dynamics::energy_sum(dynamics::potential_energy(system, s)); };
   const double before = energy();
   const double rounding = kRounding * std::abs(before);
   state_move(search, system, direction, share, s);

@@ -6,7 +6,7 @@
 namespace drape::model {
 
 // sum_k weight[k] f(node[k])
-inline Vec3 sum_value(const NodeSum& row, const Array& x, const Array& y, const Array& z) {
+inline Vec3 sum_value(const NodeSum& row, const double* x, const double* y, const double* z) {
   Vec3 sum{0, 0, 0};
   for (const auto& [node, slot, weight] : row) {
     sum[0] += weight * x[node];
@@ -14,6 +14,9 @@ inline Vec3 sum_value(const NodeSum& row, const Array& x, const Array& y, const 
     sum[2] += weight * z[node];
   }
   return sum;
+}
+inline Vec3 sum_value(const NodeSum& row, const Array& x, const Array& y, const Array& z) {
+  return sum_value(row, x.data(), y.data(), z.data());
 }
 inline Vec3 sum_value(const NodeSum& row, const State& s) { return sum_value(row, s.x, s.y, s.z); }
 

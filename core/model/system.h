@@ -13,6 +13,7 @@
 #include "model/composition.h"
 #include "model/contact.h"
 #include "model/edge_contact.h"
+#include "model/energy_guard.h"
 #include "model/irregular_elements.h"
 #include "model/seams.h"
 #include "model/self_contact.h"
@@ -164,6 +165,7 @@ struct State {
   std::vector<math::RigidMotion> pin_motion;  // [pins] at t_n
 
   double dissipated = 0, input = 0;  // J, only with system.energy: without the last half step
+  double drive_work = 0;             // J, of pins and closing seams on the cloth; without the last half step
   double energy_start = 0;           // J, kinetic and potential energy at the start
 
   // Time = origin + tick q. A communication step that is not a multiple of q moves the origin.
@@ -184,6 +186,8 @@ struct State {
       std::numeric_limits<double>::infinity();  // s, bound by near bodies, at the last check
   // The largest of all checks since the number of steps last changed.
   double max_omega2 = 0, max_drift = 0, max_flutter = 0;
+
+  EnergyGuard guard;
 
   double advance_length = 0;    // s, of the last advance; 0 = none yet
   bool advance_begins = false;  // the next step is the first of an advance

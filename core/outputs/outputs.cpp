@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/potential_energy.h"
 #include "dynamics/step_size/step_limit.h"
 #include "math/vector3.h"
 #include "model/kinetic_energy.h"
 #include "model/seam_rows.h"
-#include "outputs/energy.h"
 #include "outputs/strain.h"
 
 namespace drape::outputs {
@@ -107,21 +107,22 @@ void summary_fill(Outputs& o, const System& system, const State& s, const contac
   o.c_view.contact_pressure = std::max(contact.pressure, self.pressure);
   o.c_view.step_size = s.h_old > 0 ? s.h_old : system.communication / double(s.steps_per_interval);
   o.c_view.step_count = double(s.steps);
-  o.c_view.step_stability = o.c_view.step_size * std::sqrt(s.omega2) / dynamics::step_limit_angle(system);
+  const double stability = o.c_view.step_size * std::sqrt(s.omega2) / dynamics::step_limit_angle(system);
+  o.c_view.step_stability = s.guard.failing ? std::max(stability, 1.0) : stability;
   o.c_view.fit_residual = s.relaxation.residual;
 }
 
 void energy_fill(Outputs& o, const System& system, dynamics::Motion& motion, const State& s) {
   drape_energy& e = o.c_view.energy;
-  e = energy_potential(system, s);
+  e = dynamics::potential_energy(system, s);
   e.kinetic = model::kinetic_energy(system, o.velocity[0], o.velocity[1], o.velocity[2]);
   if (!o.c_view.has_balance) return;
   const dynamics::BalanceNow now =
       dynamics::balance_now(system, motion.balance, s, dynamics::velocity_extrapolation(system, s),
                             {o.velocity[0], o.velocity[1], o.velocity[2]});
   e.dissipated = now.dissipated + o.half_kick.dissipated;
-  e.input = now.input + o.half_kick.work_of_pins + o.half_kick.work_of_bodies;
-  e.balance_error = energy_sum(e) - s.energy_start - e.input + e.dissipated;
+  e.input = now.input + s.drive_work + o.half_kick.work_of_drives + o.half_kick.work_of_bodies;
+  e.balance_error = dynamics::energy_sum(e) - s.energy_start - e.input + e.dissipated;
 }
 
 }  // namespace

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "instance/unfinished.h"
 
 namespace drape::command {
 
@@ -20,15 +21,7 @@ void balance_update(BalanceWatch& watch, const drape_outputs& outputs, double ti
 
 std::string balance_problem(const BalanceWatch& watch) {
   constexpr double kAllowed = 0.01;
-  const double size = std::abs(watch.error);
-  if (size <= kAllowed * watch.largest) return "";
-  char text[240];
-  std::snprintf(
-      text, sizeof text,
-      "at %.6g s the cloth has %s %.3g J that no force accounts for, %.3g %% of its largest energy; "
-      "allowed: at most %g %%; smaller steps (step.max) keep its energy better",
-      watch.time, watch.error > 0 ? "gained" : "lost", size, 100 * size / watch.largest, 100 * kAllowed);
-  return text;
+  return instance::energy_missing({watch.error, watch.largest, watch.time, kAllowed});
 }
 
 }  // namespace drape::command

@@ -251,7 +251,9 @@ int run_and_end(const Options& options, Recorder& r, const Driven& driven, const
   std::string problem;
   if (!csv_close(r.csv, problem)) return fail(kFailedRun, problem);
   if (code == kDone) code = ends_check(r.cloth, times.until >= times.duration * (1 - 1e-9));
-  if (problem = balance_problem(r.balance); !problem.empty()) code = fail(kFailedRun, problem);
+  problem = balance_problem(r.balance);
+  if (problem.empty()) problem = instance::energy_missing(drape_energy_unaccounted(r.cloth));
+  if (!problem.empty()) code = fail(kFailedRun, problem);
   if (options.report) {
     const double limit = options.limit ? *options.limit / 100 : -1;
     problem = report_write(*options.report, report_of(r.cloth, limit));

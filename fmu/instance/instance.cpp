@@ -152,6 +152,8 @@ drape_status instance_step(Instance& instance, double time, double length) {
 void instance_terminate(Instance& instance) {
   for (const std::string& sentence : unfinished(instance.cloth))
     log_write(instance, DRAPE_OK, DRAPE_LOG_WARNING, sentence);
+  const std::string missing = energy_missing(drape_energy_unaccounted(instance.cloth));
+  if (!missing.empty()) log_write(instance, DRAPE_OK, DRAPE_LOG_WARNING, missing);
   instance.phase = Phase::kTerminated;
 }
 

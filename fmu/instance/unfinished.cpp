@@ -1,5 +1,6 @@
 #include "instance/unfinished.h"
 
+#include <cmath>
 #include <cstdio>
 
 namespace drape::instance {
@@ -12,6 +13,18 @@ std::string rounded(double value) {
 }
 
 }  // namespace
+
+std::string energy_missing(const drape_unaccounted& u) {
+  const double size = std::abs(u.energy);
+  if (size <= u.allowed * u.largest) return "";
+  char text[240];
+  std::snprintf(
+      text, sizeof text,
+      "at %.6g s the cloth has %s %.3g J that no force accounts for, %.3g %% of its largest energy; "
+      "allowed: at most %g %%; smaller steps (step.max) keep its energy better",
+      u.time, u.energy > 0 ? "gained" : "lost", size, 100 * size / u.largest, 100 * u.allowed);
+  return text;
+}
 
 std::vector<std::string> unfinished(drape_cloth* cloth) {
   const drape_outputs& o = *drape_get_outputs(cloth, DRAPE_OUT_POSITION | DRAPE_OUT_STRAIN);

@@ -6,8 +6,8 @@
 
 #include "assembly/assemble.h"
 #include "dynamics/advance.h"
+#include "dynamics/potential_energy.h"
 #include "dynamics/step_size/step_limit.h"
-#include "outputs/energy.h"
 #include "outputs/outputs.h"
 #include "reference/test_cloth.h"
 
@@ -84,7 +84,7 @@ inline void expect_goes_on(Assembled& a, double length) {
 
 // The energies after `length` (s) from the start.
 inline drape_energy energies_after(Assembled& a, double length) {
-  outputs::energy_begin(a.system, a.state);
+  dynamics::energy_begin(a.system, a.state);
   advance(a, length);
   outputs::Outputs outputs;
   outputs::outputs_make(outputs, a.scene, a.system);

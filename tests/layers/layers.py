@@ -136,7 +136,7 @@ def self_test(rooms):
         "nowhere": ("core/scene/scene.h", '"scene/gone.h"', "there is no such file"),
         "forces in the reference": ("core/reference/law.h", '"forces/air.h"', "the reference solver is independent"),
         "the core's rooms in an FMU": ("fmu/instance/instance.h", '"piece/grid/grid.h"', "by its C interface"),
-        "kernels from outside": ("core/outputs/energy.cpp", '"dynamics/kernel/kernel.h"', "through core/dynamics"),
+        "kernels from outside": ("core/outputs/fields.cpp", '"dynamics/kernel/kernel.h"', "through core/dynamics"),
         "no room": ("core/utils/text.h", '"math/vector3.h"', "core/utils is no room"),
     }
     failed = include_faults(house, rooms)

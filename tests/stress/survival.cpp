@@ -21,9 +21,9 @@
 
 #include "assembly/assemble.h"
 #include "dynamics/advance.h"
+#include "dynamics/potential_energy.h"
 #include "dynamics/step_size/step_limit.h"
 #include "model/kinetic_energy.h"
-#include "outputs/energy.h"
 #include "scene_file.h"
 
 namespace drape::stress {
@@ -130,7 +130,7 @@ struct Energy {
 Energy energy_of(Run& r) {
   dynamics::leapfrog_synchronous(r.system, r.motion, r.state, {r.vx.data(), r.vy.data(), r.vz.data()},
                                  r.load);
-  const drape_energy e = outputs::energy_potential(r.system, r.state);
+  const drape_energy e = dynamics::potential_energy(r.system, r.state);
   const double moving = model::kinetic_energy(r.system, r.vx, r.vy, r.vz) + e.stretch + e.shear + e.bending;
   return {moving, moving + e.gravity};
 }

@@ -57,6 +57,11 @@ struct StepDefect {
   double energy = 0, omega2 = 0;
 };
 
+// J, of the links that begin at the nodes of a row and of the hinges that are centred on it.
+struct RowEnergy {
+  double stretch = 0, shear = 0, bending = 0;
+};
+
 struct Kernel {
   const char* name;
   LatticePass plain, rates;
@@ -65,6 +70,8 @@ struct Kernel {
   double (*omega2)(const System&, const model::Lattice&, const State&, int j, double ahead);
   // Of the links of that row of cells in the last step, of `step` s.
   StepDefect (*defect)(const System&, const model::Lattice&, const State&, int j, double step);
+  // The elastic energy of row j of a lattice, without irregular elements.
+  RowEnergy (*energy)(const System&, const model::Lattice&, const State&, int j);
   contact::ContactKernel contact;
   forces::HingeKernel hinges;
 };

@@ -2,6 +2,7 @@
 // tests.
 #include "contact/particle/response.h"
 #include "dynamics/kernel/lattice_pass.h"
+#include "dynamics/kernel/row_energy.h"
 #include "dynamics/step_size/cell_bound.h"
 #include "dynamics/step_size/cell_defect.h"
 #include "forces/hinge_lanes.h"
@@ -14,6 +15,7 @@ const Kernel kKernelScalar{"scalar",
                            block_pass<simd::ScalarLane<true>, true>,
                            cells_omega2<simd::ScalarLane<true>>,
                            cells_defect<simd::ScalarLane<true>>,
+                           row_energy<simd::ScalarLane<true>>,
                            contact::contact_kernel<simd::ScalarLane<true>>(),
                            forces::hinges_bend<simd::ScalarLane<true>>};
 

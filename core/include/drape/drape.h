@@ -265,6 +265,15 @@ drape_inputs* drape_input_rates_of(drape_cloth*);
 /* 1 once a cloth in fit mode has reached its equilibrium, where it stays; else 0. */
 int drape_at_rest(const drape_cloth*);
 
+/* What the energy guard has missed so far. Without bodies, self-contact and fit; else all is 0. */
+typedef struct drape_unaccounted {
+  double energy;  /* J, at the time where it was largest: gained, or lost where negative */
+  double largest; /* J, the largest energy of the cloth: kinetic, elastic, change of gravity's and work */
+  double time;    /* s */
+  double allowed; /* 1, share of the largest energy */
+} drape_unaccounted;
+drape_unaccounted drape_energy_unaccounted(const drape_cloth*);
+
 /* Sets the clock to the start time, s. Only before the first step. */
 drape_status drape_start(drape_cloth*, double time);
 double drape_time(const drape_cloth*); /* s */

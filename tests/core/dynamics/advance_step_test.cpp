@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "cloth_fixture.h"
+#include "dynamics/potential_energy.h"
 #include "dynamics/step_size/step_limit.h"
 #include "model/kinetic_energy.h"
-#include "outputs/energy.h"
 #include "validation/load.h"
 
 namespace drape::dynamics {
@@ -60,13 +60,13 @@ TEST(Leapfrog, UndampedWoolKeepsItsEnergy) {
   Assembled a = assemble(scene);
   std::string event;
   double kinetic = 0, worst = 0;
-  const double start = outputs::energy_potential(a.system, a.state).gravity;
+  const double start = dynamics::potential_energy(a.system, a.state).gravity;
   Array vx(a.system.nodes), vy(a.system.nodes), vz(a.system.nodes);
   std::vector<math::Wrench> force;
   for (int call = 0; call < 60; ++call) {
     ASSERT_EQ(leapfrog_advance(a.system, a.motion, a.state, 0.1, event), Advance::kDone);
     leapfrog_synchronous(a.system, a.motion, a.state, {vx.data(), vy.data(), vz.data()}, force);
-    const drape_energy e = outputs::energy_potential(a.system, a.state);
+    const drape_energy e = dynamics::potential_energy(a.system, a.state);
     const double k = model::kinetic_energy(a.system, vx, vy, vz);
     kinetic = std::max(kinetic, k);
     worst = std::max(worst, std::abs(e.stretch + e.shear + e.bending + e.gravity + k - start));

@@ -5,7 +5,7 @@
 
 #include "cloth_fixture.h"
 #include "cut_pieces.h"
-#include "outputs/energy.h"
+#include "dynamics/potential_energy.h"
 #include "validation/load.h"
 
 namespace drape::dynamics {

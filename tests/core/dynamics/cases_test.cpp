@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "cloth_fixture.h"
-#include "outputs/energy.h"
+#include "dynamics/potential_energy.h"
 #include "validation/load.h"
 
 namespace drape::dynamics {
@@ -38,7 +38,7 @@ scene::FabricSpec measured_wool() {
 void print_error(const char* what, double error) { std::printf("%s: at most %.1e off\n", what, error); }
 
 double elastic_energy(const Assembled& a) {
-  const drape_energy e = outputs::energy_potential(a.system, a.state);
+  const drape_energy e = dynamics::potential_energy(a.system, a.state);
   return e.stretch + e.shear + e.bending;
 }
 

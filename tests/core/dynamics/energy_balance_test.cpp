@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "cloth_fixture.h"
-#include "outputs/energy.h"
+#include "dynamics/potential_energy.h"
 #include "outputs/outputs.h"
 
 namespace drape::dynamics {
@@ -28,7 +28,7 @@ Scene windy_scene() {
 
 drape_energy energy_after(const Scene& scene, double h, int steps) {
   Assembled a = assemble(scene);
-  outputs::energy_begin(a.system, a.state);
+  dynamics::energy_begin(a.system, a.state);
   for (int k = 0; k < steps; ++k) leapfrog_step(a.system, a.motion, a.state, h);
   outputs::Outputs o;
   outputs::outputs_make(o, a.scene, a.system);

@@ -8,9 +8,9 @@
 
 #include "cloth_fixture.h"
 #include "cut_pieces.h"
+#include "dynamics/potential_energy.h"
 #include "forces/hinge_energy.h"
 #include "model/elements.h"
-#include "outputs/energy.h"
 #include "reference/forces.h"
 
 namespace drape::forces {
@@ -94,7 +94,7 @@ TEST_P(EveryForce, IsMinusTheGradientOfItsEnergy) {
   const auto energy = [&] {
     System weightless = a.system;
     weightless.gravity = {0, 0, 0};
-    const drape_energy e = outputs::energy_potential(weightless, a.state);
+    const drape_energy e = dynamics::potential_energy(weightless, a.state);
     return e.stretch + e.shear + e.bending;
   };
   expect_minus_gradient(a, force, energy, 1e-7);

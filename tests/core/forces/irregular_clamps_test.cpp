@@ -6,8 +6,8 @@
 
 #include "cloth_fixture.h"
 #include "cut_pieces.h"
+#include "dynamics/potential_energy.h"
 #include "forces/irregular_elements.h"
-#include "outputs/energy.h"
 #include "reference/forces.h"
 
 namespace drape::forces {
@@ -103,7 +103,7 @@ TEST_P(EveryClamp, IsMinusTheGradientOfItsEnergy) {
   const VectorXd force = forces_by(dynamics::kernel_pick(), a);
   const Vector3d torque = clamp_torque(a);
   const double eps = 1e-7;
-  const auto energy = [&] { return outputs::energy_potential(a.system, a.state).bending; };
+  const auto energy = [&] { return dynamics::potential_energy(a.system, a.state).bending; };
   expect_minus_gradient(a, force, energy, eps);
   for (int axis = 0; axis < 3; ++axis) {
     double ends[2];

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "cloth_fixture.h"
+#include "dynamics/potential_energy.h"
 #include "model/kinetic_energy.h"
-#include "outputs/energy.h"
 
 namespace drape::model {
 
@@ -131,7 +131,7 @@ Swung swung(int order, int n, double damping, bool driven = false,
   scene.communication = 0.02;
   scene.step = scene.communication / n;
   Assembled a = assemble(scene);
-  outputs::energy_begin(a.system, a.state);
+  dynamics::energy_begin(a.system, a.state);
   if (driven) {
     a.motion.inputs = dynamics::inputs_at(a.state);
     a.motion.inputs.pin[0].position[0] += 0.01;
@@ -149,12 +149,13 @@ Swung swung(int order, int n, double damping, bool driven = false,
       dynamics::leapfrog_synchronous(a.system, a.motion, a.state, {vx.data(), vy.data(), vz.data()}, load);
   const dynamics::BalanceNow now =
       dynamics::balance_now(a.system, a.motion.balance, a.state, 0, {vx, vy, vz});
-  drape_energy e = outputs::energy_potential(a.system, a.state);
+  drape_energy e = dynamics::potential_energy(a.system, a.state);
   e.kinetic = model::kinetic_energy(a.system, vx, vy, vz);
   return {
       positions(a), gathered(a.system, vx, vy, vz),
       (a.state.pin_impulse[0].force[2] + dynamics::last_half(a.system, a.state) * load[0].force[2]) / 0.02,
-      outputs::energy_sum(e) - a.state.energy_start - (now.input + half_kick.work_of_pins) + now.dissipated};
+      dynamics::energy_sum(e) - a.state.energy_start -
+          (now.input + a.state.drive_work + half_kick.work_of_drives) + now.dissipated};
 }
 
 // Error = C h^p (1 + O(h^2)): halving the step divides it by 2^p. The exact solution is the method of order

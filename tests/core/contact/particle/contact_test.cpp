@@ -7,8 +7,8 @@
 
 #include "body_fixture.h"
 #include "contact/particle/contact_pass.h"
+#include "dynamics/potential_energy.h"
 #include "math/vector3.h"
-#include "outputs/energy.h"
 #include "outputs/outputs.h"
 #include "reference/run.h"
 

@@ -4,10 +4,10 @@
 #include "contact/self/search.h"
 #include "contact/self/self_contact.h"
 #include "contact/self/self_fixture.h"
+#include "dynamics/potential_energy.h"
 #include "dynamics/seam_welding.h"
 #include "math/smooth_ramp.h"
 #include "math/vector3.h"
-#include "outputs/energy.h"
 #include "outputs/outputs.h"
 
 namespace drape::contact {

@@ -3,10 +3,13 @@
 #include "drape/drape.h"
 #include "model/system.h"
 
-namespace drape::outputs {
+namespace drape::dynamics {
+
+struct Kernel;
 
 // The potential energies at the present positions, J. The kinetic energy and the balance are left at 0.
-drape_energy energy_potential(const System& system, const State& state);
+drape_energy potential_energy(const System& system, const Kernel& kernel, const State& state);
+drape_energy potential_energy(const System& system, const State& state);  // by the kernel of this processor
 
 // The sum of the kinetic and all potential energies, J.
 double energy_sum(const drape_energy& energy);
@@ -14,4 +17,4 @@ double energy_sum(const drape_energy& energy);
 // Starts the energy balance at a start state, whose velocities are v_0.
 void energy_begin(const System& system, State& start);
 
-}  // namespace drape::outputs
+}  // namespace drape::dynamics

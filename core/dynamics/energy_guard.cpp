@@ -1,0 +1,193 @@
+// In leapfrog the energy m v-.v+/2 + U of linear cloth is constant, v- and v+ half a step before and after.
+// With the synchronous velocity v = (v- + v+)/2 it is m v^2/2 - m (v - v-)^2/2 + U. The second term is that
+// of the step: it grows with h^2, so a change of the step changes the constant. What pins and closing seams
+// bring in is known step by step. What the damping -m c v takes is found from its power at the checks of the
+// step limit; how far that jumps from one to the next counts as unknown.
+#include "dynamics/energy_guard.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/potential_energy.h"
+#include "math/vector3.h"
+#include "model/kinetic_energy.h"
+
+namespace drape::dynamics {
+namespace {
+
+constexpr double kDrifted = 0.005;     // of the largest energy: what may be missing without more steps
+constexpr double kJump = 0.002;        // of the largest energy, more than before
+constexpr double kChecksToReach = 32;  // or enough to reach kGuardAllowed within so many checks
+constexpr double kSameStep = 1e-6;     // relative change of the step that counts as none
+constexpr double kLost = 10;           // kGuardAllowed, where the run stops
+constexpr double kMaxRefinement = 16;
+constexpr std::int64_t kStepsBeforeEase =
+    100 * kGuardSteps;              // without a failure, before the refinement halves
+constexpr double kFloor = 1e-3;     // of weight times size
+constexpr double kDeviations = 3;   // of the sum of samples
+constexpr double kSampling = 0.02;  // of that sum, beside its deviation
+
+// J, the term of the step; 0 above order 2. Nodes that pins move have none: their kinetic energy is what pins
+// bring in.
+double step_term(const System& system, const Motion& m, const State& s) {
+  if (system.composition) return 0;
+  const auto term = [&](std::size_t n) {
+    const double x = m.now_x[n] - s.vx[n], y = m.now_y[n] - s.vy[n], z = m.now_z[n] - s.vz[n];
+    return system.mass[n] * (x * x + y * y + z * z) / 2;
+  };
+  double sum = 0;
+  for (std::size_t n : system.particle) sum += term(n);
+  for (const constraint::FixedNode& f : m.constraints.fixed)
+    if (f.target.moves) sum -= term(f.node);
+  for (std::size_t r : m.constraints.rows_with_target)
+    for (std::size_t n : m.constraints.rows[r].on.node)
+      if (m.constraints.rows[r].target.moves) sum -= term(n);
+  return std::max(sum, 0.0);
+}
+
+// What the guard sees at t_n.
+struct Sight {
+  drape_energy energy{};
+  double step = 0;     // J, the term of the step
+  double balance = 0;  // J, energy with that term, less the work of pins and closing seams
+};
+
+Sight look(const System& system, Motion& motion, const State& s) {
+  Sight sight;
+  std::vector<math::Wrench> loads;
+  const HalfKick half = leapfrog_synchronous(system, motion, s, motion_field(motion), loads);
+  sight.energy = potential_energy(system, *motion.kernel, s);
+  sight.energy.kinetic = model::kinetic_energy(system, motion.now_x, motion.now_y, motion.now_z);
+  sight.step = step_term(system, motion, s);
+  sight.balance = energy_sum(sight.energy) - sight.step - s.drive_work - half.work_of_drives;
+  return sight;
+}
+
+double energy_size(const drape_energy& e, const State& s) {
+  return std::abs(e.kinetic) + e.stretch + e.shear + e.bending + std::abs(e.gravity - s.guard.gravity) +
+         std::abs(s.drive_work);
+}
+
+double size_of(const System& system, const model::EnergyGuard& g) {
+  return std::max(g.largest, guard_floor(system));
+}
+
+// J, of what damping takes.
+double unknown(const model::EnergyGuard& g) {
+  return kDeviations * std::sqrt(g.variance) + kSampling * g.damped;
+}
+
+// J, of the missing energy that stands out from what is not known. Damping along links and still air only
+// take energy, and how much is not known.
+double missing_of(const System& system, const model::EnergyGuard& g) {
+  if (model::system_has_rates(system) && g.unaccounted < 0) return 0;
+  return std::max(std::abs(g.unaccounted) - unknown(g), 0.0);
+}
+
+// Whether what is missing has grown so much, or grows so fast, that smaller steps are due.
+bool fails(double size, double missing, double grown) {
+  if (missing <= kDrifted * size) return false;
+  const double left = std::max(kGuardAllowed * size - missing, kDrifted * size);
+  return grown > std::min(kJump * size, left / kChecksToReach);
+}
+
+void worst_update(model::EnergyGuard& g, double missing, double time) {
+  if (missing <= std::abs(g.worst)) return;
+  g.worst = std::copysign(missing, g.unaccounted);
+  g.worst_time = time;
+}
+
+// Updates what is missing at a time that is `length` s after that of the state.
+void account(const System& system, const Sight& sight, State& s, double length) {
+  model::EnergyGuard& g = s.guard;
+  guard_damped(system, s, s.h_old, sight.energy.kinetic);
+  g.largest = std::max(g.largest, energy_size(sight.energy, s));
+  g.unaccounted = sight.balance + g.damped - g.balance;
+  worst_update(g, missing_of(system, g), model::state_time(s, system.communication) + length);
+}
+
+}  // namespace
+
+double guard_floor(const System& system) {
+  double mass = 0, area = 0;
+  for (std::size_t n : system.particle) mass += system.mass[n], area += system.area[n];
+  return kFloor * mass * math::vector3::norm(system.gravity) * std::sqrt(area);
+}
+
+bool guard_watches(const System& system, const State& s) {
+  if (system.fit || system.integrator == scene::Integrator::kPaper) return false;
+  if (!system.bodies.empty() || contact::self_enabled(system)) return false;
+  return !(model::system_has_air(system) && math::vector3::norm(s.wind) > 0);
+}
+
+void guard_step(const System& system, Motion& motion, State& s, double h) {
+  model::EnergyGuard& g = s.guard;
+  if (s.h_old == 0 || (g.begun ? std::abs(h - s.h_old) <= kSameStep * h : s.steps < g.checked)) return;
+  if (!guard_watches(system, s)) return;
+  const Sight sight = look(system, motion, s);
+  const double change = (1 - h * h / (s.h_old * s.h_old)) * sight.step;
+  if (g.begun) {
+    g.balance += change;
+    return;
+  }
+  if (g.largest == 0) g.gravity = sight.energy.gravity;
+  g.begun = true;
+  g.checked = g.sampled = s.steps;
+  g.power = 2 * system.damping * sight.energy.kinetic;
+  g.balance = sight.balance + change + g.damped - g.unaccounted;
+  g.largest = std::max(g.largest, energy_size(sight.energy, s));
+}
+
+void guard_pause(const System& system, Motion& motion, State& s, bool rare) {
+  model::EnergyGuard& g = s.guard;
+  if (!g.begun) return;
+  g.begun = false;
+  const bool known = rare || s.steps - g.checked >= kGuardSteps;
+  if (known) account(system, look(system, motion, s), s, 0);
+  g.checked = known ? s.steps : s.steps + kGuardSteps;
+  g.period = rare ? 1 : kGuardSteps;
+}
+
+bool guard_refine(State& s) {
+  model::EnergyGuard& g = s.guard;
+  g.refined = s.steps;
+  if (g.refinement >= kMaxRefinement) return false;
+  g.refinement *= 2;
+  s.steps_per_interval *= 2;
+  s.steps_to_limit_check = 0;
+  s.intervals_since_change = 0;
+  return true;
+}
+
+void guard_damped(const System& system, State& s, double h, double kinetic) {
+  model::EnergyGuard& g = s.guard;
+  const double power = 2 * system.damping * kinetic, time = double(s.steps - g.sampled) * h,
+               change = power - g.power;
+  g.damped += time * (power + g.power) / 2;
+  g.variance += time * time * change * change / 2;
+  g.power = power;
+  g.sampled = s.steps;
+}
+
+Guard guard_check(const System& system, Motion& motion, State& s, double length) {
+  model::EnergyGuard& g = s.guard;
+  g.begun = g.begun && guard_watches(system, s);
+  if (!g.begun || s.steps - g.checked < g.period) return Guard::kKept;
+  const double before = missing_of(system, g);
+  account(system, look(system, motion, s), s, length);
+  g.checked = s.steps;
+  g.period = std::min(2 * g.period, kGuardSteps);
+  const double size = size_of(system, g);
+  const double missing = missing_of(system, g);
+  g.failing = fails(size, missing, missing - before);
+  if (missing > kLost * kGuardAllowed * size && (system.step_given > 0 || g.refinement >= kMaxRefinement))
+    return Guard::kLost;
+  if (g.failing) return Guard::kRepeat;
+  if (g.refinement > 1 && s.steps - g.refined >= kStepsBeforeEase) {
+    g.refinement /= 2;
+    g.refined = s.steps;
+  }
+  return Guard::kKept;
+}
+
+}  // namespace drape::dynamics

@@ -1,0 +1,38 @@
+// The energy guard: compares the energy of the cloth with the work done on it, and asks for smaller steps
+// where more is missing than a run may lose. core/README.md, section 4, "Energy guard".
+#pragma once
+#include "dynamics/advance.h"
+
+namespace drape::dynamics {
+
+// A check costs some three steps.
+inline constexpr std::int64_t kGuardSteps = 256;  // between two checks, at least
+inline constexpr double kGuardAllowed = 0.01;     // of the largest energy, in a run
+
+// True where all work is known, or all that is not known takes energy: without bodies, self-contact, fit and
+// wind. The paper's scheme is left as it is.
+bool guard_watches(const System& system, const State& state);
+
+// Before a step of h (s). Begins the balance where it is due, after the first step and after a pause; follows
+// a change of the step.
+void guard_step(const System& system, Motion& motion, State& state, double h);
+// Before a change of the system. Ends the balance. Where it began a short time ago and changes are not rare,
+// what is missing since is not found, and the next balance begins later.
+void guard_pause(const System& system, Motion& motion, State& state, bool rare);
+
+// Takes note of what the damping -m c v takes, by the kinetic energy (J) within steps of h (s).
+void guard_damped(const System& system, State& state, double h, double kinetic);
+
+enum class Guard { kKept, kRepeat, kLost };
+
+// After an interval of `length` s. kRepeat: a part of the allowed energy was lost or gained in the steps
+// since the last check, and smaller steps can be taken. kLost: ten times the allowed energy is missing.
+Guard guard_check(const System& system, Motion& motion, State& state, double length);
+
+// Doubles the refinement of the automatic step, up to a bound. False: it is there already.
+bool guard_refine(State& state);
+
+// J: the largest energy counts as no less.
+double guard_floor(const System& system);
+
+}  // namespace drape::dynamics
