@@ -77,7 +77,7 @@ def test_derivatives_and_run(drape, write, pack, tmp_path):
 
 @pytest.mark.parametrize("scene", [driven_sheet, flag])
 def test_reference_follows_the_same_path(drape, write, tmp_path, scene):
-    """Second order: at h = q/64 = 15 us the swinging sheet of convergence.py is 3e-9 m off; these are stirred harder. Their
+    """Second order: at h = q/64 = 15 us the swinging sheet of convergence.py is 6e-9 m off; these are stirred harder. Their
     error shrinks fourfold from h to h/2, so (error at h/2) <= (difference of both runs)/2 bounds it without an exact solution."""
     path = pole_path if scene is driven_sheet else lambda t: {"wind": [2.0 + 20.0 * t, 0.5, 0.0]}
     options = ["--nodes", "all"]

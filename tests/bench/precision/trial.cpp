@@ -34,7 +34,7 @@ scene::FabricSpec cotton() {
   return f;
 }
 
-// Every third point of the diagrams of examples/fabrics/wool.toml.
+// Every third raw point of the diagrams of examples/fabrics/wool.toml.
 scene::FabricSpec wool() {
   scene::FabricSpec f = fabric("wool", 0.15, 0.1, 4.567e-6, 4.567e-6);
   f.warp = diagram(

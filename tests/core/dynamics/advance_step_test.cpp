@@ -72,7 +72,7 @@ TEST(Leapfrog, UndampedWoolKeepsItsEnergy) {
     worst = std::max(worst, std::abs(e.stretch + e.shear + e.bending + e.gravity + k - start));
   }
   std::printf("undamped wool, 6 s: energy off by %.2e of the largest kinetic energy\n", worst / kinetic);
-  EXPECT_LE(worst, 0.02 * kinetic);
+  EXPECT_LE(worst, 0.002 * kinetic);
 }
 
 }  // namespace

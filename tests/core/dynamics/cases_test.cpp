@@ -24,7 +24,7 @@ void deform(Assembled& a, Map map) {
   }
 }
 
-// The measured diagrams, without the calibration on strips.
+// The diagrams of the shipped wool, without the calibration on strips.
 scene::FabricSpec measured_wool() {
   std::vector<Problem> problems;
   const Scene scene = validation::scene_load(DRAPE_SOURCE_DIR "/examples/hanging_wool/scene.toml", problems);

@@ -84,6 +84,16 @@ class ShippedFabric : public testing::TestWithParam<std::string> {};
 
 TEST_P(ShippedFabric, IsReadAndHasLaws) { expect_fabric(kFolder / (GetParam() + ".toml")); }
 
+// A law that follows the noise of a load cell costs time steps. `drape check` warns of a slope path above 2.
+TEST_P(ShippedFabric, IsSmooth) {
+  std::vector<Problem> problems;
+  const Law law = law_make(expect_fabric(kFolder / (GetParam() + ".toml")), {}, 0.1, "fabric.f", problems);
+  for (const math::Curve* curve : {&law.warp, &law.weft, &law.bias}) {
+    EXPECT_GE(math::curve_slope_path(*curve), 1);
+    EXPECT_LT(math::curve_slope_path(*curve), 2);
+  }
+}
+
 // The description states first whether a figure was measured.
 TEST_P(ShippedFabric, StatesMeasuredOrIllustrativeFirst) {
   const std::string text = text_of(kFolder / (GetParam() + ".toml"));

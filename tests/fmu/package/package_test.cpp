@@ -51,7 +51,7 @@ TEST(Package, HoldsDescriptionBinarySceneAndDocumentation) {
   const Cloth cloth = open_swatch();
   std::map<std::string, std::string> entries =
       entries_of(pack_swatch("drape_pack.fmu", description::Nodes::kOutline));
-  EXPECT_EQ(entries.size(), 9u);
+  EXPECT_EQ(entries.size(), 10u);
   EXPECT_EQ(entries["modelDescription.xml"], description::description_xml_fmi2(description::description_of(
                                                  cloth.get(), description::Nodes::kOutline)));
   EXPECT_EQ(entries["binaries/linux64/swatch.so"], bytes_of(DRAPE_FMI2_BINARY));
@@ -70,6 +70,9 @@ TEST(Package, CarriesTheLicencesOfWhatItHolds) {
   EXPECT_NE(entries[folder + "tomlplusplus.txt"].find("Mark Gillard"), std::string::npos);
   EXPECT_NE(entries[folder + "tomlplusplus.txt"].find(permission), std::string::npos);
   EXPECT_NE(entries[folder + "gcc.txt"].find("GCC RUNTIME LIBRARY EXCEPTION"), std::string::npos);
+  const std::string& gpl = entries[folder + "gpl-3.0.txt"];
+  EXPECT_NE(gpl.find("Version 3, 29 June 2007"), std::string::npos);
+  EXPECT_NE(gpl.find("END OF TERMS AND CONDITIONS"), std::string::npos);
   EXPECT_NE(entries[folder + "fmi.txt"].find("Modelica Association"), std::string::npos);
   EXPECT_NE(entries[folder + "components.csv"].find("Drape,0.1.0,MIT,drape.txt,the binary"),
             std::string::npos);

@@ -223,33 +223,28 @@ TEST(SceneRead, CylinderAxisIsMadeParallelToThePlane) {
   EXPECT_NEAR(place.axis[0], 0.6, 1e-6);
 }
 
-// The lengths of the lists and their last points are those of the source.
+// The lengths of the raw lists and their last points are those of the source. The smooth diagrams end where
+// they do.
 TEST(SceneRead, MeasuredWool) {
-  const SceneFolder folder;
-  const std::string file = std::string(DRAPE_SOURCE_DIR) + "/examples/fabrics/wool.toml";
-  const Scene s = scene_of(folder, R"(
-[scene]
-name = "a"
-[fabric.wool]
-file = ")" + file + R"("
-[[piece]]
-name = "p"
-fabric = "wool"
-cell = 0.1
-outline = [[0, 0], [1, 0], [1, 1], [0, 1]]
-)");
-  const FabricSpec& f = s.fabrics[0];
-  EXPECT_EQ(f.areal_density, 0.15);
-  ASSERT_EQ(f.warp.force.size(), 29u);
-  ASSERT_EQ(f.weft.force.size(), 29u);
-  ASSERT_EQ(f.bias.force.size(), 15u);
+  const FabricFile wool = fabric_read(DRAPE_SOURCE_DIR "/examples/fabrics/wool.toml", Corrections::kKept);
+  ASSERT_TRUE(wool.loaded);
+  EXPECT_EQ(wool.fabric.areal_density, 0.15);
+  const DiagramSpec &warp = wool.raw[0], &weft = wool.raw[1], &bias = wool.raw[2];
+  ASSERT_EQ(warp.force.size(), 29u);
+  ASSERT_EQ(weft.force.size(), 29u);
+  ASSERT_EQ(bias.force.size(), 15u);
+  const DiagramSpec* smooth[] = {&wool.fabric.warp, &wool.fabric.weft, &wool.fabric.bias};
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_LT(smooth[k]->force.size(), wool.raw[k].force.size());
+    EXPECT_NEAR(smooth[k]->elongation.back(), wool.raw[k].elongation.back(), 1e-7);  // six digits of percent
+  }
   // 0.05 m times the measured 2998.027613 and 1052.158273 N/m, entered to 1e-5 N
-  EXPECT_NEAR(f.warp.force.back(), 0.05 * 2998.027613, 1e-5);
-  EXPECT_NEAR(f.weft.force.back(), 0.05 * 1052.158273, 1e-5);
+  EXPECT_NEAR(warp.force.back(), 0.05 * 2998.027613, 1e-5);
+  EXPECT_NEAR(weft.force.back(), 0.05 * 1052.158273, 1e-5);
   // F = 0.05 m tau 2 l/cos g, l = sqrt(1 + sin g), with tau = 59.986 N/m at g = 0.14
   const double l = std::sqrt(1 + std::sin(0.14));
-  EXPECT_NEAR(f.bias.elongation.back(), l - 1, 1e-7);
-  EXPECT_NEAR(f.bias.force.back(), 0.05 * 59.986 * 2 * l / std::cos(0.14), 1e-5);
+  EXPECT_NEAR(bias.elongation.back(), l - 1, 1e-7);
+  EXPECT_NEAR(bias.force.back(), 0.05 * 59.986 * 2 * l / std::cos(0.14), 1e-5);
 }
 
 }  // namespace
