@@ -22,10 +22,11 @@ constexpr double kSameStep = 1e-6;     // relative change of the step that count
 constexpr double kLost = 10;           // kGuardAllowed, where the run stops
 constexpr double kMaxRefinement = 16;
 constexpr std::int64_t kStepsBeforeEase =
-    100 * kGuardSteps;              // without a failure, before the refinement halves
-constexpr double kFloor = 1e-3;     // of weight times size
-constexpr double kDeviations = 3;   // of the sum of samples
-constexpr double kSampling = 0.02;  // of that sum, beside its deviation
+    100 * kGuardSteps;                         // without a failure, before the refinement halves
+constexpr double kFloor = 1e-5;                // of weight times size
+constexpr double kFloorWithoutGravity = 1e-6;  // m/s^2, of mass times size
+constexpr double kDeviations = 3;              // of the sum of samples
+constexpr double kSampling = 0.02;             // of that sum, beside its deviation
 
 // J, the term of the step; 0 above order 2. Nodes that pins move have none: their kinetic energy is what pins
 // bring in.
@@ -111,12 +112,13 @@ void account(const System& system, const Sight& sight, State& s, double length) 
 double guard_floor(const System& system) {
   double mass = 0, area = 0;
   for (std::size_t n : system.particle) mass += system.mass[n], area += system.area[n];
-  return kFloor * mass * math::vector3::norm(system.gravity) * std::sqrt(area);
+  return mass * std::sqrt(area) *
+         std::max(kFloor * math::vector3::norm(system.gravity), kFloorWithoutGravity);
 }
 
 bool guard_watches(const System& system, const State& s) {
   if (system.fit || system.integrator == scene::Integrator::kPaper) return false;
-  if (!system.bodies.empty() || contact::self_enabled(system)) return false;
+  if (!system.bodies.empty() || contact::self_enabled(system) || !system.links.empty()) return false;
   return !(model::system_has_air(system) && math::vector3::norm(s.wind) > 0);
 }
 

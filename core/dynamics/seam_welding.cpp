@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/energy_guard.h"
 #include "model/seam_rows.h"
 
 namespace drape::dynamics {
@@ -60,6 +61,7 @@ std::vector<std::size_t> seams_within_tolerance(const System& system, const Stat
 void seams_weld(const System& system, Motion& motion, State& s, const std::vector<std::size_t>& pairs) {
   double moved = 0;
   for (const model::Seam& seam : system.seams.seam) moved = std::max(moved, seam.gap_tolerance);
+  guard_pause(system, motion, s, true);
   leapfrog_complete(system, motion, s);
   const double lost = contact::edge_record_sides(system, motion.contact.edge_scratch, s, moved);
   if (system.energy) s.dissipated += lost;

@@ -139,7 +139,7 @@ TEST(WarmStart, WeldsLeftAloneAreSatisfiedAlready) {
     sewn_advance(a, 1e-3);
     EXPECT_FALSE(a.motion.contact.touched.empty());
     if (all) a.motion.contact.touched.clear();
-    outputs::energy_begin(a.system, a.state);
+    dynamics::energy_begin(a.system, a.state);
     int met = 0;  // advances whose last step had contact at a weld
     for (int k = 0; k < 60; ++k) {
       sewn_advance(a, 1e-3);
