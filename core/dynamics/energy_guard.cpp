@@ -15,14 +15,14 @@
 namespace drape::dynamics {
 namespace {
 
-constexpr double kDrifted = 0.005;     // of the largest energy: what may be missing without more steps
-constexpr double kJump = 0.002;        // of the largest energy, more than before
-constexpr double kChecksToReach = 32;  // or enough to reach kGuardAllowed within so many checks
-constexpr double kSameStep = 1e-6;     // relative change of the step that counts as none
-constexpr double kLost = 10;           // kGuardAllowed, where the run stops
+constexpr double kUntouched = 0.003;  // of the largest energy: what may be missing without more steps
+constexpr double kGrowth = 0.001;     // of the largest energy, more than at the last refinement
+constexpr double kSameStep = 1e-6;    // relative change of the step that counts as none
+constexpr double kLost = 10;          // kGuardAllowed, where the run stops
 constexpr double kMaxRefinement = 16;
-constexpr std::int64_t kStepsBeforeEase =
-    100 * kGuardSteps;                         // without a failure, before the refinement halves
+constexpr double kStepsBeforeEase = 25600;     // without a failure, before the refinement halves; times
+constexpr double kMoreBeforeEase = 4;          // this with every refinement after the first
+constexpr int kMostRefinements = 30;           // that count so
 constexpr double kFloor = 1e-5;                // of weight times size
 constexpr double kFloorWithoutGravity = 1e-6;  // m/s^2, of mass times size
 constexpr double kDeviations = 3;              // of the sum of samples
@@ -85,13 +85,6 @@ double missing_of(const System& system, const model::EnergyGuard& g) {
   return std::max(std::abs(g.unaccounted) - unknown(g), 0.0);
 }
 
-// Whether what is missing has grown so much, or grows so fast, that smaller steps are due.
-bool fails(double size, double missing, double grown) {
-  if (missing <= kDrifted * size) return false;
-  const double left = std::max(kGuardAllowed * size - missing, kDrifted * size);
-  return grown > std::min(kJump * size, left / kChecksToReach);
-}
-
 void worst_update(model::EnergyGuard& g, double missing, double time) {
   if (missing <= std::abs(g.worst)) return;
   g.worst = std::copysign(missing, g.unaccounted);
@@ -150,9 +143,18 @@ void guard_pause(const System& system, Motion& motion, State& s, bool rare) {
   g.period = rare ? 1 : kGuardSteps;
 }
 
-bool guard_refine(State& s) {
+double guard_missing(const System& system, const State& s) { return missing_of(system, s.guard); }
+
+void guard_accept(const System& system, State& s, double refinement) {
+  s.guard.refinement = refinement;
+  s.guard.missing_refined = missing_of(system, s.guard);
+}
+
+bool guard_refine(const System& system, State& s, bool again) {
   model::EnergyGuard& g = s.guard;
   g.refined = s.steps;
+  g.missing_refined = missing_of(system, g);
+  if (!again) g.refinements = std::min(g.refinements + 1, kMostRefinements);
   if (g.refinement >= kMaxRefinement) return false;
   g.refinement *= 2;
   s.steps_per_interval *= 2;
@@ -175,17 +177,16 @@ Guard guard_check(const System& system, Motion& motion, State& s, double length)
   model::EnergyGuard& g = s.guard;
   g.begun = g.begun && guard_watches(system, s);
   if (!g.begun || s.steps - g.checked < g.period) return Guard::kKept;
-  const double before = missing_of(system, g);
   account(system, look(system, motion, s), s, length);
   g.checked = s.steps;
   g.period = std::min(2 * g.period, kGuardSteps);
-  const double size = size_of(system, g);
-  const double missing = missing_of(system, g);
-  g.failing = fails(size, missing, missing - before);
+  const double size = size_of(system, g), missing = missing_of(system, g);
+  g.failing = missing > kUntouched * size && missing - g.missing_refined > kGrowth * size;
   if (missing > kLost * kGuardAllowed * size && (system.step_given > 0 || g.refinement >= kMaxRefinement))
     return Guard::kLost;
   if (g.failing) return Guard::kRepeat;
-  if (g.refinement > 1 && s.steps - g.refined >= kStepsBeforeEase) {
+  const double before_ease = kStepsBeforeEase * std::pow(kMoreBeforeEase, g.refinements - 1);
+  if (g.refinement > 1 && double(s.steps - g.refined) >= before_ease) {
     g.refinement /= 2;
     g.refined = s.steps;
   }

@@ -29,8 +29,16 @@ enum class Guard { kKept, kRepeat, kLost };
 // since the last check, and smaller steps can be taken. kLost: ten times the allowed energy is missing.
 Guard guard_check(const System& system, Motion& motion, State& state, double length);
 
-// Doubles the refinement of the automatic step, up to a bound. False: it is there already.
-bool guard_refine(State& state);
+// J, missing at the last check beyond what is not known.
+double guard_missing(const System& system, const State& state);
+
+// Doubles the refinement of the automatic step, up to a bound. False: it is there already. `again`: for the
+// same interval.
+bool guard_refine(const System& system, State& state, bool again);
+
+// Smaller steps do not help: takes what is missing as it is, with the refinement from before.
+inline constexpr double kGuardHelps = 0.7;  // a refinement leaves less than this share of what is missing
+void guard_accept(const System& system, State& state, double refinement);
 
 // J: the largest energy counts as no less.
 double guard_floor(const System& system);

@@ -5,22 +5,24 @@
 namespace drape::model {
 
 struct EnergyGuard {
-  bool begun = false;        // there is a balance to compare with
-  double balance = 0;        // J, the balance that would leave nothing unaccounted
-  double gravity = 0;        // J, potential energy of gravity at the first check
-  double largest = 0;        // J, largest energy of all checks
-  double unaccounted = 0;    // J, at the last check: gained, or lost where negative
-  double worst = 0;          // J, the unaccounted energy that stood out most from what is known
-  double worst_time = 0;     // s, when that was
-  double damped = 0;         // J, taken by the damping -m c v, from its power at checks of the step limit
-  double power = 0;          // W, at the last of them
-  double variance = 0;       // J^2, of that sum
-  std::int64_t sampled = 0;  // step of the last of them
-  std::int64_t checked = 0;  // step of the last check, or the step from which a balance may begin
-  std::int64_t period = 1;   // steps between two checks, at least; doubles from check to check
-  double refinement = 1;     // the automatic step is divided by it
-  std::int64_t refined = 0;  // step at which that last changed
-  bool failing = false;      // the last check failed, and the step is as small as the guard makes it
+  bool begun = false;          // there is a balance to compare with
+  double balance = 0;          // J, the balance that would leave nothing unaccounted
+  double gravity = 0;          // J, potential energy of gravity at the first check
+  double largest = 0;          // J, largest energy of all checks
+  double unaccounted = 0;      // J, at the last check: gained, or lost where negative
+  double worst = 0;            // J, the unaccounted energy that stood out most from what is known
+  double worst_time = 0;       // s, when that was
+  double damped = 0;           // J, taken by the damping -m c v, from its power at checks of the step limit
+  double power = 0;            // W, at the last of them
+  double variance = 0;         // J^2, of that sum
+  std::int64_t sampled = 0;    // step of the last of them
+  std::int64_t checked = 0;    // step of the last check, or the step from which a balance may begin
+  std::int64_t period = 1;     // steps between two checks, at least; doubles from check to check
+  double refinement = 1;       // the automatic step is divided by it
+  int refinements = 0;         // how often that has grown
+  std::int64_t refined = 0;    // step at which it last changed
+  double missing_refined = 0;  // J, what was missing when it last grew
+  bool failing = false;        // the last check failed, and the step is as small as the guard makes it
 };
 
 }  // namespace drape::model
