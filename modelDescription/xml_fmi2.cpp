@@ -48,7 +48,7 @@ void print_capabilities(pugi::xml_node root, const Description& d) {
                                     {"canBeInstantiatedOnlyOncePerProcess", "false"},
                                     {"canNotUseMemoryManagementFunctions", "true"},
                                     {"canGetAndSetFMUstate", "true"},
-                                    {"canSerializeFMUstate", "false"},
+                                    {"canSerializeFMUstate", "true"},
                                     {"providesDirectionalDerivative", "false"}})
     set(node, flag, value);
 }

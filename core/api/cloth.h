@@ -30,6 +30,7 @@ struct drape_cloth {
   drape::Scene scene;
   std::string text;
   std::vector<std::string> files;  // [bodies] names of the mesh files next to the text
+  std::uint64_t scene_hash = 0;    // of the text and the meshes; 0 until the first state is written or read
   drape::System system;
   drape::dynamics::Motion motion;
   drape::State state, good;  // at present, and when the present advance began

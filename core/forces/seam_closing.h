@@ -36,7 +36,7 @@ double seams_integral_bound(const System& system, const State& state);
 // Advances s after a step of h, s, with the gap at the middle of the step.
 void seams_update_integral(const System& system, State& state, double h);
 
-// Sets rates [pairs x 3], m/s: the rates at v_{n-1/2} of the gaps of pairs that are kPulled.
+// Sets rates [pairs x 3], m/s: the rates at v_{n-1/2} of the gaps of pairs that are kPulled; 0 of others.
 void seams_gap_rates(const System& system, const State& state, Array& rates);
 
 }  // namespace drape::forces

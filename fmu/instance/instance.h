@@ -26,8 +26,9 @@ struct LogFilter {
 // A copy of everything in an instance that changes.
 struct Saved {
   drape_snapshot* cloth = nullptr;  // freed with the instance or by instance_forget
-  Phase phase;
-  double stop_time;
+  Phase phase = Phase::kInstantiated;
+  double stop_time = 0;    // s
+  std::int64_t steps = 0;  // as in Instance
 };
 
 struct Instance {
@@ -54,6 +55,9 @@ void instance_close(Instance* instance);
 // Logs a sentence and returns the status.
 drape_status instance_refuse(Instance& instance, drape_status status, const std::string& sentence);
 
+// Logs the messages that the core sent during a call that returned `status`.
+drape_status instance_flush(Instance& instance, drape_status status);
+
 // Life cycle. The caller has checked that the phase allows the call. Times are in s.
 drape_status instance_setup(Instance& instance, double start_time, double stop_time);
 drape_status instance_exit_initialization(Instance& instance);
@@ -76,5 +80,11 @@ drape_status instance_set_rates(Instance& instance, const std::uint32_t* referen
 Saved* instance_save(Instance& instance, Saved* into);
 drape_status instance_restore(Instance& instance, const Saved* saved);
 drape_status instance_forget(Instance& instance, const Saved* saved);
+
+// Saved states as bytes, for other instances of the same scene in any process. `size` is that of
+// instance_bytes_size. Bytes that are not whole, or of another scene, are refused (null, DRAPE_DISCARD).
+drape_status instance_bytes_size(Instance& instance, const Saved* saved, std::size_t* size);
+drape_status instance_write(Instance& instance, const Saved* saved, unsigned char* bytes, std::size_t size);
+Saved* instance_read(Instance& instance, const unsigned char* bytes, std::size_t size);
 
 }  // namespace drape::instance

@@ -1,21 +1,52 @@
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 
 #include "instance/instance.h"
 
 namespace drape::instance {
 namespace {
 
+constexpr double kMaxSteps = 9e15;  // of a master; whole numbers are exact up to here
+
+// What an instance attaches to the bytes of a cloth.
+struct Attached {
+  double phase, stop_time, steps;
+};
+
 void save_into(Instance& instance, Saved& saved) {
   saved.cloth = drape_save(instance.cloth, saved.cloth);
   saved.phase = instance.phase;
   saved.stop_time = instance.stop_time;
+  saved.steps = instance.steps;
+  const Attached attached{double(unsigned(saved.phase)), saved.stop_time, double(saved.steps)};
+  drape_snapshot_attach(saved.cloth, &attached, sizeof attached);
 }
 
 void restore_from(Instance& instance, const Saved& saved) {
   drape_restore(instance.cloth, saved.cloth);
   instance.phase = saved.phase;
   instance.stop_time = saved.stop_time;
+  instance.steps = saved.steps;
   instance.read = 0;
+}
+
+// False where this is not what an instance attaches. A state that was saved without an instance has nothing
+// attached: it is one between two steps, without a stop time.
+bool attached_read(Saved& saved) {
+  std::size_t size = 0;
+  const void* bytes = drape_snapshot_attached(saved.cloth, &size);
+  Attached attached{double(unsigned(Phase::kStepComplete)), std::numeric_limits<double>::infinity(), 0};
+  if (size != 0 && size != sizeof attached) return false;
+  if (size != 0) std::memcpy(&attached, bytes, size);
+  const auto& [phase, stop_time, steps] = attached;
+  const bool phase_known =
+      phase >= 0 && phase <= double(unsigned(Phase::kError)) && phase == std::floor(phase);
+  if (!phase_known || std::isnan(stop_time) || !(steps >= 0 && steps <= kMaxSteps)) return false;
+  saved.phase = Phase(unsigned(phase));
+  saved.stop_time = stop_time;
+  saved.steps = std::int64_t(steps);
+  return true;
 }
 
 auto find_saved(Instance& instance, const Saved* saved) {
@@ -55,6 +86,41 @@ drape_status instance_forget(Instance& instance, const Saved* saved) {
   drape_snapshot_free((*own)->cloth);
   instance.saved.erase(own);
   return DRAPE_OK;
+}
+
+drape_status instance_bytes_size(Instance& instance, const Saved* saved, std::size_t* size) {
+  if (find_saved(instance, saved) == instance.saved.end())
+    return instance_refuse(instance, DRAPE_DISCARD,
+                           "the state to write is none of this instance's saved states");
+  *size = drape_snapshot_size(saved->cloth);
+  return DRAPE_OK;
+}
+
+drape_status instance_write(Instance& instance, const Saved* saved, unsigned char* bytes, std::size_t size) {
+  std::size_t needed = 0;
+  if (const drape_status status = instance_bytes_size(instance, saved, &needed); status != DRAPE_OK)
+    return status;
+  if (size < needed)
+    return instance_refuse(instance, DRAPE_DISCARD,
+                           "the place for the state has " + std::to_string(size) +
+                               " bytes; allowed: at least its size, " + std::to_string(needed));
+  drape_snapshot_write(instance.cloth, saved->cloth, bytes);
+  return DRAPE_OK;
+}
+
+Saved* instance_read(Instance& instance, const unsigned char* bytes, std::size_t size) {
+  auto saved = std::make_unique<Saved>();
+  saved->cloth = drape_snapshot_read(instance.cloth, bytes, size);
+  instance_flush(instance, saved->cloth ? DRAPE_OK : DRAPE_DISCARD);
+  if (!saved->cloth) return nullptr;
+  if (!attached_read(*saved)) {
+    drape_snapshot_free(saved->cloth);
+    instance_refuse(instance, DRAPE_DISCARD,
+                    "the saved state is damaged: what belongs to its instance is none of that");
+    return nullptr;
+  }
+  instance.saved.push_back(std::move(saved));
+  return instance.saved.back().get();
 }
 
 }  // namespace drape::instance

@@ -329,6 +329,18 @@ drape_snapshot* drape_save(drape_cloth*, drape_snapshot* into);
 void drape_restore(drape_cloth*, const drape_snapshot*);
 void drape_snapshot_free(drape_snapshot*);
 
+/* A copy as bytes, for a file or another process. `c` is the cloth that made the copy or that is to take it,
+ * opened from the same scene with the same meshes. drape_snapshot_write fills drape_snapshot_size bytes.
+ * drape_snapshot_read returns a new copy for drape_restore. Bytes that are cut, damaged, or of another scene
+ * or layout give NULL and one DRAPE_LOG_ERROR message; the cloth stays as it was. A caller's own bytes can be
+ * attached to a copy, and travel with it. Run on from there, a cloth moves with the same bits as if it had
+ * never stopped. */
+size_t drape_snapshot_size(const drape_snapshot*);
+void drape_snapshot_write(drape_cloth* c, const drape_snapshot*, void* bytes);
+drape_snapshot* drape_snapshot_read(drape_cloth* c, const void* bytes, size_t size);
+void drape_snapshot_attach(drape_snapshot*, const void* bytes, size_t size);
+const void* drape_snapshot_attached(const drape_snapshot*, size_t* size);
+
 const char* drape_version(void);
 
 #ifdef __cplusplus
