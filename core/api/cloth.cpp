@@ -136,6 +136,10 @@ const char* drape_file_path(const drape_cloth* c, int index) {
   return c->scene.bodies[std::size_t(index)].mesh.c_str();
 }
 const char* drape_file_name(const drape_cloth* c, int index) { return c->files[std::size_t(index)].c_str(); }
+drape_about drape_scene_about(const drape_cloth* c) {
+  const scene::About& a = c->scene.about;
+  return {a.description.c_str(), a.author.c_str(), a.version.c_str(), a.copyright.c_str(), a.license.c_str()};
+}
 double drape_duration(const drape_cloth* c) { return c->scene.duration; }
 double drape_communication(const drape_cloth* c) { return c->system.communication; }
 
@@ -194,7 +198,7 @@ drape_status drape_advance(drape_cloth* c, double length) {
     return DRAPE_DISCARD;
   }
   c->step_above_limit = false;
-  const bool committed = drape_commit(c) == DRAPE_OK;
+  const bool committed = drape_commit(c) == DRAPE_OK;  // sets c->surprised anew
   std::vector<Problem> problems;
   if (!inputs_apply(*c, length, problems)) log_problems(*c, problems);
   if (!committed || !problems.empty()) return DRAPE_DISCARD;
@@ -222,6 +226,7 @@ drape_status drape_advance(drape_cloth* c, double length) {
   return c->step_above_limit ? DRAPE_DISCARD : DRAPE_ERROR;
 }
 
+int drape_surprised(const drape_cloth* c) { return c->surprised; }
 int drape_step_above_limit(const drape_cloth* c) { return c->step_above_limit; }
 
 const drape_outputs* drape_get_outputs(drape_cloth* c, int mask) {

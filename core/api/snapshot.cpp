@@ -141,7 +141,7 @@ drape_snapshot* drape_snapshot_read(drape_cloth* c, const void* from, size_t siz
       shape[state::Length::kParameters] = parameters_read(c->parameters).value.size();
       shape[state::Length::kDrivenPins] = c->pin_inputs.size();
       shape[state::Length::kMovingBodies] = c->body_inputs.size();
-      state::Reader reader{bytes + state::kHeaderSize, bytes + size, shape, {}, {}};
+      state::Reader reader{bytes + state::kHeaderSize, bytes + size, shape, {}};
       reader.value(*read, state::Length::kAny, state::kFinite);
       problem = reader.problem;
       if (problem.empty() && reader.at != reader.end) problem = "has more bytes than fields";

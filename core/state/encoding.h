@@ -117,15 +117,17 @@ struct Writer {
 struct Reader {
   const unsigned char *at, *end;
   const Shape& shape;
-  std::string problem, path;
+  std::string problem;
+  static constexpr int kDeepest = 12;
+  const char* path[kDeepest]{};  // names of the fields that lead to the present one
+  int depth = 0;
 
   template <class T>
   void field(const Field<T>& f) {
     if (!problem.empty()) return;
-    const std::size_t before = path.size();
-    path += (path.empty() ? "" : ".") + std::string(f.name);
+    path[depth++] = f.name;
     value(f.value, f.length, f.allowed);
-    path.resize(before);
+    --depth;
   }
 
   template <class T>
@@ -152,7 +154,11 @@ struct Reader {
   }
 
  private:
-  void fault(const std::string& what) { problem = path + " " + what; }
+  void fault(const std::string& what) {
+    if (!problem.empty()) return;
+    for (int k = 0; k < depth; ++k) problem += (k > 0 ? "." : "") + std::string(path[k]);
+    problem += " " + what;
+  }
 
   bool take(void* to, std::size_t size) {
     if (std::size_t(end - at) < size) return fault("is cut off"), false;

@@ -13,10 +13,6 @@ fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2ValueReferenc
                                         const fmi2ValueReference[], size_t, const fmi2Real[], fmi2Real[]) {
   return gate(c, rule_of("fmi2GetDirectionalDerivative"), not_offered);
 }
-fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c, const fmi2ValueReference[], size_t,
-                                        const fmi2Integer[], fmi2Real[]) {
-  return gate(c, rule_of("fmi2GetRealOutputDerivatives"), not_offered);
-}
 fmi2Status fmi2CancelStep(fmi2Component c) { return gate(c, rule_of("fmi2CancelStep"), not_offered); }
 
 // Model exchange.

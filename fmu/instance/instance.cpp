@@ -89,6 +89,12 @@ Instance* instance_open(const std::string& scene_file, const std::string& guid, 
     return nullptr;
   }
   instance->table = description::variables_of(instance->cloth, nodes);
+  for (std::size_t row = 0; row < instance->table.size(); ++row)
+    if (const description::Variable& v = instance->table[row];
+        v.causality == description::Causality::kOutput && v.type == description::Type::kReal &&
+        v.variability == description::Variability::kContinuous && !v.derivative &&
+        !(v.needs & ~DRAPE_OUT_SCALARS))
+      instance->recorded.push_back(row);
   instance->initial = instance_save(*instance, nullptr);
   return instance.release();
 }
@@ -128,6 +134,7 @@ drape_status instance_exit_initialization(Instance& instance) {
   instance.read = 0;
   const drape_status status = instance_flush(instance, drape_commit(instance.cloth));
   if (status != DRAPE_OK) return status;
+  instance.surprised = drape_surprised(instance.cloth);
   instance.phase = Phase::kStepComplete;
   if (instance.filter.stability) {
     const char* set_by = "";
@@ -141,10 +148,15 @@ drape_status instance_exit_initialization(Instance& instance) {
 drape_status instance_step(Instance& instance, double time, double length) {
   if (const std::string problem = step_problem(instance, time, length); !problem.empty())
     return instance_refuse(instance, DRAPE_DISCARD, problem);
+  History before = history_take(instance);
   const drape_status status = instance_flush(instance, drape_advance(instance.cloth, length));
-  if (status == DRAPE_ERROR) instance.phase = Phase::kError;
-  if (status == DRAPE_OK) ++instance.steps;
   instance.read = 0;
+  if (status == DRAPE_ERROR) instance.phase = Phase::kError;
+  if (status != DRAPE_OK) return status;
+  ++instance.steps;
+  before.length = length;
+  instance.history = std::move(before);
+  instance.surprised = drape_surprised(instance.cloth);
   return status;
 }
 

@@ -11,7 +11,7 @@ constexpr double kMaxSteps = 9e15;  // of a master; whole numbers are exact up t
 
 // What an instance attaches to the bytes of a cloth.
 struct Attached {
-  double phase, stop_time, steps;
+  double phase, stop_time, steps, read, derivatives_asked, history_read, history_length;
 };
 
 void save_into(Instance& instance, Saved& saved) {
@@ -19,8 +19,21 @@ void save_into(Instance& instance, Saved& saved) {
   saved.phase = instance.phase;
   saved.stop_time = instance.stop_time;
   saved.steps = instance.steps;
-  const Attached attached{double(unsigned(saved.phase)), saved.stop_time, double(saved.steps)};
-  drape_snapshot_attach(saved.cloth, &attached, sizeof attached);
+  saved.read = instance.read | instance.read_before_saving;
+  saved.derivatives_asked = instance.derivatives_asked;
+  saved.history = instance.history;
+  const Attached attached{double(unsigned(saved.phase)),
+                          saved.stop_time,
+                          double(saved.steps),
+                          double(saved.read),
+                          double(saved.derivatives_asked),
+                          double(saved.history.read),
+                          saved.history.length};
+  const std::size_t history = saved.history.value.size() * sizeof(double);
+  std::vector<unsigned char> bytes(sizeof attached + history);
+  std::memcpy(bytes.data(), &attached, sizeof attached);
+  if (history > 0) std::memcpy(bytes.data() + sizeof attached, saved.history.value.data(), history);
+  drape_snapshot_attach(saved.cloth, bytes.data(), bytes.size());
 }
 
 void restore_from(Instance& instance, const Saved& saved) {
@@ -28,24 +41,41 @@ void restore_from(Instance& instance, const Saved& saved) {
   instance.phase = saved.phase;
   instance.stop_time = saved.stop_time;
   instance.steps = saved.steps;
+  instance.derivatives_asked = saved.derivatives_asked;
+  instance.history = saved.history;
+  instance.read_before_saving = saved.read;
   instance.read = 0;
 }
 
+// Whether a number is a whole one from 0 to a maximum.
+bool is_whole(double value, double max) { return value >= 0 && value <= max && value == std::floor(value); }
+
 // False where this is not what an instance attaches. A state that was saved without an instance has nothing
 // attached: it is one between two steps, without a stop time.
-bool attached_read(Saved& saved) {
+bool attached_read(const Instance& instance, Saved& saved) {
   std::size_t size = 0;
-  const void* bytes = drape_snapshot_attached(saved.cloth, &size);
-  Attached attached{double(unsigned(Phase::kStepComplete)), std::numeric_limits<double>::infinity(), 0};
-  if (size != 0 && size != sizeof attached) return false;
-  if (size != 0) std::memcpy(&attached, bytes, size);
-  const auto& [phase, stop_time, steps] = attached;
-  const bool phase_known =
-      phase >= 0 && phase <= double(unsigned(Phase::kError)) && phase == std::floor(phase);
-  if (!phase_known || std::isnan(stop_time) || !(steps >= 0 && steps <= kMaxSteps)) return false;
-  saved.phase = Phase(unsigned(phase));
-  saved.stop_time = stop_time;
-  saved.steps = std::int64_t(steps);
+  const auto* bytes = static_cast<const unsigned char*>(drape_snapshot_attached(saved.cloth, &size));
+  Attached a{double(unsigned(Phase::kStepComplete)), std::numeric_limits<double>::infinity(), 0, 0, 0, 0, 0};
+  if (size != 0 && size < sizeof a) return false;
+  if (size != 0) std::memcpy(&a, bytes, sizeof a);
+  const std::size_t rows = a.history_read != 0 ? instance.recorded.size() : 0;
+  if (size != 0 && size != sizeof a + rows * sizeof(double)) return false;
+  saved.history.value.resize(rows);
+  if (rows > 0) std::memcpy(saved.history.value.data(), bytes + sizeof a, rows * sizeof(double));
+  const bool finite = std::all_of(saved.history.value.begin(), saved.history.value.end(),
+                                  [](double value) { return std::isfinite(value); });
+  if (!finite || !is_whole(a.phase, double(unsigned(Phase::kError))) || std::isnan(a.stop_time) ||
+      !is_whole(a.steps, kMaxSteps) || !is_whole(a.read, DRAPE_OUT_ALL) ||
+      !is_whole(a.derivatives_asked, DRAPE_OUT_ALL) || !is_whole(a.history_read, DRAPE_OUT_SCALARS) ||
+      !(a.history_length >= 0 && std::isfinite(a.history_length)))
+    return false;
+  saved.phase = Phase(unsigned(a.phase));
+  saved.stop_time = a.stop_time;
+  saved.steps = std::int64_t(a.steps);
+  saved.read = int(a.read);
+  saved.derivatives_asked = int(a.derivatives_asked);
+  saved.history.read = int(a.history_read);
+  saved.history.length = a.history_length;
   return true;
 }
 
@@ -113,7 +143,7 @@ Saved* instance_read(Instance& instance, const unsigned char* bytes, std::size_t
   saved->cloth = drape_snapshot_read(instance.cloth, bytes, size);
   instance_flush(instance, saved->cloth ? DRAPE_OK : DRAPE_DISCARD);
   if (!saved->cloth) return nullptr;
-  if (!attached_read(*saved)) {
+  if (!attached_read(instance, *saved)) {
     drape_snapshot_free(saved->cloth);
     instance_refuse(instance, DRAPE_DISCARD,
                     "the saved state is damaged: what belongs to its instance is none of that");
