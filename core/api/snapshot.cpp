@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <new>
 
+#include "assembly/assemble.h"
 #include "dynamics/seam_welding.h"
 #include "math/plain_environment.h"
 #include "state/encoding.h"
@@ -70,6 +71,10 @@ std::string snapshot_problem(drape_cloth& c, const drape_snapshot& read) {
   }
   parameters_write(c.parameters, read.tuning.in_force);
   const bool rates = parameters_have_rates(c);
+  if (problems.empty() && !(read.tuning.in_force == c.tuning.in_force)) {
+    System trial = c.system;  // diagrams that are legal point by point may give no law
+    assembly::system_retune(trial, parameters_fabrics(c.parameters, c.scene), problems);
+  }
   parameters_write(c.parameters, written);
   if (!problems.empty()) return "tuned value " + scene::problem_text(problems[0]);
   return state::state_problem(c.system, rates, read.state);
