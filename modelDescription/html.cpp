@@ -31,7 +31,7 @@ std::string description_html(const Description& d, const std::string& picture) {
   pugi::xml_node body = html.append_child("body");
   append(body, "h1", d.name);
   append(body, "p",
-         "A woven cloth for co-simulation, made by Drape " + d.version + ". Default experiment: 0 to " +
+         d.about + ". Made by Drape " + d.version + ". Default experiment: 0 to " +
              decimal_text(d.stop_time) + " s in steps of " + decimal_text(d.step_size) + " s.");
   body.append_buffer(picture.data(), picture.size());
   append(body, "p", "The pieces on their grids.");

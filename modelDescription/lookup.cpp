@@ -38,6 +38,7 @@ std::string variable_nearest(const std::vector<Variable>& table, std::string_vie
 std::string range_text(const Range& r) {
   const bool from = std::isfinite(r.min), to = std::isfinite(r.max);
   if (!from && !to) return "any finite number";
+  if (r.min == r.max) return "only " + decimal_text(r.min);
   if (!to) return r.min_open ? "above " + decimal_text(r.min) : decimal_text(r.min) + " or more";
   if (!from) return r.max_open ? "below " + decimal_text(r.max) : decimal_text(r.max) + " or less";
   return (r.min_open ? "above "

@@ -5,10 +5,13 @@
 namespace drape::description {
 namespace {
 
-const char* kind_of(const Variable& v) {
-  if (v.causality == Causality::kOutput) return "output";
-  if (v.causality == Causality::kInput) return "input";
-  return v.variability == Variability::kTunable ? "parameter, tunable" : "parameter, fixed";
+std::string kind_of(const Variable& v) {
+  std::string kind = v.causality == Causality::kOutput        ? "output"
+                     : v.causality == Causality::kInput       ? "input"
+                     : v.variability == Variability::kTunable ? "parameter, tunable"
+                                                              : "parameter, fixed";
+  if (v.type != Type::kReal) kind += std::string("; ") + kTypeNames[int(v.type)];
+  return kind;
 }
 
 // A long list shows only its ends: "at 1 % elongation ... at 7 % elongation".

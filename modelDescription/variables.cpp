@@ -18,16 +18,19 @@ struct Row {
   const char* unit;
   Range range;
   int needs = 0;
+  AtStart at_start = AtStart::kNothing;
+  const char* display_unit = nullptr;
+  Type type = Type::kReal;
 };
 
 constexpr Range kAny{};
 constexpr Range range_of(const scene::Quantity& l) { return {l.low, l.high, l.above, false, l.whole}; }
 
 constexpr Row tunable(const scene::Quantity& l) {
-  return {Causality::kParameter, Variability::kTunable, l.unit, range_of(l)};
+  return {Causality::kParameter, Variability::kTunable, l.unit, range_of(l), 0, AtStart::kActs};
 }
 constexpr Row fixed(const scene::Quantity& l) {
-  return {Causality::kParameter, Variability::kFixed, l.unit, range_of(l)};
+  return {Causality::kParameter, Variability::kFixed, l.unit, range_of(l), 0, AtStart::kActs};
 }
 constexpr Row input(const scene::Quantity& l) {
   return {Causality::kInput, Variability::kContinuous, l.unit, range_of(l)};
@@ -38,6 +41,14 @@ constexpr Row output(int needs, const char* unit) {
 constexpr Row output_discrete(int needs, const char* unit) {
   return {Causality::kOutput, Variability::kDiscrete, unit, kAny, needs};
 }
+
+// The same row, with another part in outputs before the first step, unit of display, or type.
+constexpr Row idle(Row row) { return row.at_start = AtStart::kNothing, row; }
+constexpr Row acting(Row row) { return row.at_start = AtStart::kActs, row; }
+constexpr Row of_parameters(Row row) { return row.at_start = AtStart::kOfParameters, row; }
+constexpr Row of_forces(Row row) { return row.at_start = AtStart::kOfForces, row; }
+constexpr Row shown_in(const char* unit, Row row) { return row.display_unit = unit, row; }
+constexpr Row typed(Type type, Row row) { return row.type = type, row; }
 
 // Where a value is kept. An output comes as a constant, and is read only.
 struct Storage {
@@ -58,7 +69,7 @@ void add(Table& table, const std::string& name, const Storage& storage, const Ro
          const std::string& description) {
   double* const setting = row.causality == Causality::kOutput ? nullptr : storage.setting;
   table.push_back({name, "", description, "", row.causality, row.variability, row.unit, row.range,
-                   storage.value, setting, nullptr, row.needs});
+                   storage.value, setting, nullptr, row.needs, row.type, row.display_unit, row.at_start});
 }
 
 // "[INSIDE]". Not "[" + inside + "]": of that GCC 12 gives a wrong warning (bug 105651).
@@ -75,6 +86,14 @@ void add_vector(Table& table, const std::string& name, const Storage& storage, c
     add(table, name, storage + k, row, description);
     table.back().index = bracketed(std::to_string(k + 1));
     table.back().detail = std::string(1, "xyz"[k]);
+  }
+}
+
+// Gives the last three rows, a position, their derivatives.
+void derivatives_set(Table& table, const double* velocity, int needs) {
+  for (int k = 0; k < 3; ++k) {
+    Variable& row = table[table.size() - 3 + std::size_t(k)];
+    row.derivative = velocity + k, row.derivative_needs = needs;
   }
 }
 
@@ -110,11 +129,10 @@ void add_diagram(Table& table, const std::string& name, const drape_diagram& dia
 
 void add_strain(Table& table, const std::string& name, const drape_strain& strain,
                 const std::string& direction) {
-  add(table, name + ".min", &strain.min, output(DRAPE_OUT_STRAIN, "1"),
-      "smallest strain of the cloth " + direction);
-  add(table, name + ".max", &strain.max, output(DRAPE_OUT_STRAIN, "1"),
-      "largest strain of the cloth " + direction);
-  add(table, name + ".mean", &strain.mean, output(DRAPE_OUT_STRAIN, "1"),
+  const Row row = shown_in("%", output(DRAPE_OUT_STRAIN, "1"));
+  add(table, name + ".min", &strain.min, row, "smallest strain of the cloth " + direction);
+  add(table, name + ".max", &strain.max, row, "largest strain of the cloth " + direction);
+  add(table, name + ".mean", &strain.mean, row,
       "mean strain of the cloth " + direction + ", weighted by area");
 }
 
@@ -156,7 +174,8 @@ void add_fabric(Table& table, drape_fabric& f) {
 
 void add_seams(Table& table, drape_parameters& p) {
   for (int i = 0; i < p.seam_count; ++i)
-    add(table, "seam." + name_part(p.seam[i].name) + ".close", &p.seam[i].close, tunable(scene::kClose),
+    add(table, "seam." + name_part(p.seam[i].name) + ".close", &p.seam[i].close,
+        typed(Type::kBoolean, idle(tunable(scene::kClose))),
         "1: the seam is pulled together from the next communication interval on");
 }
 
@@ -171,11 +190,15 @@ void add_parameters(Table& table, drape_parameters& p) {
         "drag coefficient along the cloth");
   }
   add_seams(table, p);
-  add(table, "parameter_ramp", &p.ramp, tunable(scene::kRamp),
+  add(table, "parameter_ramp", &p.ramp, idle(tunable(scene::kRamp)),
       "time over which a tuned value moves to its new one");
   add(table, "step.max", &p.step_max, fixed(scene::kStepMax), "longest time step");
-  add(table, "threads", &p.threads, fixed(scene::kThreads),
+  add(table, "threads", &p.threads, typed(Type::kInteger, idle(fixed(scene::kThreads))),
       "threads that share a step; they change no result");
+  const Range own{p.mode, p.mode, false, false, true};
+  add(table, "mode", &p.mode,
+      {Causality::kParameter, Variability::kFixed, "1", own, 0, AtStart::kNothing, nullptr, Type::kMode},
+      "1: the cloth moves, 2: only its equilibrium is computed; as the scene has it");
 }
 
 // What the inputs of a pin or a body mean.
@@ -197,12 +220,12 @@ void add_motion(Table& table, const std::string& name, drape_pin_input& in, drap
               text.velocity);
   if (in.drive & DRAPE_DRIVE_VELOCITY && in.clamp)
     add_input(table, name + ".angular_velocity", {in.angular_velocity, rate.angular_velocity, "xyz"},
-              input(scene::kPinAngularVelocity), text.angular_velocity);
+              shown_in("deg/s", input(scene::kPinAngularVelocity)), text.angular_velocity);
 }
 
 void add_inputs(Table& table, drape_inputs& u, drape_inputs& rates) {
   if (u.has_wind)
-    add_input(table, "wind", {u.wind, rates.wind, "xyz"}, input(scene::kWind), "velocity of the air");
+    add_input(table, "wind", {u.wind, rates.wind, "xyz"}, acting(input(scene::kWind)), "velocity of the air");
   for (int i = 0; i < u.pin_count; ++i)
     add_motion(table, "pin." + name_part(u.pin[i].name), u.pin[i], rates.pin[i],
                {"where the pin is to be at the end of the step",
@@ -223,19 +246,19 @@ void add_bodies(Table& table, drape_inputs& u, drape_inputs& rates) {
 void add_contact(Table& table, const drape_outputs& o) {
   for (int i = 0; i < o.body_count; ++i) {
     const std::string name = "body." + name_part(o.body[i].name);
-    add_vector(table, name + ".force", o.body[i].force, output(DRAPE_OUT_VELOCITY, "N"),
+    add_vector(table, name + ".force", o.body[i].force, of_forces(output(DRAPE_OUT_VELOCITY, "N")),
                "mean force of the cloth on the body over the last communication step");
-    add_vector(table, name + ".torque", o.body[i].torque, output(DRAPE_OUT_VELOCITY, "N.m"),
+    add_vector(table, name + ".torque", o.body[i].torque, of_forces(output(DRAPE_OUT_VELOCITY, "N.m")),
                "mean torque of the cloth on the body likewise, about the body's origin");
   }
   if (o.body_count == 0 && !o.has_self_contact) return;
-  add(table, "contact.count", &o.contact_count, output_discrete(DRAPE_OUT_STRAIN, "1"),
+  add(table, "contact.count", &o.contact_count, typed(Type::kInteger, output_discrete(DRAPE_OUT_STRAIN, "1")),
       o.has_self_contact
           ? "particles that touch a body, links and cells on its sharp edges, and pairs of cloth that touch"
           : "particles that touch a body, and links and cells on its sharp edges");
-  add(table, "contact.penetration.max", &o.contact_penetration, output(DRAPE_OUT_STRAIN, "m"),
+  add(table, "contact.penetration.max", &o.contact_penetration, shown_in("mm", output(DRAPE_OUT_STRAIN, "m")),
       "the most that a particle is pressed into the thickness of its cloth");
-  add(table, "contact.pressure.max", &o.contact_pressure, output(DRAPE_OUT_STRAIN, "Pa"),
+  add(table, "contact.pressure.max", &o.contact_pressure, of_forces(output(DRAPE_OUT_STRAIN, "Pa")),
       o.has_self_contact ? "largest pressure of a body or of cloth on the cloth"
                          : "largest pressure of a body on the cloth");
 }
@@ -245,21 +268,23 @@ void add_outputs(Table& table, const drape_outputs& o) {
     const std::string name = "probe." + name_part(o.probe[i].name);
     add_vector(table, name + ".position", o.probe[i].position, output(DRAPE_OUT_POSITION, "m"),
                "where the probe is");
+    derivatives_set(table, o.probe[i].velocity, DRAPE_OUT_VELOCITY);
     add_vector(table, name + ".velocity", o.probe[i].velocity, output(DRAPE_OUT_VELOCITY, "m/s"),
                "how fast the probe moves");
   }
   for (int i = 0; i < o.pin_count; ++i) {
     const std::string name = "pin." + name_part(o.pin[i].name);
-    add_vector(table, name + ".force", o.pin[i].force, output(DRAPE_OUT_VELOCITY, "N"),
+    add_vector(table, name + ".force", o.pin[i].force, of_forces(output(DRAPE_OUT_VELOCITY, "N")),
                "mean force of the cloth on the pin over the last communication step");
-    add_vector(table, name + ".torque", o.pin[i].torque, output(DRAPE_OUT_VELOCITY, "N.m"),
+    add_vector(table, name + ".torque", o.pin[i].torque, of_forces(output(DRAPE_OUT_VELOCITY, "N.m")),
                "mean torque of the cloth on the pin likewise, about the pin's position");
   }
   for (int i = 0; i < o.seam_count; ++i) {
     const std::string name = "seam." + name_part(o.seam[i].name);
-    add(table, name + ".gap.max", &o.seam[i].gap_max, output(DRAPE_OUT_POSITION, "m"),
+    add(table, name + ".gap.max", &o.seam[i].gap_max, shown_in("mm", output(DRAPE_OUT_POSITION, "m")),
         "largest gap of the seam");
-    add(table, name + ".closed", &o.seam[i].closed, output_discrete(DRAPE_OUT_POSITION, "1"),
+    add(table, name + ".closed", &o.seam[i].closed,
+        typed(Type::kBoolean, output_discrete(DRAPE_OUT_POSITION, "1")),
         "1 where all of the seam is sewn, else 0");
     add(table, name + ".length", &o.seam[i].length, output(DRAPE_OUT_POSITION, "m"),
         "length of the seam, along the middle of its sides");
@@ -268,35 +293,37 @@ void add_outputs(Table& table, const drape_outputs& o) {
   add_strain(table, "strain.warp", o.strain_warp, "along the warp");
   add_strain(table, "strain.weft", o.strain_weft, "along the weft");
   add_strain(table, "strain.bias", o.strain_bias, "along the diagonals");
-  add(table, "tension.max", &o.tension_max, output(DRAPE_OUT_STRAIN, "N/m"), "largest tension per width");
-  add(table, "strain.beyond_test.count", &o.strain_beyond_test_count, output_discrete(DRAPE_OUT_STRAIN, "1"),
+  add(table, "tension.max", &o.tension_max, of_parameters(output(DRAPE_OUT_STRAIN, "N/m")),
+      "largest tension per width");
+  add(table, "strain.beyond_test.count", &o.strain_beyond_test_count,
+      typed(Type::kInteger, output_discrete(DRAPE_OUT_STRAIN, "1")),
       "links strained beyond the last point of their diagram");
-  add(table, "step.size", &o.step_size, output_discrete(DRAPE_OUT_STRAIN, "s"), "present time step");
+  add(table, "step.size", &o.step_size, of_forces(output_discrete(DRAPE_OUT_STRAIN, "s")),
+      "present time step");
   add(table, "step.count", &o.step_count, output_discrete(DRAPE_OUT_STRAIN, "1"),
       "time steps since the start");
-  add(table, "step.stability", &o.step_stability, output(DRAPE_OUT_STRAIN, "1"),
+  add(table, "step.stability", &o.step_stability, of_forces(output(DRAPE_OUT_STRAIN, "1")),
       "h omega_max over its limit, 2 for order 2: the motion is stable below 1");
   if (o.has_fit)
     add(table, "fit.residual", &o.fit_residual, output(DRAPE_OUT_STRAIN, "1"),
         "largest force left on a particle over the larger of total weight and total pin force");
   if (!o.has_energy) return;
-  add(table, "energy.kinetic", &o.energy.kinetic, output(DRAPE_OUT_ENERGY, "J"), "energy of motion");
-  add(table, "energy.stretch", &o.energy.stretch, output(DRAPE_OUT_ENERGY, "J"),
-      "energy of the threads in tension and compression");
-  add(table, "energy.shear", &o.energy.shear, output(DRAPE_OUT_ENERGY, "J"), "energy of the diagonals");
-  add(table, "energy.bending", &o.energy.bending, output(DRAPE_OUT_ENERGY, "J"), "energy of the hinges");
-  add(table, "energy.gravity", &o.energy.gravity, output(DRAPE_OUT_ENERGY, "J"),
-      "potential energy of the weight");
+  const Row energy = of_parameters(output(DRAPE_OUT_ENERGY, "J"));
+  add(table, "energy.kinetic", &o.energy.kinetic, energy, "energy of motion");
+  add(table, "energy.stretch", &o.energy.stretch, energy, "energy of the threads in tension and compression");
+  add(table, "energy.shear", &o.energy.shear, energy, "energy of the diagonals");
+  add(table, "energy.bending", &o.energy.bending, energy, "energy of the hinges");
+  add(table, "energy.gravity", &o.energy.gravity, energy, "potential energy of the weight");
   if (o.body_count > 0 || o.has_self_contact)
-    add(table, "energy.contact", &o.energy.contact, output(DRAPE_OUT_ENERGY, "J"),
+    add(table, "energy.contact", &o.energy.contact, energy,
         o.has_self_contact ? "energy of what is pressed on bodies and on cloth"
                            : "energy of what is pressed on bodies");
   if (!o.has_balance) return;
-  add(table, "energy.dissipated", &o.energy.dissipated, output(DRAPE_OUT_ENERGY, "J"),
+  add(table, "energy.dissipated", &o.energy.dissipated, energy,
       "energy that damping, air and friction have taken");
-  add(table, "energy.input", &o.energy.input, output(DRAPE_OUT_ENERGY, "J"),
+  add(table, "energy.input", &o.energy.input, energy,
       "work of pins, bodies, wind, seams and tuning on the cloth");
-  add(table, "energy.balance_error", &o.energy.balance_error, output(DRAPE_OUT_ENERGY, "J"),
+  add(table, "energy.balance_error", &o.energy.balance_error, energy,
       "growth of all energies since the start, minus input, plus dissipated");
 }
 
@@ -320,13 +347,15 @@ std::vector<int> nodes_selected(drape_cloth* cloth, Nodes nodes, int node_count)
 
 // name[n,1] to name[n,3] of each of these particles, along x, y and z.
 void add_nodes(Table& table, const std::vector<int>& selected, const char* name, const double* value,
-               const Row& row, const char* description) {
-  for (const int n : selected)
+               const Row& row, const char* description, const double* velocity = nullptr) {
+  for (const int n : selected) {
     for (int k = 0; k < 3; ++k) {
       add(table, name, value + 3 * std::size_t(n) + k, row, description);
       table.back().index = bracketed(std::to_string(n + 1) + "," + std::to_string(k + 1));
       table.back().detail = "particle " + std::to_string(n + 1) + ", " + "xyz"[k];
     }
+    if (velocity) derivatives_set(table, velocity + 3 * std::size_t(n), DRAPE_OUT_NODE_VELOCITY);
+  }
 }
 
 }  // namespace
@@ -342,7 +371,7 @@ std::vector<Variable> variables_of(drape_cloth* cloth, Nodes nodes) {
   add_outputs(table, outputs);
   const std::vector<int> selected = nodes_selected(cloth, nodes, outputs.node_count);
   add_nodes(table, selected, "node.position", outputs.node_position, output(DRAPE_OUT_NODE_POSITION, "m"),
-            "where a particle is");
+            "where a particle is", outputs.node_velocity);
   add_nodes(table, selected, "node.velocity", outputs.node_velocity, output(DRAPE_OUT_NODE_VELOCITY, "m/s"),
             "how fast a particle moves");
   return table;

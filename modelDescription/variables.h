@@ -1,6 +1,6 @@
 // The variable table: one row for each variable of a cloth. The XML, get and set, range checks, CSV headers
 // and the documentation are loops over this table, and nothing else lists variables. A new variable is one
-// line in variables.cpp. All variables are Real.
+// line in variables.cpp. All values are kept as numbers, whatever type they have for a master.
 #pragma once
 #include <limits>
 #include <string>
@@ -13,6 +13,15 @@ namespace drape::description {
 
 enum class Causality { kParameter, kInput, kOutput };
 enum class Variability { kFixed, kTunable, kDiscrete, kContinuous };
+
+// What a variable is for a master. A Boolean is 0 or 1 here.
+enum class Type { kReal, kInteger, kBoolean, kMode };
+inline constexpr const char* kTypeNames[] = {"Real", "Integer", "Boolean", "Enumeration"};
+inline constexpr const char* kModeNames[] = {"dynamic", "fit"};  // items 1 and 2 of the enumeration `mode`
+
+// What a variable does before the first step: a parameter or input acts on the outputs, or an output depends
+// on the parameters that act, or on the wind too.
+enum class AtStart { kNothing, kActs, kOfParameters, kOfForces };
 
 // The particles that have variables of their own; `outline`: those at fewer than four cells.
 enum class Nodes { kNone, kOutline, kAll };
@@ -38,6 +47,11 @@ struct Variable {
   double* setting;      // the same place, writable; null for an output
   double* rate;         // of an input: its time derivative, in the cloth's input rates; else null
   int needs;            // of an output: bits that drape_get_outputs must have filled; else 0
+  Type type = Type::kReal;
+  const char* display_unit = nullptr;  // a name in units.h; null: the unit itself
+  AtStart at_start = AtStart::kNothing;
+  const double* derivative = nullptr;  // of a position: its velocity, which needs the next bits
+  int derivative_needs = 0;
 
   std::string name() const { return family + index; }
 };

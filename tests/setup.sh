@@ -8,7 +8,7 @@ python="$root/.venv/bin/python"
 # The Debian packages of the quickstart. The last line is what VTK loads to draw without a screen.
 debian_packages=(
   g++ cmake ninja-build pkg-config python3 python3-venv
-  libeigen3-dev libtomlplusplus-dev libzip-dev libfcl-dev libtinyobjloader-dev nlohmann-json3-dev
+  libeigen3-dev libtomlplusplus-dev libzip-dev zlib1g-dev libfcl-dev libtinyobjloader-dev nlohmann-json3-dev
   libcli11-dev libpugixml-dev
   libegl1 libgl1-mesa-dri
 )

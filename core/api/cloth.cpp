@@ -1,4 +1,4 @@
-// The C interface: opening, advancing, outputs and copies of a cloth.
+// The C interface: opening and advancing a cloth, and its outputs.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -13,33 +13,11 @@
 #include "math/plain_environment.h"
 #include "validation/load.h"
 
-struct drape_snapshot {
-  drape::State state;
-  drape::api::Tuning tuning;
-  drape::api::ParameterValues parameters;  // values written, including those not yet committed
-  struct Inputs {
-    double wind[3];
-    std::vector<drape_pin_input> pin, body;
-  } inputs, input_rates;
-};
-
 namespace drape::api {
 namespace {
 
 constexpr double kMaxIntervals = 1e9, kMinIntervals = 1e-9;  // in one advance
 constexpr double kMaxStart = 1e9;                            // s
-
-void inputs_save(const drape_inputs& from, drape_snapshot::Inputs& to) {
-  std::copy(from.wind, from.wind + 3, to.wind);
-  to.pin.assign(from.pin, from.pin + from.pin_count);
-  to.body.assign(from.body, from.body + from.body_count);
-}
-
-void inputs_restore(const drape_snapshot::Inputs& from, drape_inputs& to) {
-  std::copy(from.wind, from.wind + 3, to.wind);
-  std::copy(from.pin.begin(), from.pin.end(), to.pin);
-  std::copy(from.body.begin(), from.body.end(), to.body);
-}
 
 // Warns of sides of very different length, which are probably a mistake.
 void seams_warn(const drape_cloth& c) {
@@ -172,6 +150,10 @@ const char* drape_file_path(const drape_cloth* c, int index) {
   return c->scene.bodies[std::size_t(index)].mesh.c_str();
 }
 const char* drape_file_name(const drape_cloth* c, int index) { return c->files[std::size_t(index)].c_str(); }
+drape_about drape_scene_about(const drape_cloth* c) {
+  const scene::About& a = c->scene.about;
+  return {a.description.c_str(), a.author.c_str(), a.version.c_str(), a.copyright.c_str(), a.license.c_str()};
+}
 double drape_duration(const drape_cloth* c) { return c->scene.duration; }
 double drape_communication(const drape_cloth* c) { return c->system.communication; }
 
@@ -237,7 +219,7 @@ drape_status drape_advance(drape_cloth* c, double length) {
     return DRAPE_DISCARD;
   }
   c->step_above_limit = false;
-  const bool committed = drape_commit(c) == DRAPE_OK;
+  const bool committed = drape_commit(c) == DRAPE_OK;  // sets c->surprised anew
   std::vector<Problem> problems;
   if (!inputs_apply(*c, length, problems)) log_problems(*c, problems);
   if (!committed || !problems.empty()) return DRAPE_DISCARD;
@@ -265,6 +247,7 @@ drape_status drape_advance(drape_cloth* c, double length) {
   return c->step_above_limit ? DRAPE_DISCARD : DRAPE_ERROR;
 }
 
+int drape_surprised(const drape_cloth* c) { return c->surprised; }
 int drape_step_above_limit(const drape_cloth* c) { return c->step_above_limit; }
 
 const drape_outputs* drape_get_outputs(drape_cloth* c, int mask) {
@@ -282,29 +265,5 @@ double drape_step_limit(drape_cloth* c, const char** set_by) {
   return dynamics::step_limit_of(c->system,
                                  dynamics::step_limit_omega2(c->system, *c->motion.kernel, c->state));
 }
-
-drape_snapshot* drape_save(drape_cloth* c, drape_snapshot* into) {
-  if (!into) into = new drape_snapshot;
-  into->state = c->state;
-  into->tuning = c->tuning;
-  into->parameters = parameters_read(c->parameters);
-  inputs_save(c->inputs, into->inputs);
-  inputs_save(c->input_rates, into->input_rates);
-  return into;
-}
-
-void drape_restore(drape_cloth* c, const drape_snapshot* from) {
-  const math::PlainEnvironment plain;
-  c->step_above_limit = false;
-  c->state = from->state;
-  dynamics::workspace_clear(c->motion.workspace);  // of values from the state before
-  tuning_restore(*c, from->tuning);
-  dynamics::seams_restore(c->system, c->motion, c->state);
-  parameters_write(c->parameters, from->parameters);
-  inputs_restore(from->inputs, c->inputs);
-  inputs_restore(from->input_rates, c->input_rates);
-}
-
-void drape_snapshot_free(drape_snapshot* s) { delete s; }
 
 const char* drape_version(void) { return DRAPE_VERSION; }

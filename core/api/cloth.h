@@ -18,6 +18,7 @@ struct Tuning {
 // What has been reported of a driven pin or a moving body.
 struct ToldContradiction {
   bool position = false, orientation = false;
+  bool zero = false;  // an orientation of length 0; until another is given
 };
 
 }  // namespace drape::api
@@ -30,6 +31,7 @@ struct drape_cloth {
   drape::Scene scene;
   std::string text;
   std::vector<std::string> files;  // [bodies] names of the mesh files next to the text
+  std::uint64_t scene_hash = 0;    // of the text and the meshes; 0 until the first state is written or read
   drape::System system;
   drape::dynamics::Motion motion;
   drape::State state, good;  // at present, and when the present advance began
@@ -60,6 +62,7 @@ struct drape_cloth {
   std::vector<double> seam_line[2], surface_point;
   std::string limit_link;
   bool step_above_limit = false;  // the step limit fell below the scene's step in the last advance
+  bool surprised = false;         // the last commit or advance took a value that may surprise
 };
 
 namespace drape::api {
@@ -78,8 +81,8 @@ void pieces_describe(drape_cloth& cloth);
 // Allocates the inputs and sets them to their values at the start.
 void inputs_make(drape_cloth& cloth);
 
-// An orientation of length 0 is a problem, and is reset to the present one.
-void inputs_validate(drape_cloth& cloth, std::vector<Problem>& problems);
+// An orientation of length 0 is reset to the present one, with a warning.
+void inputs_validate(drape_cloth& cloth);
 
 // Checks the inputs and makes them the end of the next advance, whose length is `length`, s. False on a
 // problem: invalid values are reset to the present ones.

@@ -38,6 +38,7 @@ void vector_apply(const VectorInput& v, double length, double* reached, std::vec
   }
 }
 
+// An orientation that comes to length 0 by its derivative is a problem, and is reset to the present one.
 void orientation_validate(const VectorInput& v, double* reached, std::vector<Problem>& problems) {
   if (!all_zero(reached)) return;
   problems.push_back({v.name, "has the length 0; allowed: any length above 0"});
@@ -191,19 +192,26 @@ void inputs_make(drape_cloth& c) {
   c.input_rates.body = c.body_rates.data();
 }
 
-void inputs_validate(drape_cloth& c, std::vector<Problem>& problems) {
-  const auto validate = [&](const char* kind, drape_pin_input& in, drape_pin_input& rate,
-                            const math::RigidMotion& now) {
+// Some masters write 0 to what is not connected: the orientation stays as it is. Told once, until another
+// value is given.
+void inputs_validate(drape_cloth& c) {
+  const auto validate = [&](const char* kind, drape_pin_input& in, const drape_pin_input& rate,
+                            const math::RigidMotion& now, ToldContradiction& told) {
     if (!in.clamp || !(in.drive & DRAPE_DRIVE_POSITION) || !all_zero(rate.orientation)) return;
-    double reached[4] = {in.orientation[0], in.orientation[1], in.orientation[2], in.orientation[3]};
-    orientation_validate({std::string(kind) + in.name + ".orientation", &scene::kPinOrientation, 4,
-                          in.orientation, rate.orientation, now.orientation.data()},
-                         reached, problems);
+    const bool zero = all_zero(in.orientation);
+    if (zero) std::copy(now.orientation.begin(), now.orientation.end(), in.orientation);
+    if (zero && !told.zero) {
+      c.surprised = true;
+      log_message(c, DRAPE_LOG_WARNING,
+                  std::string(kind) + in.name +
+                      ".orientation is four zeros, and no rotation: the orientation stays as it is");
+    }
+    told.zero = zero;
   };
   for (std::size_t k = 0; k < c.driven.size(); ++k)
-    validate("pin.", c.pin_inputs[k], c.pin_rates[k], c.state.pin_motion[c.driven[k]]);
+    validate("pin.", c.pin_inputs[k], c.pin_rates[k], c.state.pin_motion[c.driven[k]], c.pin_told[k]);
   for (std::size_t k = 0; k < c.moving.size(); ++k)
-    validate("body.", c.body_inputs[k], c.body_rates[k], c.state.body[c.moving[k]].motion);
+    validate("body.", c.body_inputs[k], c.body_rates[k], c.state.body[c.moving[k]].motion, c.body_told[k]);
 }
 
 bool inputs_apply(drape_cloth& c, double length, std::vector<Problem>& problems) {

@@ -144,6 +144,7 @@ void parameters_make(Parameters& p, const Scene& scene, double step_max) {
               0,
               step_max,
               1,
+              double(scene.mode == scene::Mode::kFit ? DRAPE_MODE_FIT : DRAPE_MODE_DYNAMIC),
               int(n),
               p.fabrics.data(),
               int(p.seams.size()),
@@ -218,6 +219,27 @@ std::vector<scene::FabricSpec> parameters_fabrics(const Parameters& p, const Sce
         diagrams_of(f, d)->force[i] = p.force[3 * k + std::size_t(d)][i - 1];
   }
   return fabrics;
+}
+
+std::string parameters_changes_text(const Parameters& p, const Scene& scene, const ParameterValues& before) {
+  const std::vector<ValueRow> rows = value_rows(p, scene);
+  const ParameterValues now = parameters_read(p);
+  std::string text;
+  std::size_t more = 0;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (now.value[k] == before.value[k]) continue;
+    if (!text.empty()) {
+      ++more;
+      continue;
+    }
+    char value[60];
+    const std::string unit =
+        std::string(rows[k].limits->unit) == "1" ? "" : std::string(" ") + rows[k].limits->unit;
+    std::snprintf(value, sizeof value, " = %.6g%s", now.value[k], unit.c_str());
+    text = rows[k].place + value;
+  }
+  return more == 0 ? text
+                   : text + " and " + std::to_string(more) + (more == 1 ? " more value" : " more values");
 }
 
 void parameters_validate(Parameters& p, const Scene& scene, const ParameterValues& in_force,

@@ -43,6 +43,10 @@ std::vector<int> parameters_groups(const Parameters& parameters);
 // The fabrics of the scene with the values of the parameters.
 std::vector<scene::FabricSpec> parameters_fabrics(const Parameters& parameters, const Scene& scene);
 
+// The values that differ from `before`, as "fabric.wool.damping = 0.005 s and 2 more values".
+std::string parameters_changes_text(const Parameters& parameters, const Scene& scene,
+                                    const ParameterValues& before);
+
 // Resets invalid values to those in force: single values out of their range, and whole diagrams that fall.
 // One problem each.
 void parameters_validate(Parameters& parameters, const Scene& scene, const ParameterValues& in_force,

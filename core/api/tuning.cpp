@@ -151,6 +151,35 @@ void fixed_validate(const drape_cloth& c, const char* name, const char* unit, do
   value = fixed;
 }
 
+// The mode of a scene does not change.
+void mode_validate(drape_cloth& c, std::vector<Problem>& problems) {
+  constexpr const char* kNames[] = {"dynamic", "fit"};
+  const bool fit = c.scene.mode == scene::Mode::kFit;
+  const double own = fit ? DRAPE_MODE_FIT : DRAPE_MODE_DYNAMIC;
+  double& mode = c.parameters.c_view.mode;
+  if (mode == own) return;
+  problems.push_back({"mode", "= " + number(mode) + "; allowed: " + number(own) + " (" + kNames[fit] +
+                                  "), the mode of the scene"});
+  mode = own;
+}
+
+// Warns where the values just applied take many times as many steps as those before, at `omega2_before`
+// (1/s^2). They are legal, and slow.
+void slow_values_warn(drape_cloth& c, const ParameterValues& before, double omega2_before) {
+  constexpr double kSurprising = 10;
+  if (c.system.fit || c.system.step_given > 0) return;
+  const double steps = dynamics::leapfrog_steps(c.system, omega2_expected(c)),
+               steps_before = dynamics::leapfrog_steps(c.system, omega2_before), q = c.system.communication;
+  if (!(steps > kSurprising * std::max(steps_before, 1.0))) return;
+  c.surprised = true;
+  log_message(c, DRAPE_LOG_WARNING,
+              "with " + parameters_changes_text(c.parameters, c.scene, before) +
+                  " the time step falls from about " + number(q / steps_before, 3) + " to " +
+                  number(q / steps, 3) + " s, and the run takes " + number(steps / steps_before, 2) +
+                  " times as long; the step limit is set by the " +
+                  dynamics::step_limit_link(c.system, c.scene, c.state));
+}
+
 // Applies the written values. `before`: the targets so far.
 void parameters_commit(drape_cloth& c, const ParameterValues& before, std::vector<Problem>& problems) {
   parameters_validate(c.parameters, c.scene, before, problems);
@@ -161,9 +190,11 @@ void parameters_commit(drape_cloth& c, const ParameterValues& before, std::vecto
   const ParameterValues in_force = c.tuning.in_force;
   const State untouched = c.state;
   dynamics::guard_pause(c.system, c.motion, c.state, false);
+  const double omega2_before = omega2_expected(c);
   dynamics::leapfrog_complete(c.system, c.motion, c.state);
   const double error_before = balance_error(c);
   while (parameters_try(c, before, problems)) continue;
+  slow_values_warn(c, before, omega2_before);
   // Before the first step there is no motion to disturb: the values apply at once.
   const double ramp = c.state.steps > 0 ? c.parameters.c_view.ramp : 0;
   ramp_set_target(c.tuning.ramp, in_force, parameters_read(c.parameters), ramp / c.system.communication,
@@ -225,9 +256,11 @@ using namespace drape::api;
 drape_status drape_commit(drape_cloth* c) {
   const math::PlainEnvironment plain;
   std::vector<Problem> problems;
+  c->surprised = false;
   const ParameterValues before = c->tuning.ramp.to;
   if (!(parameters_read(c->parameters) == before)) parameters_commit(*c, before, problems);
-  inputs_validate(*c, problems);
+  mode_validate(*c, problems);
+  inputs_validate(*c);
   log_problems(*c, problems);
   return problems.empty() ? DRAPE_OK : DRAPE_DISCARD;
 }

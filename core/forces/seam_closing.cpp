@@ -73,8 +73,8 @@ bool seams_any_pulled(const State& s) {
 void seams_gap_rates(const System& system, const State& s, Array& rates) {
   rates.resize(3 * system.seams.pair.size());
   for (std::size_t p = 0; p < system.seams.pair.size(); ++p) {
-    if (s.sewn[p] != model::Sewn::kPulled) continue;
-    const Vec3 rate = model::sum_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz);
+    const bool pulled = s.sewn[p] == model::Sewn::kPulled;  // no other rate is ever read
+    const Vec3 rate = pulled ? model::sum_value(system.seams.pair[p].gap, s.vx, s.vy, s.vz) : Vec3{0, 0, 0};
     std::copy(rate.begin(), rate.end(), &rates[3 * p]);
   }
 }

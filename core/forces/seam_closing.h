@@ -39,7 +39,7 @@ void seams_update_integral(const System& system, State& state, double h);
 // True where a pair is kPulled.
 bool seams_any_pulled(const State& state);
 
-// Sets rates [pairs x 3], m/s: the rates at v_{n-1/2} of the gaps of pairs that are kPulled.
+// Sets rates [pairs x 3], m/s: the rates at v_{n-1/2} of the gaps of pairs that are kPulled; 0 of others.
 void seams_gap_rates(const System& system, const State& state, Array& rates);
 
 }  // namespace drape::forces

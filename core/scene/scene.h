@@ -130,8 +130,14 @@ struct ProbeSpec {
   Vec2 at{0, 0};
 };
 
+// What the scene says of itself, for the description of its FMU. Texts may be empty.
+struct About {
+  std::string description, author, version, copyright, license;
+};
+
 struct Scene {
   std::string name;
+  About about;
   double duration = 1;        // s
   Vec3 gravity{0, 0, -9.81};  // m/s^2
   Integrator integrator = Integrator::kLeapfrog;

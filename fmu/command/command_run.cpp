@@ -38,6 +38,14 @@ struct Options {
   description::Nodes nodes = description::Nodes::kNone;
 };
 
+// The value that a word stands for: true and false, and the modes.
+std::optional<double> word_value(const description::Variable& v, const std::string& text) {
+  if (v.type == description::Type::kBoolean && (text == "true" || text == "false")) return text == "true";
+  for (std::size_t k = 0; k < std::size(description::kModeNames); ++k)
+    if (v.type == description::Type::kMode && text == description::kModeNames[k]) return double(k + 1);
+  return std::nullopt;
+}
+
 // Applies NAME=VALUE. Returns what is wrong with it, or an empty text.
 std::string apply_setting(const std::vector<description::Variable>& table, const std::string& setting) {
   const std::size_t equals = setting.find('=');
@@ -46,9 +54,12 @@ std::string apply_setting(const std::vector<description::Variable>& table, const
   double value = 0;
   const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';  // from_chars accepts no plus
   const auto [end, error] = std::from_chars(text.data() + plus, text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size())
-    return "--set " + name + " is '" + text + "'; allowed: a number";
   const description::Variable* v = description::variable_find(table, name);
+  const std::optional<double> word = v ? word_value(*v, text) : std::nullopt;
+  if (word) value = *word;
+  else if (error != std::errc() || end != text.data() + text.size())
+    return "--set " + name + " is '" + text + "'; allowed: a number" +
+           (v && v->type == description::Type::kBoolean ? ", true or false" : "");
   if (!v) {
     const std::string nearest = description::variable_nearest(table, name);
     return "--set names the unknown variable '" + name + "'; " +

@@ -71,6 +71,11 @@ fmi2Status set_logging(Component& k, bool on, size_t count, const fmi2String nam
   return fmi2OK;
 }
 
+// The status of what was done as asked, with a warning where a value may surprise.
+fmi2Status done(const Component& k, drape_status status) {
+  return status == DRAPE_OK && k.instance->surprised ? fmi2Warning : status_fmi2(status);
+}
+
 }  // namespace
 }  // namespace drape::fmi2
 
@@ -127,7 +132,7 @@ fmi2Status fmi2EnterInitializationMode(fmi2Component c) {
 
 fmi2Status fmi2ExitInitializationMode(fmi2Component c) {
   return gate(c, rule_of("fmi2ExitInitializationMode"),
-              [](Component& k) { return status_fmi2(instance::instance_exit_initialization(*k.instance)); });
+              [](Component& k) { return done(k, instance::instance_exit_initialization(*k.instance)); });
 }
 
 fmi2Status fmi2Terminate(fmi2Component c) {
@@ -146,5 +151,5 @@ fmi2Status fmi2Reset(fmi2Component c) {
 
 fmi2Status fmi2DoStep(fmi2Component c, fmi2Real time, fmi2Real length, fmi2Boolean /*no_state_set_before*/) {
   return gate(c, rule_of("fmi2DoStep"),
-              [&](Component& k) { return status_fmi2(instance::instance_step(*k.instance, time, length)); });
+              [&](Component& k) { return done(k, instance::instance_step(*k.instance, time, length)); });
 }

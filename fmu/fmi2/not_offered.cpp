@@ -9,22 +9,9 @@ namespace {
 fmi2Status not_offered(Component&) { return fmi2Error; }
 }  // namespace
 
-fmi2Status fmi2SerializedFMUstateSize(fmi2Component c, fmi2FMUstate, size_t*) {
-  return gate(c, rule_of("fmi2SerializedFMUstateSize"), not_offered);
-}
-fmi2Status fmi2SerializeFMUstate(fmi2Component c, fmi2FMUstate, fmi2Byte[], size_t) {
-  return gate(c, rule_of("fmi2SerializeFMUstate"), not_offered);
-}
-fmi2Status fmi2DeSerializeFMUstate(fmi2Component c, const fmi2Byte[], size_t, fmi2FMUstate*) {
-  return gate(c, rule_of("fmi2DeSerializeFMUstate"), not_offered);
-}
 fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2ValueReference[], size_t,
                                         const fmi2ValueReference[], size_t, const fmi2Real[], fmi2Real[]) {
   return gate(c, rule_of("fmi2GetDirectionalDerivative"), not_offered);
-}
-fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c, const fmi2ValueReference[], size_t,
-                                        const fmi2Integer[], fmi2Real[]) {
-  return gate(c, rule_of("fmi2GetRealOutputDerivatives"), not_offered);
 }
 fmi2Status fmi2CancelStep(fmi2Component c) { return gate(c, rule_of("fmi2CancelStep"), not_offered); }
 

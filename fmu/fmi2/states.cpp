@@ -45,6 +45,36 @@ fmi2Status fmi2FreeFMUstate(fmi2Component c, fmi2FMUstate* state) {
   });
 }
 
+fmi2Status fmi2SerializedFMUstateSize(fmi2Component c, fmi2FMUstate state, size_t* size) {
+  return gate(c, rule_of("fmi2SerializedFMUstateSize"), [&](Component& k) {
+    if (!size) return component_discard(k, "fmi2SerializedFMUstateSize: the place for the size is missing");
+    return status_fmi2(
+        instance::instance_bytes_size(*k.instance, static_cast<const instance::Saved*>(state), size));
+  });
+}
+
+fmi2Status fmi2SerializeFMUstate(fmi2Component c, fmi2FMUstate state, fmi2Byte bytes[], size_t size) {
+  return gate(c, rule_of("fmi2SerializeFMUstate"), [&](Component& k) {
+    if (!bytes) return component_discard(k, "fmi2SerializeFMUstate: the place for the bytes is missing");
+    return status_fmi2(instance::instance_write(*k.instance, static_cast<const instance::Saved*>(state),
+                                                reinterpret_cast<unsigned char*>(bytes), size));
+  });
+}
+
+fmi2Status fmi2DeSerializeFMUstate(fmi2Component c, const fmi2Byte bytes[], size_t size,
+                                   fmi2FMUstate* state) {
+  return gate(c, rule_of("fmi2DeSerializeFMUstate"), [&](Component& k) {
+    if (!bytes || !state)
+      return component_discard(k,
+                               "fmi2DeSerializeFMUstate: the bytes or the place for the state are missing");
+    instance::Saved* read =
+        instance::instance_read(*k.instance, reinterpret_cast<const unsigned char*>(bytes), size);
+    if (!read) return fmi2Discard;
+    *state = read;
+    return fmi2OK;
+  });
+}
+
 fmi2Status fmi2GetRealStatus(fmi2Component c, const fmi2StatusKind kind, fmi2Real* value) {
   return gate(c, rule_of("fmi2GetRealStatus"), [&](Component& k) {
     if (kind != fmi2LastSuccessfulTime || !value) return no_status(k, "Real");

@@ -1,17 +1,36 @@
 // FMI 2.0: values by reference.
 #include <string>
+#include <vector>
 
 #include "fmi2/component.h"
 
 namespace drape::fmi2 {
 namespace {
 
-// Integer, Boolean and String: there are no variables of these types.
-fmi2Status no_variable(Component& k, const fmi2ValueReference references[], size_t count, const char* type) {
+// There are no variables of type String.
+fmi2Status no_string(Component& k, const fmi2ValueReference references[], size_t count) {
   if (count == 0) return fmi2OK;
   return component_discard(
       k, (references ? "value reference " + std::to_string(references[0]) : std::string("the reference")) +
-             " names no " + type + " variable; allowed: none, as all variables are Real");
+             " names no String variable; allowed: none, as no variable is a String");
+}
+
+// Integers and Booleans, which are both int, through the numbers of the instance.
+fmi2Status numbers_get(Component& k, instance::As as, const char* call, const fmi2ValueReference vr[],
+                       size_t count, int values[]) {
+  if (count > 0 && (!vr || !values))
+    return component_discard(k, std::string(call) + ": the list of references or values is missing");
+  std::vector<double> numbers(count);
+  const fmi2Status status = status_fmi2(instance::instance_get(*k.instance, as, vr, count, numbers.data()));
+  for (size_t i = 0; i < count && status == fmi2OK; ++i) values[i] = int(numbers[i]);
+  return status;
+}
+fmi2Status numbers_set(Component& k, instance::As as, const char* call, const fmi2ValueReference vr[],
+                       size_t count, const int values[]) {
+  if (count > 0 && (!vr || !values))
+    return component_discard(k, std::string(call) + ": the list of references or values is missing");
+  const std::vector<double> numbers(values, values + count);
+  return status_fmi2(instance::instance_set(*k.instance, as, vr, count, numbers.data()));
 }
 
 }  // namespace
@@ -24,7 +43,7 @@ fmi2Status fmi2GetReal(fmi2Component c, const fmi2ValueReference vr[], size_t nv
   return gate(c, rule_of("fmi2GetReal"), [&](Component& k) {
     if (nvr > 0 && (!vr || !value))
       return component_discard(k, "fmi2GetReal: the list of references or values is missing");
-    return status_fmi2(instance::instance_get(*k.instance, vr, nvr, value));
+    return status_fmi2(instance::instance_get(*k.instance, instance::As::kReal, vr, nvr, value));
   });
 }
 
@@ -32,7 +51,7 @@ fmi2Status fmi2SetReal(fmi2Component c, const fmi2ValueReference vr[], size_t nv
   return gate(c, rule_of("fmi2SetReal"), [&](Component& k) {
     if (nvr > 0 && (!vr || !value))
       return component_discard(k, "fmi2SetReal: the list of references or values is missing");
-    return status_fmi2(instance::instance_set(*k.instance, vr, nvr, value));
+    return status_fmi2(instance::instance_set(*k.instance, instance::As::kReal, vr, nvr, value));
   });
 }
 
@@ -46,21 +65,41 @@ fmi2Status fmi2SetRealInputDerivatives(fmi2Component c, const fmi2ValueReference
   });
 }
 
-fmi2Status fmi2GetInteger(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, fmi2Integer[]) {
-  return gate(c, rule_of("fmi2GetInteger"), [&](Component& k) { return no_variable(k, vr, nvr, "Integer"); });
+fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c, const fmi2ValueReference vr[], size_t nvr,
+                                        const fmi2Integer order[], fmi2Real value[]) {
+  return gate(c, rule_of("fmi2GetRealOutputDerivatives"), [&](Component& k) {
+    if (nvr > 0 && (!vr || !order || !value))
+      return component_discard(
+          k, "fmi2GetRealOutputDerivatives: the list of references, orders or values is missing");
+    return status_fmi2(instance::instance_get_derivatives(*k.instance, vr, nvr, order, value));
+  });
 }
-fmi2Status fmi2GetBoolean(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, fmi2Boolean[]) {
-  return gate(c, rule_of("fmi2GetBoolean"), [&](Component& k) { return no_variable(k, vr, nvr, "Boolean"); });
+
+fmi2Status fmi2GetInteger(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, fmi2Integer value[]) {
+  return gate(c, rule_of("fmi2GetInteger"), [&](Component& k) {
+    return numbers_get(k, instance::As::kInteger, "fmi2GetInteger", vr, nvr, value);
+  });
+}
+fmi2Status fmi2GetBoolean(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, fmi2Boolean value[]) {
+  return gate(c, rule_of("fmi2GetBoolean"), [&](Component& k) {
+    return numbers_get(k, instance::As::kBoolean, "fmi2GetBoolean", vr, nvr, value);
+  });
 }
 fmi2Status fmi2GetString(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, fmi2String[]) {
-  return gate(c, rule_of("fmi2GetString"), [&](Component& k) { return no_variable(k, vr, nvr, "String"); });
+  return gate(c, rule_of("fmi2GetString"), [&](Component& k) { return no_string(k, vr, nvr); });
 }
-fmi2Status fmi2SetInteger(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, const fmi2Integer[]) {
-  return gate(c, rule_of("fmi2SetInteger"), [&](Component& k) { return no_variable(k, vr, nvr, "Integer"); });
+fmi2Status fmi2SetInteger(fmi2Component c, const fmi2ValueReference vr[], size_t nvr,
+                          const fmi2Integer value[]) {
+  return gate(c, rule_of("fmi2SetInteger"), [&](Component& k) {
+    return numbers_set(k, instance::As::kInteger, "fmi2SetInteger", vr, nvr, value);
+  });
 }
-fmi2Status fmi2SetBoolean(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, const fmi2Boolean[]) {
-  return gate(c, rule_of("fmi2SetBoolean"), [&](Component& k) { return no_variable(k, vr, nvr, "Boolean"); });
+fmi2Status fmi2SetBoolean(fmi2Component c, const fmi2ValueReference vr[], size_t nvr,
+                          const fmi2Boolean value[]) {
+  return gate(c, rule_of("fmi2SetBoolean"), [&](Component& k) {
+    return numbers_set(k, instance::As::kBoolean, "fmi2SetBoolean", vr, nvr, value);
+  });
 }
 fmi2Status fmi2SetString(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, const fmi2String[]) {
-  return gate(c, rule_of("fmi2SetString"), [&](Component& k) { return no_variable(k, vr, nvr, "String"); });
+  return gate(c, rule_of("fmi2SetString"), [&](Component& k) { return no_string(k, vr, nvr); });
 }

@@ -40,14 +40,6 @@ void core_logged(void* user, drape_log_kind kind, const char* message) {
   static_cast<Instance*>(user)->pending_messages.emplace_back(kind, message);
 }
 
-// Logs the messages that the core sent during a call that returned `status`.
-drape_status log_flush(Instance& instance, drape_status status) {
-  for (const auto& [kind, message] : instance.pending_messages)
-    log_write(instance, kind == DRAPE_LOG_ERROR ? status : DRAPE_OK, kind, message);
-  instance.pending_messages.clear();
-  return status;
-}
-
 // The choice of node variables under which the scene has this guid. Returns false if there is none.
 bool nodes_of_guid(Instance& instance, const std::string& guid, description::Nodes& nodes) {
   const std::string content = description::guid_content(instance.cloth);
@@ -89,7 +81,7 @@ Instance* instance_open(const std::string& scene_file, const std::string& guid, 
   instance->log_user = user;
   instance->filter = filter;
   instance->cloth = drape_open(scene_file.c_str(), core_logged, instance.get());
-  log_flush(*instance, instance->cloth ? DRAPE_OK : DRAPE_ERROR);
+  instance_flush(*instance, instance->cloth ? DRAPE_OK : DRAPE_ERROR);
   if (!instance->cloth) return nullptr;
   description::Nodes nodes = description::Nodes::kNone;
   if (!nodes_of_guid(*instance, guid, nodes)) {
@@ -97,6 +89,12 @@ Instance* instance_open(const std::string& scene_file, const std::string& guid, 
     return nullptr;
   }
   instance->table = description::variables_of(instance->cloth, nodes);
+  for (std::size_t row = 0; row < instance->table.size(); ++row)
+    if (const description::Variable& v = instance->table[row];
+        v.causality == description::Causality::kOutput && v.type == description::Type::kReal &&
+        v.variability == description::Variability::kContinuous && !v.derivative &&
+        !(v.needs & ~DRAPE_OUT_SCALARS))
+      instance->recorded.push_back(row);
   instance->initial = instance_save(*instance, nullptr);
   return instance.release();
 }
@@ -113,13 +111,20 @@ drape_status instance_refuse(Instance& instance, drape_status status, const std:
   return status;
 }
 
+drape_status instance_flush(Instance& instance, drape_status status) {
+  for (const auto& [kind, message] : instance.pending_messages)
+    log_write(instance, kind == DRAPE_LOG_ERROR ? status : DRAPE_OK, kind, message);
+  instance.pending_messages.clear();
+  return status;
+}
+
 drape_status instance_setup(Instance& instance, double start_time, double stop_time) {
   if (std::isfinite(start_time) && !(stop_time > start_time))  // drape_start refuses others
     return instance_refuse(instance, DRAPE_DISCARD,
                            "the stop time is " + description::decimal_text(stop_time) +
                                " s; allowed: above the start time, " + description::decimal_text(start_time) +
                                " s");
-  const drape_status status = log_flush(instance, drape_start(instance.cloth, start_time));
+  const drape_status status = instance_flush(instance, drape_start(instance.cloth, start_time));
   if (status == DRAPE_OK) instance.stop_time = stop_time;
   instance.read = 0;
   return status;
@@ -127,8 +132,9 @@ drape_status instance_setup(Instance& instance, double start_time, double stop_t
 
 drape_status instance_exit_initialization(Instance& instance) {
   instance.read = 0;
-  const drape_status status = log_flush(instance, drape_commit(instance.cloth));
+  const drape_status status = instance_flush(instance, drape_commit(instance.cloth));
   if (status != DRAPE_OK) return status;
+  instance.surprised = drape_surprised(instance.cloth);
   instance.phase = Phase::kStepComplete;
   if (instance.filter.stability) {
     const char* set_by = "";
@@ -142,10 +148,15 @@ drape_status instance_exit_initialization(Instance& instance) {
 drape_status instance_step(Instance& instance, double time, double length) {
   if (const std::string problem = step_problem(instance, time, length); !problem.empty())
     return instance_refuse(instance, DRAPE_DISCARD, problem);
-  const drape_status status = log_flush(instance, drape_advance(instance.cloth, length));
-  if (status == DRAPE_ERROR) instance.phase = Phase::kError;
-  if (status == DRAPE_OK) ++instance.steps;
+  History before = history_take(instance);
+  const drape_status status = instance_flush(instance, drape_advance(instance.cloth, length));
   instance.read = 0;
+  if (status == DRAPE_ERROR) instance.phase = Phase::kError;
+  if (status != DRAPE_OK) return status;
+  ++instance.steps;
+  before.length = length;
+  instance.history = std::move(before);
+  instance.surprised = drape_surprised(instance.cloth);
   return status;
 }
 

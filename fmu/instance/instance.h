@@ -23,11 +23,21 @@ struct LogFilter {
   bool warnings = true, events = false, stability = false;
 };
 
+// The outputs at the communication point before the present one, for derivatives.
+struct History {
+  int read = 0;               // the groups of outputs that it holds: bits as in drape_get_outputs
+  double length = 0;          // s, from there to the present point
+  std::vector<double> value;  // [recorded rows]
+};
+
 // A copy of everything in an instance that changes.
 struct Saved {
   drape_snapshot* cloth = nullptr;  // freed with the instance or by instance_forget
-  Phase phase;
-  double stop_time;
+  Phase phase = Phase::kInstantiated;
+  double stop_time = 0;    // s
+  std::int64_t steps = 0;  // this and the rest as in Instance
+  int read = 0, derivatives_asked = 0;
+  History history;
 };
 
 struct Instance {
@@ -36,9 +46,14 @@ struct Instance {
   Phase phase = Phase::kInstantiated;
   double stop_time = std::numeric_limits<double>::infinity();  // s; infinity: none
   std::vector<std::unique_ptr<Saved>> saved;
-  const Saved* initial = nullptr;  // one of the saved states: the state to reset to
-  std::int64_t steps = 0;          // made by the master
-  int read = 0;                    // the outputs that hold the present time: bits as in drape_get_outputs
+  const Saved* initial = nullptr;     // one of the saved states: the state to reset to
+  std::int64_t steps = 0;             // made by the master
+  int read = 0;                       // the outputs that hold the present time: bits as in drape_get_outputs
+  int read_before_saving = 0;         // the same, when the state was saved that the present one has come from
+  std::vector<std::size_t> recorded;  // rows of the outputs whose derivative is a slope
+  History history;
+  int derivatives_asked = 0;  // groups of outputs of which a derivative has been asked
+  bool surprised = false;     // the last call took a value that may surprise: it has been logged
   LogFn* log = nullptr;
   void* log_user = nullptr;
   LogFilter filter;
@@ -54,6 +69,9 @@ void instance_close(Instance* instance);
 // Logs a sentence and returns the status.
 drape_status instance_refuse(Instance& instance, drape_status status, const std::string& sentence);
 
+// Logs the messages that the core sent during a call that returned `status`.
+drape_status instance_flush(Instance& instance, drape_status status);
+
 // Life cycle. The caller has checked that the phase allows the call. Times are in s.
 drape_status instance_setup(Instance& instance, double start_time, double stop_time);
 drape_status instance_exit_initialization(Instance& instance);
@@ -61,11 +79,19 @@ drape_status instance_step(Instance& instance, double time, double length);
 void instance_terminate(Instance& instance);  // warns of a fit without rest and of seams that have not closed
 void instance_reset(Instance& instance);
 
-// Values by reference. A call that names one bad value changes nothing.
-drape_status instance_get(Instance& instance, const std::uint32_t* references, std::size_t count,
+// Values by reference, of one type of FMI. As Real, any variable is a number: masters may read all in one
+// call. A call that names one bad value changes nothing.
+enum class As { kReal, kInteger, kBoolean };
+drape_status instance_get(Instance& instance, As as, const std::uint32_t* references, std::size_t count,
                           double* values);
-drape_status instance_set(Instance& instance, const std::uint32_t* references, std::size_t count,
+drape_status instance_set(Instance& instance, As as, const std::uint32_t* references, std::size_t count,
                           const double* values);
+
+// Time derivatives of Real outputs; `orders` must be 1. That of a position is its velocity. Of other outputs
+// it is the slope over the last communication step, 0 before there are two points, and of those that jump 0.
+drape_status instance_get_derivatives(Instance& instance, const std::uint32_t* references, std::size_t count,
+                                      const int* orders, double* values);
+History history_take(Instance& instance);  // of the present point, before a step
 
 // Time derivatives of inputs at the beginning of the next step. `orders` must be 1.
 drape_status instance_set_rates(Instance& instance, const std::uint32_t* references, std::size_t count,
@@ -76,5 +102,11 @@ drape_status instance_set_rates(Instance& instance, const std::uint32_t* referen
 Saved* instance_save(Instance& instance, Saved* into);
 drape_status instance_restore(Instance& instance, const Saved* saved);
 drape_status instance_forget(Instance& instance, const Saved* saved);
+
+// Saved states as bytes, for other instances of the same scene in any process. `size` is that of
+// instance_bytes_size. Bytes that are not whole, or of another scene, are refused (null, DRAPE_DISCARD).
+drape_status instance_bytes_size(Instance& instance, const Saved* saved, std::size_t* size);
+drape_status instance_write(Instance& instance, const Saved* saved, unsigned char* bytes, std::size_t size);
+Saved* instance_read(Instance& instance, const unsigned char* bytes, std::size_t size);
 
 }  // namespace drape::instance

@@ -6,19 +6,34 @@
 namespace drape::instance {
 namespace {
 
-const description::Variable* row_of(const Instance& instance, std::uint32_t reference) {
-  return reference >= 1 && reference <= instance.table.size() ? &instance.table[reference - 1] : nullptr;
+const char* name_of(As as) { return as == As::kReal ? "Real" : as == As::kInteger ? "Integer" : "Boolean"; }
+
+bool is_of(const description::Variable& v, As as) {
+  using description::Type;
+  if (as == As::kReal) return true;
+  return as == As::kBoolean ? v.type == Type::kBoolean : v.type == Type::kInteger || v.type == Type::kMode;
 }
 
-std::string no_row(const Instance& instance, std::uint32_t reference) {
-  return "value reference " + std::to_string(reference) + " names no Real variable; allowed: 1 to " +
-         std::to_string(instance.table.size());
+const description::Variable* row_of(const Instance& instance, As as, std::uint32_t reference) {
+  if (reference < 1 || reference > instance.table.size()) return nullptr;
+  const description::Variable& v = instance.table[reference - 1];
+  return is_of(v, as) ? &v : nullptr;
+}
+
+std::string no_row(const Instance& instance, As as, std::uint32_t reference) {
+  const std::string sentence =
+      "value reference " + std::to_string(reference) + " names no " + name_of(as) + " variable; allowed: ";
+  if (as == As::kReal) return sentence + "1 to " + std::to_string(instance.table.size());
+  std::string names;
+  for (const description::Variable& v : instance.table)
+    if (is_of(v, as)) names += (names.empty() ? "" : ", ") + v.name();
+  return sentence + (names.empty() ? "none, as this scene has none" : names.substr(0, 300));
 }
 
 // Why a variable may not be set to a value now; empty if it may.
-std::string set_problem(const Instance& instance, std::uint32_t reference, double value) {
-  const description::Variable* v = row_of(instance, reference);
-  if (!v) return no_row(instance, reference);
+std::string set_problem(const Instance& instance, As as, std::uint32_t reference, double value) {
+  const description::Variable* v = row_of(instance, as, reference);
+  if (!v) return no_row(instance, as, reference);
   if (v->causality == description::Causality::kOutput)
     return v->name() + " is an output; allowed: setting parameters and inputs";
   const bool initialized = instance.phase != Phase::kInstantiated && instance.phase != Phase::kInitialization;
@@ -29,8 +44,8 @@ std::string set_problem(const Instance& instance, std::uint32_t reference, doubl
 
 // The same for the derivative of an input.
 std::string rate_problem(const Instance& instance, std::uint32_t reference, int order, double value) {
-  const description::Variable* v = row_of(instance, reference);
-  if (!v) return no_row(instance, reference);
+  const description::Variable* v = row_of(instance, As::kReal, reference);
+  if (!v) return no_row(instance, As::kReal, reference);
   if (!v->rate) return v->name() + " is no input; allowed: setting derivatives of inputs";
   if (order != 1)
     return "the order of the derivative of " + v->name() + " is " + std::to_string(order) + "; allowed: 1";
@@ -42,12 +57,12 @@ std::string rate_problem(const Instance& instance, std::uint32_t reference, int 
 
 }  // namespace
 
-drape_status instance_get(Instance& instance, const std::uint32_t* references, std::size_t count,
+drape_status instance_get(Instance& instance, As as, const std::uint32_t* references, std::size_t count,
                           double* values) {
   int needs = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const description::Variable* v = row_of(instance, references[i]);
-    if (!v) return instance_refuse(instance, DRAPE_DISCARD, no_row(instance, references[i]));
+    const description::Variable* v = row_of(instance, as, references[i]);
+    if (!v) return instance_refuse(instance, DRAPE_DISCARD, no_row(instance, as, references[i]));
     needs |= v->needs;
   }
   if (const int missing = needs & ~instance.read) drape_get_outputs(instance.cloth, missing);
@@ -56,11 +71,11 @@ drape_status instance_get(Instance& instance, const std::uint32_t* references, s
   return DRAPE_OK;
 }
 
-drape_status instance_set(Instance& instance, const std::uint32_t* references, std::size_t count,
+drape_status instance_set(Instance& instance, As as, const std::uint32_t* references, std::size_t count,
                           const double* values) {
   drape_status status = DRAPE_OK;
   for (std::size_t i = 0; i < count; ++i)
-    if (const std::string problem = set_problem(instance, references[i], values[i]); !problem.empty())
+    if (const std::string problem = set_problem(instance, as, references[i], values[i]); !problem.empty())
       status = instance_refuse(instance, DRAPE_DISCARD, problem);
   if (status != DRAPE_OK) return status;
   for (std::size_t i = 0; i < count; ++i) *instance.table[references[i] - 1].setting = values[i];

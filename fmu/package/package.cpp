@@ -3,6 +3,10 @@
 #include <link.h>
 #include <zip.h>
 
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
 #include <fstream>
 #include <sstream>
 #include <system_error>
@@ -10,6 +14,7 @@
 #include <vector>
 
 #include "description.h"
+#include "figures/model_picture.h"
 #include "package/licenses/licenses.h"
 
 namespace drape::package {
@@ -84,6 +89,26 @@ std::vector<std::filesystem::path> contact_files() {
   return files;
 }
 
+// The time of packing as FMI writes it: that of SOURCE_DATE_EPOCH, with which the bytes are the same each
+// time, or now.
+std::string date_now(std::string& problem) {
+  constexpr std::int64_t kLast = 253402300799;  // the last second of the year 9999
+  std::int64_t seconds = std::time(nullptr);
+  if (const char* given = std::getenv("SOURCE_DATE_EPOCH")) {
+    const char* const end = given + std::strlen(given);
+    const auto [read, error] = std::from_chars(given, end, seconds);
+    if (error != std::errc() || read != end || seconds < 0 || seconds > kLast)
+      problem = std::string("SOURCE_DATE_EPOCH is '") + given +
+                "'; allowed: a whole number of seconds since 1970, from 0 to " + std::to_string(kLast);
+  }
+  const std::time_t time = problem.empty() ? std::time_t(seconds) : 0;
+  std::tm utc{};
+  gmtime_r(&time, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
 // Adds what a scene with bodies needs beside the rest: meshes, libraries and their licences.
 bool bodies_add(drape_cloth* cloth, std::vector<Entry>& entries, std::string& problem) {
   const auto add = [&](const std::string& name, const std::filesystem::path& file) {
@@ -110,10 +135,13 @@ bool fmu_pack(drape_cloth* cloth, description::Nodes nodes, const std::string& p
               ", the binary of the FMU; it belongs beside the drape command";
     return false;
   }
-  const description::Description d = description::description_of(cloth, nodes);
+  description::Description d = description::description_of(cloth, nodes);
+  d.date = date_now(problem);
+  if (!problem.empty()) return false;
   std::vector<Entry> entries = {{"modelDescription.xml", description::description_xml_fmi2(d)},
                                 {"binaries/linux64/" + d.identifier + ".so", binary},
                                 {"resources/scene.toml", drape_scene_text(cloth)},
+                                {"model.png", figures::model_png(cloth)},
                                 {"documentation/index.html", description::description_html(d, picture)}};
   for (const License& license : kLicenses)
     entries.emplace_back("documentation/licenses/" + license.name, license.text);

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from bodies import sheet_over_ball
 from fmpy.validation import validate_fmu
-from master import DISCARD, Instance, same_bits
+from master import WARNING, Instance, same_bits
 from scenes import read_csv, swinging_sheet
 
 CONTACT = {"libdrape_contact.so", "libfcl.so.0.7", "libccd.so.2", "liboctomap.so.1.9", "liboctomath.so.1.9"}
@@ -99,11 +99,18 @@ def test_friction_is_tuned_while_it_moves(pack, tmp_path):
     assert slides[0] > stays[0] + 0.001
 
 
-def test_an_orientation_of_length_0_is_refused(pack, tmp_path):
-    fmu = pack(sheet_over_ball(tmp_path, moves=True))
-    with Instance(fmu) as cloth:
-        cloth.initialize()
-        cloth.drive({"body.ball.orientation": [0, 0, 0, 0]})
-        assert cloth.step(1e-3) == DISCARD
-        assert any("body.ball.orientation has the length 0" in message for _, _, message in cloth.log)
-        assert cloth.step(1e-3) == 0
+def test_an_orientation_of_zeros_keeps_the_old_one(pack, tmp_path):
+    """Some masters write 0 to what is not connected."""
+    fmu = pack(sheet_over_ball(tmp_path, moves=True), nodes="all")
+    with Instance(fmu) as cloth, Instance(fmu) as connected:
+        for each in (cloth, connected):
+            each.initialize().drive({"body.ball.orientation": [1, 0, 0, 1]})
+            assert each.step(1e-3) == 0
+        cloth.log.clear(), connected.log.clear()
+        for status in (WARNING, 0, 0):  # told once
+            cloth.drive({"body.ball.orientation": [0, 0, 0, 0]})
+            assert cloth.step(1e-3) == status
+            assert connected.step(1e-3) == 0
+        assert same_bits(cloth.nodes(), connected.nodes())
+        told = [message for log in (cloth.log, connected.log) for _, category, message in log if category == "logStatusWarning"]
+        assert told == ["body.ball.orientation is four zeros, and no rotation: the orientation stays as it is"]

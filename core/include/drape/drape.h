@@ -61,6 +61,8 @@ typedef struct drape_seam_parameters {
   double close; /* 1: the seam closes from now on, whatever time the scene sets for it; else 0 */
 } drape_seam_parameters;
 
+enum { DRAPE_MODE_DYNAMIC = 1, DRAPE_MODE_FIT = 2 };
+
 typedef struct drape_parameters {
   double damping;                    /* 1/s, damping by mass */
   double gravity[3];                 /* m/s^2 */
@@ -70,6 +72,7 @@ typedef struct drape_parameters {
   double step_max;                   /* s, upper bound of the time step; fixed after the first step */
   double threads; /* number of threads that share a step, a whole number; results are the same bit for bit;
                      fixed after the first step */
+  double mode;    /* DRAPE_MODE_DYNAMIC or DRAPE_MODE_FIT, as the scene has it; no other value is taken */
   int fabric_count;
   drape_fabric* fabric; /* [fabric_count] */
   int seam_count;
@@ -235,7 +238,11 @@ void drape_close(drape_cloth*);
  * a scene file, with the meshes in the same folder, it gives the same cloth. */
 const char* drape_scene_name(const drape_cloth*);
 const char* drape_scene_text(const drape_cloth*);
-double drape_duration(const drape_cloth*);      /* s, scene.duration */
+double drape_duration(const drape_cloth*); /* s, scene.duration */
+typedef struct drape_about {
+  const char *description, *author, *version, *copyright, *license; /* of the scene; "" where it has none */
+} drape_about;
+drape_about drape_scene_about(const drape_cloth*);
 double drape_communication(const drape_cloth*); /* s, scene.communication */
 /* The files that the scene text names, 0 <= index < drape_file_count: the present path of each, and the name
  * it must have next to the text. */
@@ -283,6 +290,11 @@ double drape_time(const drape_cloth*); /* s */
  * drape_commit), or the step limit fell below the scene's fixed step; time has not advanced. DRAPE_ERROR: the
  * run failed, and the cloth is back in the state before the call. Each problem has been logged. */
 drape_status drape_advance(drape_cloth*, double length);
+
+/* 1 where the last drape_commit or drape_advance did what was asked, but took a value that may surprise: a
+ * tuned value that shortens the time step by more than ten times, or an orientation of length 0, which is
+ * kept as it was. Each has been logged as a DRAPE_LOG_WARNING. Else 0. */
+int drape_surprised(const drape_cloth*);
 
 /* 1 where the last advance was refused because the step limit had fallen below the scene's fixed step. The
  * same advance would be refused again. Else 0. */
@@ -337,6 +349,18 @@ drape_progress drape_progress_of(drape_cloth*); /* costs a pass over all links *
 drape_snapshot* drape_save(drape_cloth*, drape_snapshot* into);
 void drape_restore(drape_cloth*, const drape_snapshot*);
 void drape_snapshot_free(drape_snapshot*);
+
+/* A copy as bytes, for a file or another process. `c` is the cloth that made the copy or that is to take it,
+ * opened from the same scene with the same meshes. drape_snapshot_write fills drape_snapshot_size bytes.
+ * drape_snapshot_read returns a new copy for drape_restore. Bytes that are cut, damaged, or of another scene
+ * or layout give NULL and one DRAPE_LOG_ERROR message; the cloth stays as it was. A caller's own bytes can be
+ * attached to a copy, and travel with it. Run on from there, a cloth moves with the same bits as if it had
+ * never stopped. */
+size_t drape_snapshot_size(const drape_snapshot*);
+void drape_snapshot_write(drape_cloth* c, const drape_snapshot*, void* bytes);
+drape_snapshot* drape_snapshot_read(drape_cloth* c, const void* bytes, size_t size);
+void drape_snapshot_attach(drape_snapshot*, const void* bytes, size_t size);
+const void* drape_snapshot_attached(const drape_snapshot*, size_t* size);
 
 const char* drape_version(void);
 

@@ -24,6 +24,11 @@ constexpr Range range_of(const Quantity& q, double per_si = 1) {
 std::vector<Key> scene_keys(Scene& s) {
   return {
       {"scene.name", Name{&s.name}, kRequired},
+      {"scene.description", &s.about.description},
+      {"scene.author", &s.about.author},
+      {"scene.version", &s.about.version},
+      {"scene.copyright", &s.about.copyright},
+      {"scene.license", &s.about.license},
       {"scene.duration", &s.duration, kOptional, {0, 1e7, kAbove}, "s"},
       {"scene.gravity", &s.gravity, kOptional, range_of(kGravity), "m/s^2"},
       {"scene.integrator", Choice{{"leapfrog", "paper"}, [&s](int k) { s.integrator = Integrator(k); }}},

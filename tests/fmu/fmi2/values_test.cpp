@@ -32,7 +32,7 @@ TEST(Values, EveryTunableParameterIsTakenAndReadBack) {
     EXPECT_EQ(slave.set(name, value), fmi2OK) << slave.last_message();
     EXPECT_EQ(slave.get(name), value);
   }
-  EXPECT_EQ(slave.step(0, 0.001), fmi2OK) << slave.last_message();
+  EXPECT_EQ(slave.step(0, 0.001), fmi2Warning) << "damping of 0.001 s along the springs is slow";
   EXPECT_EQ(slave.get("fabric.wool.compression"), 0.5);
 }
 
@@ -72,9 +72,41 @@ TEST(Values, MissingArraysAndOtherTypes) {
   expect_sentence(slave, fmi2Discard, {"fmi2SetReal", "missing"});
   fmi2Integer integer = 0;
   EXPECT_EQ(fmi2().GetInteger(slave.component, &reference, 1, &integer), fmi2Discard);
-  expect_sentence(slave, fmi2Discard, {"value reference 1", "Integer"});
+  expect_sentence(slave, fmi2Discard,
+                  {"value reference 1", "names no Integer variable; allowed: threads, mode"});
+  EXPECT_EQ(fmi2().SetBoolean(slave.component, &reference, 1, &integer), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"value reference 1", "names no Boolean variable; allowed: none"});
+  EXPECT_EQ(fmi2().GetInteger(slave.component, &reference, 1, nullptr), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"fmi2GetInteger", "missing"});
+  EXPECT_EQ(fmi2().SetInteger(slave.component, nullptr, 1, &integer), fmi2Discard);
+  expect_sentence(slave, fmi2Discard, {"fmi2SetInteger", "missing"});
   EXPECT_EQ(fmi2().SetString(slave.component, &reference, 1, nullptr), fmi2Discard);
   expect_sentence(slave, fmi2Discard, {"value reference 1", "String"});
+}
+
+TEST(Values, IntegersAreReadAndSetAsSuch) {
+  Slave slave;
+  const fmi2ValueReference references[] = {swatch().reference("threads"), swatch().reference("mode")};
+  fmi2Integer values[] = {2, 1};
+  ASSERT_EQ(fmi2().SetInteger(slave.component, references, 2, values), fmi2OK) << slave.last_message();
+  slave.initialize();
+  values[0] = values[1] = 0;
+  ASSERT_EQ(fmi2().GetInteger(slave.component, references, 2, values), fmi2OK);
+  EXPECT_EQ(values[0], 2);
+  EXPECT_EQ(values[1], 1);
+  EXPECT_EQ(slave.get("threads"), 2) << "as Real, any variable is a number";
+  const fmi2ValueReference count = swatch().reference("strain.beyond_test.count");
+  EXPECT_EQ(fmi2().GetInteger(slave.component, &count, 1, values), fmi2OK);
+  EXPECT_EQ(values[0], 0);
+}
+
+TEST(Values, TheModeIsThatOfTheScene) {
+  Slave slave;
+  const fmi2ValueReference mode = swatch().reference("mode");
+  for (const fmi2Integer value : {0, 2, 3, -1}) {
+    EXPECT_EQ(fmi2().SetInteger(slave.component, &mode, 1, &value), fmi2Discard);
+    expect_sentence(slave, fmi2Discard, {"mode is " + std::to_string(value), "allowed: only 1"});
+  }
 }
 
 TEST(Values, FixedParametersUntilInitializationEnds) {

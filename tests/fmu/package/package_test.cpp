@@ -39,7 +39,10 @@ std::map<std::string, std::string> entries_of(const std::string& file) {
   return entries;
 }
 
+constexpr char kDate[] = "1970-01-02T00:00:00Z";
+
 std::string pack_swatch(const std::string& name, description::Nodes nodes) {
+  setenv("SOURCE_DATE_EPOCH", "86400", 1);
   const Cloth cloth = open_swatch();
   const std::string file = testing::TempDir() + name;
   std::string problem;
@@ -51,9 +54,11 @@ TEST(Package, HoldsDescriptionBinarySceneAndDocumentation) {
   const Cloth cloth = open_swatch();
   std::map<std::string, std::string> entries =
       entries_of(pack_swatch("drape_pack.fmu", description::Nodes::kOutline));
-  EXPECT_EQ(entries.size(), 10u);
-  EXPECT_EQ(entries["modelDescription.xml"], description::description_xml_fmi2(description::description_of(
-                                                 cloth.get(), description::Nodes::kOutline)));
+  EXPECT_EQ(entries.size(), 11u);
+  description::Description expected = description::description_of(cloth.get(), description::Nodes::kOutline);
+  expected.date = kDate;
+  EXPECT_EQ(entries["modelDescription.xml"], description::description_xml_fmi2(expected));
+  EXPECT_TRUE(entries["model.png"].starts_with("\x89PNG"));
   EXPECT_EQ(entries["binaries/linux64/swatch.so"], bytes_of(DRAPE_FMI2_BINARY));
   EXPECT_EQ(entries["resources/scene.toml"], drape_scene_text(cloth.get()));
   EXPECT_NE(entries["documentation/index.html"].find("<title>here</title>"), std::string::npos);
@@ -67,6 +72,7 @@ TEST(Package, CarriesTheLicencesOfWhatItHolds) {
   const std::string permission = "Permission is hereby granted, free of charge",
                     folder = "documentation/licenses/";
   EXPECT_EQ(entries[folder + "drape.txt"], bytes_of(DRAPE_LICENSE));
+  EXPECT_NE(bytes_of(DRAPE_LICENSE).find(description::kCopyright), std::string::npos);
   EXPECT_NE(entries[folder + "tomlplusplus.txt"].find("Mark Gillard"), std::string::npos);
   EXPECT_NE(entries[folder + "tomlplusplus.txt"].find(permission), std::string::npos);
   EXPECT_NE(entries[folder + "gcc.txt"].find("GCC RUNTIME LIBRARY EXCEPTION"), std::string::npos);

@@ -20,6 +20,8 @@ struct Reader {
   const char* file;                // its name in the folder
   std::vector<const char*> seeds;  // files and folders below the root of the repository
   void (*run)(const std::filesystem::path& file, Outcome& outcome);
+  // Makes further seeds; may be null.
+  void (*seeds_make)(const std::filesystem::path& work, std::vector<std::string>& corpus) = nullptr;
 };
 const std::vector<Reader>& readers();
 

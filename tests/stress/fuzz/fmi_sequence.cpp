@@ -192,11 +192,38 @@ void states(Sequence& s, Slave& slave) {
   }
 }
 
+// A saved state as bytes, whole or damaged, for this slave or the other. Restored, it gives the outputs that
+// it was saved with.
+void serialize(Sequence& s, Slave& slave) {
+  if (slave.saved.empty()) return;
+  const Slave::Saved saved = slave.saved[s.random.below(slave.saved.size())];
+  std::size_t size = 0;
+  if (CALL(fmi2SerializedFMUstateSize, saved.state, s.random.chance(40) ? nullptr : &size) != fmi2OK) return;
+  const bool enough = !s.random.chance(12);
+  std::vector<fmi2Byte> bytes(enough ? size : s.random.below(size));
+  const bool missing = s.random.chance(40);
+  const fmi2Status written =
+      CALL(fmi2SerializeFMUstate, saved.state, missing ? nullptr : bytes.data(), bytes.size());
+  if (written == fmi2OK && !enough) s.outcome.faults.push_back("a state was written to too small a place");
+  bool damaged = written != fmi2OK;
+  if (s.random.chance(3) && !bytes.empty()) {
+    damaged = true;
+    bytes[s.random.below(bytes.size())] ^= fmi2Byte(1u << s.random.below(8));
+    if (s.random.chance(3)) bytes.resize(s.random.below(bytes.size()));
+  }
+  Slave& taker = s.slave[s.random.chance(2) ? 1 : 0];
+  if (!taker.component) return;
+  Slave::Saved read{nullptr, saved.outputs};
+  const fmi2Status status =
+      called(s, taker, "fmi2DeSerializeFMUstate",
+             fmi2DeSerializeFMUstate(taker.component, bytes.data(), bytes.size(), &read.state));
+  if (status == fmi2OK && damaged) s.outcome.faults.push_back("damaged bytes were taken for a state");
+  if (status != fmi2OK && !damaged) s.outcome.faults.push_back("whole bytes were refused");
+  if (status == fmi2OK) taker.saved.push_back(read);
+}
+
 // Calls that the FMU offers to nobody: each is an error, whatever bytes and places it is given.
 void absent(Sequence& s, Slave& slave) {
-  fmi2FMUstate state = nullptr;
-  std::size_t size = s.random.below(10000);
-  std::vector<fmi2Byte> bytes(size, fmi2Byte(s.random.below(256)));
   double value[4] = {NAN, 1, 2, 3};
   fmi2EventInfo info{};
   const fmi2ValueReference reference[2] = {reference_draw(s), reference_draw(s)};
@@ -205,32 +232,20 @@ void absent(Sequence& s, Slave& slave) {
       s.outcome.faults.push_back(std::string(name) + " is no error");
   };
   const fmi2Component c = slave.component;
-  switch (s.random.below(12)) {
+  switch (s.random.below(8)) {
     case 0:
-      return refused(
-          fmi2SerializedFMUstateSize(c, slave.saved.empty() ? nullptr : slave.saved[0].state, &size), "size");
-    case 1:
-      return refused(
-          fmi2SerializeFMUstate(c, slave.saved.empty() ? nullptr : slave.saved[0].state, bytes.data(), size),
-          "serialize");
-    case 2:
-    case 3:
-      return refused(
-          fmi2DeSerializeFMUstate(c, bytes.data(), s.random.chance(2) ? size : std::size_t(-1), &state),
-          "deserialize");
-    case 4:
       return refused(fmi2GetDirectionalDerivative(c, reference, 2, reference, 2, value, value), "derivative");
-    case 5:
+    case 1:
       return refused(fmi2CancelStep(c), "cancel");
-    case 6:
+    case 2:
       return refused(fmi2EnterEventMode(c), "event mode");
-    case 7:
+    case 3:
       return refused(fmi2NewDiscreteStates(c, &info), "discrete states");
-    case 8:
+    case 4:
       return refused(fmi2SetTime(c, NAN), "time");
-    case 9:
+    case 5:
       return refused(fmi2SetContinuousStates(c, value, 4), "continuous states");
-    case 10:
+    case 6:
       return refused(fmi2GetDerivatives(c, value, 4), "derivatives");
     default:
       return refused(fmi2GetContinuousStates(c, nullptr, 4), "states");
@@ -297,6 +312,7 @@ constexpr Action kActions[] = {{setup, 1},
                                {set_reals, 6},
                                {other_types, 1},
                                {states, 3},
+                               {serialize, 2},
                                {absent, 1},
                                {status_ask, 1},
                                {logging, 1},

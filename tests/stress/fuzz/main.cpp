@@ -5,8 +5,8 @@
 //     drape_fuzz KIND --file FILE          reads this file once
 //     drape_fuzz fmi [--scene NAME] ...    sequences with this scene only
 //
-// KIND: scene, fabric, obj, stl, stl_binary, pattern, inputs, fmi; or all, files, touching (of fmi, scenes
-// with bodies or self-contact). Exits with 1 after a fault.
+// KIND: scene, fabric, obj, stl, stl_binary, pattern, inputs, state, fmi; or all, files, touching (of fmi,
+// scenes with bodies or self-contact). Exits with 1 after a fault.
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
@@ -116,6 +116,7 @@ Tally files_fuzz(const Reader& reader, const Options& options) {
   fs::create_directories(kept), fs::create_directories(faulty);
   std::vector<std::string> corpus;
   for (const char* seeds : reader.seeds) corpus_add(fs::path(DRAPE_SOURCE_DIR) / seeds, extension, corpus);
+  if (reader.seeds_make) reader.seeds_make(options.work, corpus);
   corpus_add(kept, extension, corpus);
   Random random{std::mt19937_64(options.seed)};
   std::set<std::string> shapes;

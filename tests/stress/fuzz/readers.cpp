@@ -14,6 +14,7 @@
 #include "drape/drape.h"
 #include "scene/diagnostics.h"
 #include "scene/reader/read.h"
+#include "states.h"
 #include "validation/load.h"
 #include "variables.h"
 
@@ -192,6 +193,7 @@ const std::vector<Reader>& readers() {
        {"examples/imported", "tests/stress/fuzz/seeds/pattern"},
        pattern_run},
       {"inputs", Form::kText, "inputs.csv", {"tests/stress/fuzz/seeds/inputs"}, inputs_run},
+      {"state", Form::kBinary, "saved.state", {}, state_run, states_corpus},
   };
   return all;
 }

@@ -56,6 +56,21 @@ TEST(SceneRead, EveryKeyIsRead) {
   EXPECT_EQ(s.probes[0].at, (Vec2{0.2, 0}));
 }
 
+TEST(SceneRead, WhatTheSceneSaysOfItself) {
+  const SceneFolder folder;
+  std::string text = kScene;
+  text.insert(text.find("duration"),
+              "description = \"A sheet\"\nauthor = \"Ada\"\nversion = \"3\"\ncopyright = \"(c)\"\nlicense = "
+              "\"CC0\"\n");
+  const About about = scene_of(folder, text).about;
+  EXPECT_EQ(about.description, "A sheet");
+  EXPECT_EQ(about.author, "Ada");
+  EXPECT_EQ(about.version, "3");
+  EXPECT_EQ(about.copyright, "(c)");
+  EXPECT_EQ(about.license, "CC0");
+  EXPECT_EQ(scene_of(folder, kScene).about.author, "");
+}
+
 TEST(SceneRead, EveryKeyOfAClothIsRead) {
   const SceneFolder folder;
   const Scene s = scene_of(folder, kCloth);
