@@ -18,8 +18,9 @@ const Case kKeys[] = {
     {"unknown_key_near_none",
      "damping = ",
      "colour = ",
-     {"scene.toml:8: scene.colour is no known key; known: name, duration, gravity, integrator, step, "
-      "communication, damping, energy, wind, mode, order, self_contact, imperfection"}},
+     {"scene.toml:8: scene.colour is no known key; known: name, description, author, version, copyright, "
+      "license, duration, gravity, integrator, step, communication, damping, energy, wind, mode, order, "
+      "self_contact, imperfection"}},
     {"neighbours_exchanged",
      "edges = [2]",
      "egdes = [2]",
