@@ -55,7 +55,7 @@ state::Seal seal_of(drape_cloth& c) {
 // Where forces depend on velocity at the parameters that c.parameters holds.
 bool parameters_have_rates(const drape_cloth& c) {
   const drape_parameters& p = c.parameters.c_view;
-  bool rates = p.has_air && (p.air_normal > 0 || p.air_tangential > 0);
+  bool rates = p.air_normal > 0 || p.air_tangential > 0;  // as parameters_apply gives them to the system
   for (const model::Lattice& l : c.system.lattices) rates = rates || p.fabric[l.fabric].damping > 0;
   return rates;
 }

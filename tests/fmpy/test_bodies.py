@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from bodies import sheet_over_ball
 from fmpy.validation import validate_fmu
-from master import WARNING, Instance, same_bits
+from master import Instance, same_bits
 from scenes import read_csv, swinging_sheet
 
 CONTACT = {"libdrape_contact.so", "libfcl.so.0.7", "libccd.so.2", "liboctomap.so.1.9", "liboctomath.so.1.9"}
@@ -107,9 +107,9 @@ def test_an_orientation_of_zeros_keeps_the_old_one(pack, tmp_path):
             each.initialize().drive({"body.ball.orientation": [1, 0, 0, 1]})
             assert each.step(1e-3) == 0
         cloth.log.clear(), connected.log.clear()
-        for status in (WARNING, 0, 0):  # told once
+        for _ in range(3):  # told once
             cloth.drive({"body.ball.orientation": [0, 0, 0, 0]})
-            assert cloth.step(1e-3) == status
+            assert cloth.step(1e-3) == 0  # FMPy passes a warning on by its log alone
             assert connected.step(1e-3) == 0
         assert same_bits(cloth.nodes(), connected.nodes())
         told = [message for log in (cloth.log, connected.log) for _, category, message in log if category == "logStatusWarning"]
