@@ -133,11 +133,9 @@ def test_no_inputs_without_drive_and_air(pack):
 def test_orientation_of_length_zero(pack):
     with Instance(pack(driven_sheet())) as cloth:
         cloth.initialize().run(0.002, 0.001)
-        before = cloth.get("probe.tip.position[1]")
         assert cloth.set("pin.pole.orientation[1]", 0.0) == OK
         cloth.log.clear()
-        assert cloth.step(0.001) == DISCARD
-        assert len([m for status, _, m in cloth.log if status >= DISCARD]) == 1
-        assert same_bits(before, cloth.get("probe.tip.position[1]"))
+        assert cloth.step(0.001) == OK
+        assert [category for _, category, _ in cloth.log] == ["logStatusWarning"]
         assert cloth.get("pin.pole.orientation[1]")[0] == 1.0
         assert cloth.step(0.001) == OK
