@@ -202,14 +202,14 @@ Advance interval_watched(const System& system, Motion& motion, State& s, double 
   };
   const bool repeats = guard_watches(system, s) && system.step_given == 0 && steps() >= s.guard.period;
   if (repeats) motion.before = s;
-  const double refinement = s.guard.refinement;
+  const double refinement = s.guard.refinement, known = guard_missing(system, s);  // before the interval
   for (double failed = INFINITY;;) {
     const Advance how = interval_run(system, motion, s, {length, steps()}, event);
     if (how != Advance::kDone) return how;
     const Guard guard = guard_check(system, motion, s, length);
     if (guard == Guard::kLost) return Advance::kEnergyLost;
     if (guard == Guard::kKept || system.step_given > 0) return Advance::kDone;
-    const double missing = guard_missing(system, s);
+    const double missing = guard_missing(system, s) - known;
     if (missing > kGuardHelps * failed) guard_accept(system, s, refinement);
     if (missing > kGuardHelps * failed ||
         !guard_refine(system, repeats ? motion.before : s, failed < INFINITY))
