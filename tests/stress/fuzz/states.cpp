@@ -20,10 +20,15 @@ namespace fs = std::filesystem;
 constexpr const char* kScenes[] = {"driven", "sewn", "fitted", "order_4", "bodies_and_self_contact"};
 constexpr double kMaxSteps = 1000;  // in an interval; states with more are read, but not moved on
 
+struct CloseCloth {
+  void operator()(drape_cloth* cloth) const { drape_close(cloth); }
+};
 struct Subject {
-  drape_cloth* cloth = nullptr;
+  std::unique_ptr<drape_cloth, CloseCloth> owner;
   std::string bytes;  // of its own state, some intervals after the start
   state::Seal seal;
+
+  drape_cloth* cloth() const { return owner.get(); }
 };
 Outcome* present = nullptr;  // of the case under way
 
@@ -53,24 +58,24 @@ std::map<std::string, Subject>& subjects() {
 }
 
 bool restore(const Subject& subject, const std::string& bytes) {
-  drape_snapshot* read = drape_snapshot_read(subject.cloth, bytes.data(), bytes.size());
+  drape_snapshot* read = drape_snapshot_read(subject.cloth(), bytes.data(), bytes.size());
   if (!read) return false;
-  drape_restore(subject.cloth, read);
+  drape_restore(subject.cloth(), read);
   drape_snapshot_free(read);
   return true;
 }
 
 // What a master would do next.
 void go_on(const Subject& subject, Outcome& outcome) {
-  const double q = drape_communication(subject.cloth);
-  if (!(q / drape_progress_of(subject.cloth).step_size <= kMaxSteps)) return;
-  drape_get_outputs(subject.cloth, DRAPE_OUT_ALL);
+  const double q = drape_communication(subject.cloth());
+  if (!(q / drape_progress_of(subject.cloth()).step_size <= kMaxSteps)) return;
+  drape_get_outputs(subject.cloth(), DRAPE_OUT_ALL);
   for (int k = 0; k < 3; ++k) {
     const std::size_t before = outcome.sentences.size();
-    if (drape_advance(subject.cloth, q) != DRAPE_OK && outcome.sentences.size() == before)
+    if (drape_advance(subject.cloth(), q) != DRAPE_OK && outcome.sentences.size() == before)
       outcome.faults.push_back("an advance failed without a sentence");
   }
-  drape_get_outputs(subject.cloth, DRAPE_OUT_ALL);
+  drape_get_outputs(subject.cloth(), DRAPE_OUT_ALL);
 }
 
 }  // namespace
@@ -84,13 +89,13 @@ void states_corpus(const fs::path& work, std::vector<std::string>& corpus) {
     Subject& subject = subjects()[name];
     const fs::path scene = folder / (std::string(name) + ".toml");
     fs::copy_file(seeds / "fmi" / scene.filename(), scene, fs::copy_options::overwrite_existing);
-    subject.cloth = drape_open(scene.c_str(), log_take, nullptr);
-    if (!subject.cloth) throw std::runtime_error("cannot open " + scene.string());
-    drape_parameters_of(subject.cloth)->ramp = 40 * drape_communication(subject.cloth);
-    drape_parameters_of(subject.cloth)->gravity[0] = 1;
+    subject.owner.reset(drape_open(scene.c_str(), log_take, nullptr));
+    if (!subject.cloth()) throw std::runtime_error("cannot open " + scene.string());
+    drape_parameters_of(subject.cloth())->ramp = 40 * drape_communication(subject.cloth());
+    drape_parameters_of(subject.cloth())->gravity[0] = 1;
     for (int k = 0; k < 30; ++k) {
-      drape_advance(subject.cloth, drape_communication(subject.cloth));
-      if (k % 15 == 14) corpus.push_back(bytes_of(subject.cloth));
+      drape_advance(subject.cloth(), drape_communication(subject.cloth()));
+      if (k % 15 == 14) corpus.push_back(bytes_of(subject.cloth()));
     }
     subject.bytes = corpus.back();
     subject.seal = seal_of(subject.bytes);
@@ -120,7 +125,7 @@ void state_run(const fs::path& file, Outcome& outcome) {
                              " sentences");
   }
   // Whatever came of it, the cloth takes back its own state, of which nothing is lost.
-  if (!restore(*subject, subject->bytes) || bytes_of(subject->cloth) != subject->bytes)
+  if (!restore(*subject, subject->bytes) || bytes_of(subject->cloth()) != subject->bytes)
     outcome.faults.push_back("the cloth does not return to its own state");
   present = nullptr;
 }
