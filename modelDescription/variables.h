@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "drape/drape.h"
+#include "scene/limits.h"
 
 namespace drape::description {
 
@@ -17,7 +18,7 @@ enum class Variability { kFixed, kTunable, kDiscrete, kContinuous };
 // What a variable is for a master. A Boolean is 0 or 1 here.
 enum class Type { kReal, kInteger, kBoolean, kMode };
 inline constexpr const char* kTypeNames[] = {"Real", "Integer", "Boolean", "Enumeration"};
-inline constexpr const char* kModeNames[] = {"dynamic", "fit"};  // items 1 and 2 of the enumeration `mode`
+using scene::kModeNames;  // items 1 and 2 of the enumeration `mode`
 
 // What a variable does before the first step: a parameter or input acts on the outputs, or an output depends
 // on the parameters that act, or on the wind too.

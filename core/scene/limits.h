@@ -49,6 +49,8 @@ inline constexpr Quantity kBending{"bending", 0, kSpecimenRigidity.high / kSpeci
 inline constexpr Quantity kCommunication{"communication", 1e-9, 1e3, false, "s"};
 inline constexpr Quantity kStepMax{"step.max", kCommunication.low, kCommunication.high, false, "s"};
 
+inline constexpr const char* kModeNames[] = {"dynamic", "fit"};  // of scene.mode, in the order of Mode
+
 inline constexpr Quantity kThreads{"threads", 1, 64, false, "1", true};
 
 }  // namespace drape::scene

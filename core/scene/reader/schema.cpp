@@ -37,7 +37,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"scene.damping", &s.damping, kOptional, range_of(kDamping), "1/s"},
       {"scene.energy", Flag{&s.energy}},
       {"scene.wind", &s.wind, kOptional, range_of(kWind), "m/s"},
-      {"scene.mode", Choice{{"dynamic", "fit"}, [&s](int k) { s.mode = Mode(k); }}},
+      {"scene.mode", Choice{{kModeNames[0], kModeNames[1]}, [&s](int k) { s.mode = Mode(k); }}},
       {"scene.order", OneOf{{2, 4, 6}, &s.order}},
       {"scene.self_contact", Flag{&s.self_contact}},
       {"scene.imperfection.amplitude", &s.imperfection_amplitude, kRequired, {0, 1, kAbove}, "m"},
