@@ -121,16 +121,16 @@ const void* drape_snapshot_attached(const drape_snapshot* s, size_t* size) {
 }
 
 size_t drape_snapshot_size(const drape_snapshot* s) {
-  state::Sizer sizer{state::kHeaderSize};
-  sizer.value(*s);
-  return sizer.size;
+  state::Encoder<state::Counted> counter{{state::kHeaderSize}};
+  counter.value(*s);
+  return counter.bytes.size;
 }
 
 void drape_snapshot_write(drape_cloth* c, const drape_snapshot* s, void* to) {
   auto* bytes = static_cast<unsigned char*>(to);
-  state::Writer writer{bytes + state::kHeaderSize};
+  state::Encoder<state::Written> writer{{bytes + state::kHeaderSize}};
   writer.value(*s);
-  state::seal_write(bytes, std::size_t(writer.at - bytes), seal_of(*c));
+  state::seal_write(bytes, std::size_t(writer.bytes.at - bytes), seal_of(*c));
 }
 
 drape_snapshot* drape_snapshot_read(drape_cloth* c, const void* from, size_t size) {

@@ -59,48 +59,35 @@ constexpr bool is_plain() {
   else return false;
 }
 
-// The number of bytes.
-struct Sizer {
+// Where bytes go: counted, or written one after the other.
+struct Counted {
   std::size_t size = 0;
-  template <class T>
-  void value(const T& v) {
-    if constexpr (is_plain<T>()) {
-      size += sizeof(T);
-    } else if constexpr (ListOf<T>::value) {
-      size += sizeof(std::uint64_t);
-      if constexpr (is_plain<typename ListOf<T>::Element>()) size += v.size() * sizeof(v[0]);
-      else
-        for (const auto& element : v) value(element);
-    } else if constexpr (SharedOf<T>::value) {
-      size += 1;
-      if (v) value(*v);
-    } else if constexpr (FixedArray<T>) {
-      for (const auto& element : v) value(element);
-    } else {
-      std::apply([&](const auto&... field) { (value(field.value), ...); },
-                 Table<std::remove_const_t<T>>::of(v));
-    }
+  void raw(const void*, std::size_t bytes) { size += bytes; }
+};
+struct Written {
+  unsigned char* at;
+  void raw(const void* from, std::size_t bytes) {
+    if (bytes > 0) std::memcpy(at, from, bytes);
+    at += bytes;
   }
 };
 
-struct Writer {
-  unsigned char* at;
-  void raw(const void* from, std::size_t size) {
-    if (size > 0) std::memcpy(at, from, size);
-    at += size;
-  }
+template <class Bytes>
+struct Encoder {
+  Bytes bytes;
   template <class T>
   void value(const T& v) {
     if constexpr (is_plain<T>()) {
-      raw(&v, sizeof(T));
+      bytes.raw(&v, sizeof(T));
     } else if constexpr (ListOf<T>::value) {
       const std::uint64_t count = v.size();
-      raw(&count, sizeof count);
-      if constexpr (is_plain<typename ListOf<T>::Element>()) raw(v.data(), v.size() * sizeof(v[0]));
+      bytes.raw(&count, sizeof count);
+      if constexpr (is_plain<typename ListOf<T>::Element>()) bytes.raw(v.data(), v.size() * sizeof(v[0]));
       else
         for (const auto& element : v) value(element);
     } else if constexpr (SharedOf<T>::value) {
-      *at++ = v ? 1 : 0;
+      const unsigned char present = v ? 1 : 0;
+      bytes.raw(&present, 1);
       if (v) value(*v);
     } else if constexpr (FixedArray<T>) {
       for (const auto& element : v) value(element);
@@ -111,7 +98,7 @@ struct Writer {
   }
 };
 
-// Reads what a Writer has written, and checks each length and each number. `problem` is empty, or the first
+// Reads what an Encoder has written, and checks each length and each number. `problem` is empty, or the first
 // fault; nothing is read after it. Lists that do not hold plain values keep their elements, which are read in
 // place.
 struct Reader {

@@ -15,11 +15,17 @@ fmi2Status no_string(Component& k, const fmi2ValueReference references[], size_t
              " names no String variable; allowed: none, as no variable is a String");
 }
 
+bool lists_given(size_t count, const void* references, const void* values) {
+  return count == 0 || (references && values);
+}
+fmi2Status no_lists(Component& k, const char* call) {
+  return component_discard(k, std::string(call) + ": the list of references or values is missing");
+}
+
 // Integers and Booleans, which are both int, through the numbers of the instance.
 fmi2Status numbers_get(Component& k, instance::As as, const char* call, const fmi2ValueReference vr[],
                        size_t count, int values[]) {
-  if (count > 0 && (!vr || !values))
-    return component_discard(k, std::string(call) + ": the list of references or values is missing");
+  if (!lists_given(count, vr, values)) return no_lists(k, call);
   std::vector<double> numbers(count);
   const fmi2Status status = status_fmi2(instance::instance_get(*k.instance, as, vr, count, numbers.data()));
   for (size_t i = 0; i < count && status == fmi2OK; ++i) values[i] = int(numbers[i]);
@@ -27,8 +33,7 @@ fmi2Status numbers_get(Component& k, instance::As as, const char* call, const fm
 }
 fmi2Status numbers_set(Component& k, instance::As as, const char* call, const fmi2ValueReference vr[],
                        size_t count, const int values[]) {
-  if (count > 0 && (!vr || !values))
-    return component_discard(k, std::string(call) + ": the list of references or values is missing");
+  if (!lists_given(count, vr, values)) return no_lists(k, call);
   const std::vector<double> numbers(values, values + count);
   return status_fmi2(instance::instance_set(*k.instance, as, vr, count, numbers.data()));
 }
@@ -41,16 +46,14 @@ using namespace drape::fmi2;
 
 fmi2Status fmi2GetReal(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, fmi2Real value[]) {
   return gate(c, rule_of("fmi2GetReal"), [&](Component& k) {
-    if (nvr > 0 && (!vr || !value))
-      return component_discard(k, "fmi2GetReal: the list of references or values is missing");
+    if (!lists_given(nvr, vr, value)) return no_lists(k, "fmi2GetReal");
     return status_fmi2(instance::instance_get(*k.instance, instance::As::kReal, vr, nvr, value));
   });
 }
 
 fmi2Status fmi2SetReal(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, const fmi2Real value[]) {
   return gate(c, rule_of("fmi2SetReal"), [&](Component& k) {
-    if (nvr > 0 && (!vr || !value))
-      return component_discard(k, "fmi2SetReal: the list of references or values is missing");
+    if (!lists_given(nvr, vr, value)) return no_lists(k, "fmi2SetReal");
     return status_fmi2(instance::instance_set(*k.instance, instance::As::kReal, vr, nvr, value));
   });
 }

@@ -22,6 +22,10 @@ void save_into(Instance& instance, Saved& saved) {
   saved.read = instance.read | instance.read_before_saving;
   saved.derivatives_asked = instance.derivatives_asked;
   saved.history = instance.history;
+}
+
+// Before a saved state becomes bytes.
+void attach(const Saved& saved) {
   const Attached attached{double(unsigned(saved.phase)),
                           saved.stop_time,
                           double(saved.steps),
@@ -79,9 +83,14 @@ bool attached_read(const Instance& instance, Saved& saved) {
   return true;
 }
 
-auto find_saved(Instance& instance, const Saved* saved) {
-  return std::find_if(instance.saved.begin(), instance.saved.end(),
-                      [&](const auto& own) { return own.get() == saved; });
+// The place of a state among those of the instance. Refuses one that is not there; `purpose`: what it is for.
+auto find_saved(Instance& instance, const Saved* saved, const char* purpose) {
+  const auto own = std::find_if(instance.saved.begin(), instance.saved.end(),
+                                [&](const auto& one) { return one.get() == saved; });
+  if (own == instance.saved.end())
+    instance_refuse(instance, DRAPE_DISCARD,
+                    std::string("the state to ") + purpose + " is none of this instance's saved states");
+  return own;
 }
 
 }  // namespace
@@ -90,9 +99,7 @@ Saved* instance_save(Instance& instance, Saved* into) {
   if (!into) {
     instance.saved.push_back(std::make_unique<Saved>());
     into = instance.saved.back().get();
-  } else if (find_saved(instance, into) == instance.saved.end()) {
-    instance_refuse(instance, DRAPE_DISCARD,
-                    "the state to overwrite is none of this instance's saved states");
+  } else if (find_saved(instance, into, "overwrite") == instance.saved.end()) {
     return nullptr;
   }
   save_into(instance, *into);
@@ -100,28 +107,23 @@ Saved* instance_save(Instance& instance, Saved* into) {
 }
 
 drape_status instance_restore(Instance& instance, const Saved* saved) {
-  const auto own = find_saved(instance, saved);
-  if (own == instance.saved.end())
-    return instance_refuse(instance, DRAPE_DISCARD,
-                           "the state to restore is none of this instance's saved states");
+  const auto own = find_saved(instance, saved, "restore");
+  if (own == instance.saved.end()) return DRAPE_DISCARD;
   restore_from(instance, **own);
   return DRAPE_OK;
 }
 
 drape_status instance_forget(Instance& instance, const Saved* saved) {
-  const auto own = find_saved(instance, saved);
-  if (own == instance.saved.end())
-    return instance_refuse(instance, DRAPE_DISCARD,
-                           "the state to free is none of this instance's saved states");
+  const auto own = find_saved(instance, saved, "free");
+  if (own == instance.saved.end()) return DRAPE_DISCARD;
   drape_snapshot_free((*own)->cloth);
   instance.saved.erase(own);
   return DRAPE_OK;
 }
 
 drape_status instance_bytes_size(Instance& instance, const Saved* saved, std::size_t* size) {
-  if (find_saved(instance, saved) == instance.saved.end())
-    return instance_refuse(instance, DRAPE_DISCARD,
-                           "the state to write is none of this instance's saved states");
+  if (find_saved(instance, saved, "write") == instance.saved.end()) return DRAPE_DISCARD;
+  attach(*saved);
   *size = drape_snapshot_size(saved->cloth);
   return DRAPE_OK;
 }
