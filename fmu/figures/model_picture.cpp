@@ -5,10 +5,12 @@
 #include <limits>
 
 #include "figures/png.h"
-#include "scene/scene.h"
+#include "math/vector3.h"
 
 namespace drape::figures {
 namespace {
+
+using namespace math::vector3;
 
 constexpr int kWidth = 480, kHeight = 360, kMargin = 12;  // pixels
 constexpr int kSamples = 2;                               // along either side of a pixel
@@ -19,16 +21,6 @@ struct Colour {
 constexpr Colour kBody{0.72, 0.72, 0.74};
 constexpr Colour kPieces[] = {{0.36, 0.52, 0.74}, {0.80, 0.55, 0.36}, {0.45, 0.65, 0.45},
                               {0.62, 0.47, 0.68}, {0.75, 0.68, 0.38}, {0.42, 0.64, 0.68}};
-
-double dot_of(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vec3 minus(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vec3 cross_of(const Vec3& a, const Vec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Vec3 unit(const Vec3& a) {
-  const double length = std::sqrt(dot_of(a, a));
-  return length > 0 ? Vec3{a[0] / length, a[1] / length, a[2] / length} : Vec3{0, 0, 0};
-}
 
 struct Triangle {
   Vec3 corner[3];  // m
@@ -45,7 +37,8 @@ void pieces_add(drape_cloth* cloth, std::vector<Triangle>& triangles) {
       for (int k = 0; k < (point < 0 ? 1 : 4); ++k) {
         const int n = point < 0 ? corner : piece.point_node[4 * point + k];
         const double weight = point < 0 ? 1 : piece.point_weight[4 * point + k];
-        for (std::size_t i = 0; i < 3; ++i) sum[i] += weight * node[3 * std::size_t(n) + i];
+        const double* const at = node + 3 * std::size_t(n);
+        sum += weight * Vec3{at[0], at[1], at[2]};
       }
       return sum;
     };
@@ -77,16 +70,14 @@ struct Camera {
 
 // Up is against gravity; the eye is in front, to the right and above.
 Camera camera_make(const double gravity[3]) {
-  Vec3 up = unit({-gravity[0], -gravity[1], -gravity[2]});
-  if (dot_of(up, up) == 0) up = {0, 0, 1};
+  Vec3 up = unit(Vec3{-gravity[0], -gravity[1], -gravity[2]});
+  if (dot(up, up) == 0) up = {0, 0, 1};
   const bool y_up = std::abs(up[1]) > 0.7;
   const Vec3 front = y_up ? Vec3{0, 0, 1} : Vec3{0, -1, 0};
-  const Vec3 side = unit(cross_of(up, front));
-  Vec3 eye{};
-  for (std::size_t k = 0; k < 3; ++k) eye[k] = front[k] + 0.55 * side[k] + 0.5 * up[k];
-  eye = unit(eye);
-  const Vec3 right = unit(cross_of(up, eye));
-  return {right, cross_of(eye, right), eye};
+  const Vec3 side = unit(cross(up, front));
+  const Vec3 eye = unit(front + 0.55 * side + 0.5 * up);
+  const Vec3 right = unit(cross(up, eye));
+  return {right, cross(eye, right), eye};
 }
 
 // Draws triangles nearest to the eye first, by a depth for each sample.
@@ -128,7 +119,7 @@ void triangles_draw(Canvas& canvas, const Camera& camera, const std::vector<Tria
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double low[2] = {kInfinity, kInfinity}, high[2] = {-kInfinity, -kInfinity};
   const auto seen = [&](const Vec3& at) {
-    return Vec3{dot_of(at, camera.right), -dot_of(at, camera.up), dot_of(at, camera.eye)};
+    return Vec3{dot(at, camera.right), -dot(at, camera.up), dot(at, camera.eye)};
   };
   for (const Triangle& t : triangles)
     for (const Vec3& corner : t.corner)
@@ -138,9 +129,9 @@ void triangles_draw(Canvas& canvas, const Camera& camera, const std::vector<Tria
                                            (kHeight - 2 * kMargin) / std::max(high[1] - low[1], 1e-9));
   const Vec3 light = unit({0.3, 0.5, 0.8});  // in the axes of the picture
   for (const Triangle& t : triangles) {
-    const Vec3 n = unit(cross_of(minus(t.corner[1], t.corner[0]), minus(t.corner[2], t.corner[0])));
-    const double lit = std::abs(dot_of(n, camera.right) * light[0] + dot_of(n, camera.up) * light[1] +
-                                dot_of(n, camera.eye) * light[2]),
+    const Vec3 n = unit(cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]));
+    const double lit = std::abs(dot(n, camera.right) * light[0] + dot(n, camera.up) * light[1] +
+                                dot(n, camera.eye) * light[2]),
                  shade = 0.45 + 0.55 * lit;
     Vec3 p[3];
     for (int c = 0; c < 3; ++c) {
