@@ -17,17 +17,8 @@ constexpr double kSpeed = 0.5, kTime = 0.2;  // m/s, reached within this time, s
 double place_at(double t) { return t < kTime ? kSpeed * t * t / (2 * kTime) : kSpeed * (t - kTime / 2); }
 double speed_at(double t) { return t < kTime ? kSpeed * t / kTime : kSpeed; }
 
-struct Told {
-  std::vector<std::string> errors, warnings;
-};
-void on_told(void* user, drape_log_kind kind, const char* message) {
-  Told& told = *static_cast<Told*>(user);
-  if (kind == DRAPE_LOG_ERROR) told.errors.emplace_back(message);
-  if (kind == DRAPE_LOG_WARNING) told.warnings.emplace_back(message);
-}
-
 // Cloth of 0.1 m x 0.1 m lies on a belt with a coefficient of friction of 0.8; body_keys are the belt's.
-Cloth open_ride(const SceneFolder& folder, Told& told, const std::string& body_keys) {
+Cloth open_ride(const SceneFolder& folder, Logged& told, const std::string& body_keys) {
   std::string mesh;
   for (const char* p : {"-0.2 -0.2 -0.05", "0.6 -0.2 -0.05", "0.6 0.2 -0.05", "-0.2 0.2 -0.05", "-0.2 -0.2 0",
                         "0.6 -0.2 0", "0.6 0.2 0", "-0.2 0.2 0"})
@@ -61,7 +52,7 @@ mesh = "belt.obj"
 moves = true
 )" + body_keys)
                               .c_str(),
-                          on_told, &told));
+                          on_message, &told));
 }
 
 // How far the cloth has slid on the belt after 0.4 s, m.
@@ -88,7 +79,7 @@ TEST(BodyDrive, ClothRidesWhateverTheBodyIsMovedBy) {
                      {"drive = \"velocity\"\n", false, true},
                      {"drive = \"both\"\n", true, true}};
   for (const auto& of : cases) {
-    Told told;
+    Logged told;
     const Cloth c = open_ride(folder, told, of.keys);
     ASSERT_TRUE(c) << told.errors[0];
     const int bits = drape_inputs_of(c.get())->body[0].drive;
@@ -102,14 +93,14 @@ TEST(BodyDrive, ClothRidesWhateverTheBodyIsMovedBy) {
 // Positions every 10 ms: the belt's speed changes by 2.5 % of its last at each of them.
 TEST(BodyDrive, ClothRidesOnPositionsFarApart) {
   const SceneFolder folder;
-  Told told;
+  Logged told;
   const Cloth c = open_ride(folder, told, "");
   EXPECT_LE(std::abs(slid(c, 0.01, true, false)), 2e-3);
 }
 
 TEST(BodyDrive, ReportsOnceThatPositionsAndVelocitiesContradictEachOther) {
   const SceneFolder folder;
-  Told told;
+  Logged told;
   const Cloth c = open_ride(folder, told, "drive = \"both\"\n");
   slid(c, 0.01, true, false);
   ASSERT_EQ(told.warnings.size(), 1u);
@@ -118,7 +109,7 @@ TEST(BodyDrive, ReportsOnceThatPositionsAndVelocitiesContradictEachOther) {
 }
 
 // The belt turns about z by 0.02 rad in 10 ms: at 2 rad/s.
-std::size_t belt_turn(Told& told, double angular_velocity) {
+std::size_t belt_turn(Logged& told, double angular_velocity) {
   const SceneFolder folder;
   const Cloth c = open_ride(folder, told, "drive = \"both\"\n");
   drape_pin_input& in = drape_inputs_of(c.get())->body[0];
@@ -132,7 +123,7 @@ std::size_t belt_turn(Told& told, double angular_velocity) {
 }
 
 TEST(BodyDrive, ReportsOnceThatOrientationsAndAngularVelocitiesContradictEachOther) {
-  Told still, other, same;
+  Logged still, other, same;
   ASSERT_EQ(belt_turn(still, 0), 1u);
   EXPECT_NE(
       still.warnings[0].find("body.belt: its orientations turn it at 2 rad/s, its angular velocities at "
@@ -145,7 +136,7 @@ TEST(BodyDrive, ReportsOnceThatOrientationsAndAngularVelocitiesContradictEachOth
 
 TEST(BodyDrive, IsOfBodiesThatMove) {
   const SceneFolder folder;
-  Told told;
+  Logged told;
   EXPECT_FALSE(open_ride(folder, told,
                          "drive = \"both\"\n[[body]]\nname = \"table\"\nmesh = \"belt.obj\"\n"
                          "position = [0, 0, -1]\ndrive = \"position\"\n"));
@@ -156,7 +147,7 @@ TEST(BodyDrive, IsOfBodiesThatMove) {
 // A clamp along an edge, driven by both.
 TEST(PinDrive, ReportsOnceOfEachKindThatTheInputsContradictEachOther) {
   const SceneFolder folder;
-  Told told;
+  Logged told;
   const Cloth c(drape_open(folder
                                .write("scene.toml", R"(
 [scene]
@@ -181,7 +172,7 @@ hold = "clamp"
 drive = "both"
 )")
                                .c_str(),
-                           on_told, &told));
+                           on_message, &told));
   ASSERT_TRUE(c) << told.errors[0];
   drape_pin_input& in = drape_inputs_of(c.get())->pin[0];
   const double start = in.position[0];

@@ -14,11 +14,12 @@ struct Close {
 using Cloth = std::unique_ptr<drape_cloth, Close>;
 
 struct Logged {
-  std::vector<std::string> errors, events;
+  std::vector<std::string> errors, warnings, events;
 };
 inline void on_message(void* user, drape_log_kind kind, const char* message) {
   Logged& logged = *static_cast<Logged*>(user);
   if (kind == DRAPE_LOG_ERROR) logged.errors.push_back(message);
+  if (kind == DRAPE_LOG_WARNING) logged.warnings.push_back(message);
   if (kind == DRAPE_LOG_EVENT) logged.events.push_back(message);
 }
 

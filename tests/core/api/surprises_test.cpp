@@ -6,16 +6,7 @@
 namespace drape::tests {
 namespace {
 
-struct Warned : Logged {
-  std::vector<std::string> warnings;
-};
-void on_any(void* user, drape_log_kind kind, const char* message) {
-  Warned& warned = *static_cast<Warned*>(user);
-  on_message(&warned, kind, message);
-  if (kind == DRAPE_LOG_WARNING) warned.warnings.push_back(message);
-}
-
-Cloth open_scene(Warned& warned, const std::string& keys = "") {
+Cloth open_scene(Logged& warned, const std::string& keys = "") {
   const SceneFolder folder;
   return Cloth(drape_open(folder
                               .write("scene.toml", R"([scene]
@@ -38,11 +29,11 @@ hold = "clamp"
 drive = "position"
 )")
                               .c_str(),
-                          on_any, &warned));
+                          on_message, &warned));
 }
 
 TEST(Surprises, ADampingThatCutsTheStepIsTold) {
-  Warned warned;
+  Logged warned;
   const Cloth c = open_scene(warned);
   ASSERT_EQ(drape_advance(c.get(), 0.001), DRAPE_OK);
   EXPECT_FALSE(drape_surprised(c.get()));
@@ -59,7 +50,7 @@ TEST(Surprises, ADampingThatCutsTheStepIsTold) {
 }
 
 TEST(Surprises, WhatCutsTheStepLessIsNot) {
-  Warned warned;
+  Logged warned;
   const Cloth c = open_scene(warned);
   drape_parameters& p = *drape_parameters_of(c.get());
   p.fabric[0].areal_density /= 50;  // steps 7 times shorter
@@ -70,7 +61,7 @@ TEST(Surprises, WhatCutsTheStepLessIsNot) {
 }
 
 TEST(Surprises, FourZerosKeepTheOrientation) {
-  Warned warned;
+  Logged warned;
   const Cloth c = open_scene(warned), turned = open_scene(warned);
   for (int k = 0; k < 3; ++k) {
     double* q = drape_inputs_of(c.get())->pin[0].orientation;
@@ -90,7 +81,7 @@ TEST(Surprises, FourZerosKeepTheOrientation) {
 }
 
 TEST(Surprises, AnotherModeIsRefused) {
-  Warned warned;
+  Logged warned;
   const Cloth c = open_scene(warned), fit = open_scene(warned, "mode = \"fit\"\n");
   EXPECT_EQ(drape_parameters_of(c.get())->mode, DRAPE_MODE_DYNAMIC);
   EXPECT_EQ(drape_parameters_of(fit.get())->mode, DRAPE_MODE_FIT);
