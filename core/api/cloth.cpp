@@ -172,8 +172,7 @@ int drape_at_rest(const drape_cloth* c) { return c->state.relaxation.at_rest; }
 drape_unaccounted drape_energy_unaccounted(const drape_cloth* c) {
   const math::PlainEnvironment plain;
   const model::EnergyGuard& g = c->state.guard;
-  return {g.worst, std::max(g.largest, dynamics::guard_floor(c->system)), g.worst_time,
-          dynamics::kGuardAllowed};
+  return {g.worst, dynamics::guard_size(c->system, c->state), g.worst_time, dynamics::kGuardAllowed};
 }
 
 drape_status drape_start(drape_cloth* c, double time) {

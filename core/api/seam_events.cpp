@@ -41,8 +41,7 @@ bool seam_events_advance(drape_cloth& c) {
   bool changed = dynamics::seams_pull_begin(c.system, c.state);
   const std::vector<std::size_t> pairs = dynamics::seams_within_tolerance(c.system, c.state);
   if (!pairs.empty()) {
-    dynamics::guard_pause(c.system, c.motion, c.state, true);
-    dynamics::leapfrog_complete(c.system, c.motion, c.state);
+    dynamics::change_begin(c.system, c.motion, c.state, dynamics::Change::kRare);
     const double before = balance_error(c);
     dynamics::seams_weld(c.system, c.motion, c.state, pairs);
     if (c.state.steps == 0) dynamics::energy_begin(c.system, c.state);

@@ -153,13 +153,12 @@ void fixed_validate(const drape_cloth& c, const char* name, const char* unit, do
 
 // The mode of a scene does not change.
 void mode_validate(drape_cloth& c, std::vector<Problem>& problems) {
-  constexpr const char* kNames[] = {"dynamic", "fit"};
   const bool fit = c.scene.mode == scene::Mode::kFit;
   const double own = fit ? DRAPE_MODE_FIT : DRAPE_MODE_DYNAMIC;
   double& mode = c.parameters.c_view.mode;
   if (mode == own) return;
-  problems.push_back({"mode", "= " + number(mode) + "; allowed: " + number(own) + " (" + kNames[fit] +
-                                  "), the mode of the scene"});
+  problems.push_back({"mode", "= " + number(mode) + "; allowed: " + number(own) + " (" +
+                                  scene::kModeNames[fit] + "), the mode of the scene"});
   mode = own;
 }
 
@@ -189,9 +188,8 @@ void parameters_commit(drape_cloth& c, const ParameterValues& before, std::vecto
   if (parameters_read(c.parameters) == before) return;
   const ParameterValues in_force = c.tuning.in_force;
   const State untouched = c.state;
-  dynamics::guard_pause(c.system, c.motion, c.state, false);
   const double omega2_before = omega2_expected(c);
-  dynamics::leapfrog_complete(c.system, c.motion, c.state);
+  dynamics::change_begin(c.system, c.motion, c.state, dynamics::Change::kFrequent);
   const double error_before = balance_error(c);
   while (parameters_try(c, before, problems)) continue;
   slow_values_warn(c, before, omega2_before);
@@ -224,10 +222,7 @@ bool tuning_advance(drape_cloth& c, double intervals) {
   ramp_advance(ramp, intervals);
   const ParameterValues values = ramp_values(ramp);
   const bool moves = parameters_change_motion(c.parameters, c.tuning.in_force, values);
-  if (moves) {
-    dynamics::guard_pause(c.system, c.motion, c.state, false);
-    dynamics::leapfrog_complete(c.system, c.motion, c.state);
-  }
+  if (moves) dynamics::change_begin(c.system, c.motion, c.state, dynamics::Change::kFrequent);
   const double error_before = moves ? balance_error(c) : 0;
   std::vector<Problem> problems;
   values_apply(c, values, problems);

@@ -25,12 +25,6 @@ constexpr std::int64_t kIntervalsBeforeGrowth = 50, kStepsBeforeGrowth = 20000;
 constexpr double kLeastGrowth = 0.1;
 constexpr double kMargin = 0.9;  // of the allowed step, for the intervals after one in which it fell
 
-// Held points at the motions of the pins of a state.
-void refresh_held(Motion& motion, const State& s) {
-  held_refresh(motion.constraints, s, motion.held);
-  held_rates(motion.constraints, s, model::Pass::kSynchronous, motion.held);
-}
-
 // Allocates v_{n-3/2} where forces depend on velocity. While it is unknown, v_{n-1/2} stands for it.
 void rates_begin(const System& system, State& s) {
   const bool rates = model::system_has_rates(system);
@@ -210,16 +204,17 @@ Advance interval_watched(const System& system, Motion& motion, State& s, double 
     if (guard == Guard::kLost) return Advance::kEnergyLost;
     if (guard == Guard::kKept || system.step_given > 0) return Advance::kDone;
     const double missing = guard_missing(system, s) - known;
-    if (missing > kGuardHelps * failed) guard_accept(system, s, refinement);
-    if (missing > kGuardHelps * failed ||
-        !guard_refine(system, repeats ? motion.before : s, failed < INFINITY))
+    if (missing > kGuardHelps * failed) {
+      guard_accept(system, s, refinement);
       return Advance::kDone;
+    }
+    if (!guard_refine(system, repeats ? motion.before : s, failed < INFINITY)) return Advance::kDone;
     failed = missing;
     describe_step(event, "is refined, since energy is missing,", model::state_time(s, q),
                   q / double(s.steps_per_interval), s);
     if (!repeats) return Advance::kDone;
     s = motion.before;
-    refresh_held(motion, s);
+    held_follow(motion.constraints, s, motion.held);
   }
 }
 
@@ -280,7 +275,7 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   edge_half_kick_report(system, motion, s);
   path_follow(motion.path, 0, s);
   bodies_follow(motion.path, 0, s);
-  refresh_held(motion, s);
+  held_follow(motion.constraints, s, motion.held);
   const double before = jumps ? model::kinetic_energy(system, s) : 0;
   if (jumps) {
     constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
@@ -297,7 +292,7 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
 // Lets the system change before an interval. Where it has, targets and rates of held points are updated.
 void interval_open(Motion& motion, State& s, double intervals, const IntervalBegins& begins) {
   if (!begins || !begins(intervals)) return;
-  refresh_held(motion, s);
+  held_follow(motion.constraints, s, motion.held);
 }
 
 }  // namespace
@@ -323,7 +318,7 @@ Motion motion_make(const System& system) {
 void leapfrog_begin(const System& system, Motion& motion, State& s) {
   motion.inputs = inputs_at(s);
   motion.path.wind_from = motion.path.wind_to = s.wind;
-  refresh_held(motion, s);
+  held_follow(motion.constraints, s, motion.held);
   constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
                       nullptr);
   rates_begin(system, s);

@@ -78,10 +78,9 @@ using IntervalBegins = std::function<bool(double intervals)>;
 // Advances by `length` > 0 (s): whole communication intervals of q on the grid, or one interval of that
 // length. Each interval of q has state.steps_per_interval steps. The number doubles when the step limit
 // falls, and is chosen anew after 100 intervals without a change. kStepAboveLimit: the step limit fell below
-// a given step. kTooManySteps: the automatic step fell below q / kMaxStepsPerInterval. kEnergyLost:
-// the energy guard misses ten times what a run may lose. kNotFinite: the run
-// left the finite numbers; the caller holds the state from before. `event` receives a sentence when the step
-// changed.
+// a given step. kTooManySteps: the automatic step fell below q / kMaxStepsPerInterval. kEnergyLost: the
+// energy guard misses ten times what a run may lose. kNotFinite: the run left the finite numbers; the caller
+// holds the state from before. `event` receives a sentence when the step changed.
 Advance leapfrog_advance(const System& system, Motion& motion, State& state, double length,
                          std::string& event, const IntervalBegins& interval_begins = {});
 

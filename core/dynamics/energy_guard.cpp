@@ -69,20 +69,17 @@ double energy_size(const drape_energy& e, const State& s) {
          std::abs(s.drive_work);
 }
 
-double size_of(const System& system, const model::EnergyGuard& g) {
-  return std::max(g.largest, guard_floor(system));
+// J, the least that the largest energy counts as.
+double size_floor(const System& system) {
+  double mass = 0, area = 0;
+  for (std::size_t n : system.particle) mass += system.mass[n], area += system.area[n];
+  return mass * std::sqrt(area) *
+         std::max(kFloor * math::vector3::norm(system.gravity), kFloorWithoutGravity);
 }
 
 // J, of what damping takes.
 double unknown(const model::EnergyGuard& g) {
   return kDeviations * std::sqrt(g.variance) + kSampling * g.damped;
-}
-
-// J, of the missing energy that stands out from what is not known. Damping along links and still air only
-// take energy, and how much is not known.
-double missing_of(const System& system, const model::EnergyGuard& g) {
-  if (model::system_has_rates(system) && g.unaccounted < 0) return 0;
-  return std::max(std::abs(g.unaccounted) - unknown(g), 0.0);
 }
 
 void worst_update(model::EnergyGuard& g, double missing, double time) {
@@ -97,16 +94,30 @@ void account(const System& system, const Sight& sight, State& s, double length) 
   guard_damped(system, s, s.h_old, sight.energy.kinetic);
   g.largest = std::max(g.largest, energy_size(sight.energy, s));
   g.unaccounted = sight.balance + g.damped - g.balance;
-  worst_update(g, missing_of(system, g), model::state_time(s, system.communication) + length);
+  worst_update(g, guard_missing(system, s), model::state_time(s, system.communication) + length);
+}
+
+// Ends the balance. Where it began a short time ago and changes are not rare, what is missing since is not
+// found, and the next balance begins later.
+void guard_pause(const System& system, Motion& motion, State& s, bool rare) {
+  model::EnergyGuard& g = s.guard;
+  g.begun = false;
+  const bool known = rare || s.steps - g.checked >= kGuardSteps;
+  if (known) account(system, look(system, motion, s), s, 0);
+  g.checked = known ? s.steps : s.steps + kGuardSteps;
+  g.period = rare ? 1 : kGuardSteps;
 }
 
 }  // namespace
 
-double guard_floor(const System& system) {
-  double mass = 0, area = 0;
-  for (std::size_t n : system.particle) mass += system.mass[n], area += system.area[n];
-  return mass * std::sqrt(area) *
-         std::max(kFloor * math::vector3::norm(system.gravity), kFloorWithoutGravity);
+// Damping along links and still air only take energy, and how much is not known.
+double guard_missing(const System& system, const State& s) {
+  if (model::system_has_rates(system) && s.guard.unaccounted < 0) return 0;
+  return std::max(std::abs(s.guard.unaccounted) - unknown(s.guard), 0.0);
+}
+
+double guard_size(const System& system, const State& s) {
+  return std::max(s.guard.largest, size_floor(system));
 }
 
 bool guard_watches(const System& system, const State& s) {
@@ -133,27 +144,20 @@ void guard_step(const System& system, Motion& motion, State& s, double h) {
   g.largest = std::max(g.largest, energy_size(sight.energy, s));
 }
 
-void guard_pause(const System& system, Motion& motion, State& s, bool rare) {
-  model::EnergyGuard& g = s.guard;
-  if (!g.begun) return;
-  g.begun = false;
-  const bool known = rare || s.steps - g.checked >= kGuardSteps;
-  if (known) account(system, look(system, motion, s), s, 0);
-  g.checked = known ? s.steps : s.steps + kGuardSteps;
-  g.period = rare ? 1 : kGuardSteps;
+void change_begin(const System& system, Motion& motion, State& s, Change change) {
+  if (s.guard.begun) guard_pause(system, motion, s, change == Change::kRare);
+  leapfrog_complete(system, motion, s);
 }
-
-double guard_missing(const System& system, const State& s) { return missing_of(system, s.guard); }
 
 void guard_accept(const System& system, State& s, double refinement) {
   s.guard.refinement = refinement;
-  s.guard.missing_refined = missing_of(system, s.guard);
+  s.guard.missing_refined = guard_missing(system, s);
 }
 
 bool guard_refine(const System& system, State& s, bool again) {
   model::EnergyGuard& g = s.guard;
   g.refined = s.steps;
-  g.missing_refined = missing_of(system, g);
+  g.missing_refined = guard_missing(system, s);
   if (!again) g.refinements = std::min(g.refinements + 1, kMostRefinements);
   if (g.refinement >= kMaxRefinement) return false;
   g.refinement *= 2;
@@ -180,7 +184,7 @@ Guard guard_check(const System& system, Motion& motion, State& s, double length)
   account(system, look(system, motion, s), s, length);
   g.checked = s.steps;
   g.period = std::min(2 * g.period, kGuardSteps);
-  const double size = size_of(system, g), missing = missing_of(system, g);
+  const double size = guard_size(system, s), missing = guard_missing(system, s);
   g.failing = missing > kUntouched * size && missing - g.missing_refined > kGrowth * size;
   if (missing > kLost * kGuardAllowed * size && (system.step_given > 0 || g.refinement >= kMaxRefinement))
     return Guard::kLost;

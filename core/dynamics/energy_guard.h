@@ -16,9 +16,10 @@ bool guard_watches(const System& system, const State& state);
 // Before a step of h (s). Begins the balance where it is due, after the first step and after a pause; follows
 // a change of the step.
 void guard_step(const System& system, Motion& motion, State& state, double h);
-// Before a change of the system. Ends the balance. Where it began a short time ago and changes are not rare,
-// what is missing since is not found, and the next balance begins later.
-void guard_pause(const System& system, Motion& motion, State& state, bool rare);
+// Before a change of the system: ends the balance, which needs the staggered velocities, and then completes
+// the last half kick. Changes that are not rare come in each interval, as in a ramp.
+enum class Change { kRare, kFrequent };
+void change_begin(const System& system, Motion& motion, State& state, Change change);
 
 // Takes note of what the damping -m c v takes, by the kinetic energy (J) within steps of h (s).
 void guard_damped(const System& system, State& state, double h, double kinetic);
@@ -40,7 +41,7 @@ bool guard_refine(const System& system, State& state, bool again);
 inline constexpr double kGuardHelps = 0.7;  // a refinement leaves less than this share of what is missing
 void guard_accept(const System& system, State& state, double refinement);
 
-// J: the largest energy counts as no less.
-double guard_floor(const System& system);
+// J, the largest energy so far, which counts as no less than a floor.
+double guard_size(const System& system, const State& state);
 
 }  // namespace drape::dynamics

@@ -91,6 +91,11 @@ void held_rates(const constraint::Constraints& c, const State& s, model::Pass pa
     held.rigid.rate[k] = pass != model::Pass::kAcceleration ? 0 : link_acceleration(c.rigid.link[k], s);
 }
 
+void held_follow(const constraint::Constraints& c, const State& s, HeldMotion& held) {
+  held_refresh(c, s, held);
+  held_rates(c, s, model::Pass::kSynchronous, held);
+}
+
 void held_store_velocities(const constraint::Constraints& c, const State& s, HeldMotion& held) {
   std::size_t entry = 0;
   const auto keep = [&](std::size_t n) { set(held.old, entry++, {s.vx[n], s.vy[n], s.vz[n]}); };

@@ -27,6 +27,9 @@ void held_refresh(const constraint::Constraints& constraints, const State& state
 void held_rates(const constraint::Constraints& constraints, const State& state, model::Pass pass,
                 HeldMotion& held);
 
+// Both at the present time, for synchronous velocities.
+void held_follow(const constraint::Constraints& constraints, const State& state, HeldMotion& held);
+
 // Stores v_{n-1/2} of the held nodes.
 void held_store_velocities(const constraint::Constraints& constraints, const State& state, HeldMotion& held);
 

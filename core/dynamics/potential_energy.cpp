@@ -16,18 +16,16 @@ Vec3 edge_of(const State& s, std::size_t from, std::size_t to) {
 }
 
 void irregular_add(const System& system, const model::Lattice& l, const State& s, drape_energy& e) {
-  for (const model::IrregularLink& link : system.irregular.links) {
-    if (link.lattice != l.piece) continue;
+  model::irregular_links_visit(system, l, [&](const model::Link& link) {
     double& kind = link.along == model::YarnDirection::kBias ? e.shear : e.stretch;
-    const model::Link one{link.node[0], link.node[1], link.width, link.rest, link.along, link.doubled};
     kind += link.width * link.rest *
-            math::curve_energy(model::law_curve(l.law, link.along), model::link_strain(s, one));
-  }
-  for (const model::IrregularHinge& h : system.irregular.hinges)
-    if (h.lattice == l.piece)
-      e.bending +=
-          model::law_bending(l.law, h.warp) * h.share *
-          forces::hinge_energy_between(edge_of(s, h.node[0], h.node[1]), edge_of(s, h.node[1], h.node[2]));
+            math::curve_energy(model::law_curve(l.law, link.along), model::link_strain(s, link));
+  });
+  model::irregular_hinges_visit(
+      system, l, [&](std::size_t n0, std::size_t n1, std::size_t n2, bool warp, double share) {
+        e.bending += model::law_bending(l.law, warp) * share *
+                     forces::hinge_energy_between(edge_of(s, n0, n1), edge_of(s, n1, n2));
+      });
   for (const model::ClampHinge& c : system.irregular.clamps)
     if (c.lattice == l.piece)
       e.bending +=

@@ -61,14 +61,12 @@ std::vector<std::size_t> seams_within_tolerance(const System& system, const Stat
 void seams_weld(const System& system, Motion& motion, State& s, const std::vector<std::size_t>& pairs) {
   double moved = 0;
   for (const model::Seam& seam : system.seams.seam) moved = std::max(moved, seam.gap_tolerance);
-  guard_pause(system, motion, s, true);
-  leapfrog_complete(system, motion, s);
+  change_begin(system, motion, s, Change::kRare);
   const double lost = contact::edge_record_sides(system, motion.contact.edge_scratch, s, moved);
   if (system.energy) s.dissipated += lost;
   for (std::size_t p : pairs) s.sewn[p] = model::Sewn::kWelded;
   seams_restore(system, motion, s);
-  held_refresh(motion.constraints, s, motion.held);
-  held_rates(motion.constraints, s, model::Pass::kSynchronous, motion.held);
+  held_follow(motion.constraints, s, motion.held);
   constraints_place(system, motion.constraints, motion.held, {s.x.data(), s.y.data(), s.z.data()});
   constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
                       &s.pin_impulse);

@@ -59,12 +59,13 @@ struct StepContext {
   bool near_body;     // a particle is near a body, or a link near a sharp edge
   bool self_contact;  // cloth touches cloth in this scene
   bool pulled;        // a pair of a seam is closing
+  bool turned;        // a clamp turns
 };
 
 void store_velocities(StepContext& c) {
   const System& system = c.system;
   if (system.energy) balance_begin(system, c.motion.balance, c.state, c.scheme.extrapolation);
-  if (path_rotates(c.motion.path)) clamps_begin(system, c.motion.balance, c.state);
+  if (c.turned) clamps_begin(system, c.motion.balance, c.state);
   if (c.scheme.begins_advance || c.motion.held.moves)
     held_store_velocities(c.motion.constraints, c.state, c.motion.held);
   if (!c.state.sewn.empty()) {
@@ -144,7 +145,7 @@ void update_seams(StepContext& c) {
 }
 
 void balance_energy(StepContext& c) {
-  if (path_rotates(c.motion.path)) c.state.drive_work += clamps_work(c.system, c.motion.balance, c.state);
+  if (c.turned) c.state.drive_work += clamps_work(c.system, c.motion.balance, c.state);
   if (c.pulled) c.state.drive_work += pull_work(c.system, c.motion.balance, c.state, c.scheme.span);
   if (!c.system.energy) return;
   if (c.system.composition) balance_drifted(c.system, c.state, c.scheme.decay_drift);
@@ -211,7 +212,8 @@ void stage_run(const System& system, Motion& motion, State& s, model::Scheme sch
                       share,
                       contact::any_near(s),
                       contact::self_enabled(system),
-                      forces::seams_any_pulled(s)};
+                      forces::seams_any_pulled(s),
+                      !system.irregular.clamps.empty() && path_rotates(motion.path)};
   for (const Phase& phase : kPhases) phase.run(context);
   s.advance_begins = false;
 }

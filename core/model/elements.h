@@ -30,6 +30,12 @@ inline double link_strain(const State& s, const Link& link) {
 }
 
 template <class Visit>
+void irregular_links_visit(const System& system, const Lattice& l, Visit visit) {
+  for (const IrregularLink& s : system.irregular.links)
+    if (s.lattice == l.piece) visit(Link{s.node[0], s.node[1], s.width, s.rest, s.along, s.doubled});
+}
+
+template <class Visit>
 void links_visit(const System& system, const Lattice& l, Visit visit) {
   const double b = l.cell, diagonal = std::numbers::sqrt2 * b;
   for (int j = 0; j < l.rows; ++j)
@@ -44,11 +50,16 @@ void links_visit(const System& system, const Lattice& l, Visit visit) {
         visit(Link{n + 1, up, b * b / diagonal * here0, diagonal, YarnDirection::kBias, false});
       }
     }
-  for (const IrregularLink& s : system.irregular.links)
-    if (s.lattice == l.piece) visit(Link{s.node[0], s.node[1], s.width, s.rest, s.along, s.doubled});
+  irregular_links_visit(system, l, visit);
 }
 
 // visit(n0, n1, n2, warp, share): three nodes along the yarn, and the stiffness kappa = B share.
+template <class Visit>
+void irregular_hinges_visit(const System& system, const Lattice& l, Visit visit) {
+  for (const IrregularHinge& s : system.irregular.hinges)
+    if (s.lattice == l.piece) visit(s.node[0], s.node[1], s.node[2], s.warp, s.share);
+}
+
 template <class Visit>
 void hinges_visit(const System& system, const Lattice& l, Visit visit) {
   const auto row = std::size_t(l.stride);
@@ -58,8 +69,7 @@ void hinges_visit(const System& system, const Lattice& l, Visit visit) {
       if (system.hinge_weft[n] > 0) visit(n - 1, n, n + 1, false, system.hinge_weft[n]);
       if (system.hinge_warp[n] > 0) visit(n - row, n, n + row, true, system.hinge_warp[n]);
     }
-  for (const IrregularHinge& s : system.irregular.hinges)
-    if (s.lattice == l.piece) visit(s.node[0], s.node[1], s.node[2], s.warp, s.share);
+  irregular_hinges_visit(system, l, visit);
 }
 
 // visit(corner, share): corners a, b, c, d as size_t[4], and the share phi of the cell that is cloth.

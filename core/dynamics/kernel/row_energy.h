@@ -4,44 +4,13 @@
 //                 | X |        integral of the curve up to the strain
 //     row j     a o---o b      hinges: kappa theta^2/2 from theta = psi sin theta
 #pragma once
-#include "dynamics/kernel/kernel.h"
+#include "dynamics/step_size/cell_bound.h"
 #include "forces/bending.h"
-#include "forces/shear.h"
 #include "forces/stretch.h"
-#include "forces/tension.h"
+#include "simd/place_sums.h"
 
 namespace drape::dynamics {
 namespace {
-
-// A row of nodes and the weights of what begins or is centred there.
-struct EnergyRow {
-  simd::ConstRow r;
-  const double *share, *hinge_warp, *hinge_weft;
-  long stride;
-};
-inline EnergyRow energy_row(const System& system, const model::Lattice& l, const State& s, int j) {
-  const std::size_t first = l.node(0, j);
-  return {{s.x.data() + first, s.y.data() + first, s.z.data() + first},
-          system.share.data() + first,
-          system.hinge_warp.data() + first,
-          system.hinge_weft.data() + first,
-          l.stride};
-}
-
-// Sums by place, so that every lane width gives the same bits.
-struct PlaceSums {
-  alignas(math::kLine) double at[math::kRowUnit] = {};
-  template <class L>
-  DRAPE_INLINE void add(int i, L value) {
-    double* const sum = at + i % math::kRowUnit;
-    L::store(sum, L::load(sum) + value);
-  }
-  double total() const {
-    double sum = 0;
-    for (double one : at) sum += one;
-    return sum;
-  }
-};
 
 // Per width and length of a link, N/m. 0 where there is no link: nodes outside the outline stay behind.
 template <class L>
@@ -63,12 +32,15 @@ DRAPE_INLINE L hinge_energy(simd::Vec<L> a, simd::Vec<L> c, L kappa) {
 
 template <class L>
 RowEnergy row_energy(const System& system, const model::Lattice& l, const State& s, int j) {
-  const EnergyRow row = energy_row(system, l, s, j);
+  const CellRow row = cell_row(system, l, s, j);
+  const double *const hinge_warp = system.hinge_warp.data() + l.node(0, j), *const hinge_weft =
+                                                                                system.hinge_weft.data() +
+                                                                                l.node(0, j);
   const fabric::Law& law = l.law;
   const L inverse_rest = 1 / l.cell, inverse_diagonal = 1 / forces::shear_rest(l.cell);
   const L half_width = forces::stretch_width(l.cell), shear_width = forces::shear_width(l.cell);
   const bool bends = fabric::law_bends(law);
-  PlaceSums stretch, shear, bending;
+  simd::PlaceSums stretch, shear, bending;
   for (int i = 0; i < l.stride; i += L::kWidth) {
     const long up = i + row.stride;
     const simd::Vec<L> a = simd::vec_load<L>(row.r, i), b = simd::vec_load<L>(row.r, i + 1),
@@ -87,8 +59,8 @@ RowEnergy row_energy(const System& system, const model::Lattice& l, const State&
     if (!bends) continue;
     const simd::Vec<L> left = simd::vec_load<L>(row.r, i - 1),
                        below = simd::vec_load<L>(row.r, i - row.stride);
-    bending.add(i, hinge_energy(a - left, b - a, L(law.bending_weft) * L::load(row.hinge_weft + i)) +
-                       hinge_energy(a - below, c - a, L(law.bending_warp) * L::load(row.hinge_warp + i)));
+    bending.add(i, hinge_energy(a - left, b - a, L(law.bending_weft) * L::load(hinge_weft + i)) +
+                       hinge_energy(a - below, c - a, L(law.bending_warp) * L::load(hinge_warp + i)));
   }
   return {l.cell * stretch.total(), forces::shear_rest(l.cell) * shear.total(), bending.total()};
 }

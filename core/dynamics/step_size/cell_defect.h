@@ -14,6 +14,7 @@
 
 #include "dynamics/kernel/kernel.h"
 #include "dynamics/step_size/cell_bound.h"
+#include "simd/place_sums.h"
 
 namespace drape::dynamics {
 namespace {
@@ -67,19 +68,19 @@ DRAPE_INLINE double defect_change(const model::Lattice& l) {
 template <class L>
 StepDefect cells_defect(const System& system, const model::Lattice& l, const State& s, int j, double step) {
   const CellRow row = cell_row(system, l, s, j);
-  // by place, so that every lane width gives the same bits
-  alignas(math::kLine) double sums[math::kRowUnit] = {}, changes[math::kRowUnit] = {};
+  simd::PlaceSums sums;
+  alignas(math::kLine) double changes[math::kRowUnit] = {};
   for (int i = 0; i < l.stride; i += L::kWidth) {
     const LinkDefect<L> defect =
         cell_defect(corners_ahead<L>(row, i, -step), corners_ahead<L>(row, i, 0.0), l);
     const L weight = L::load(row.share + i);
     const auto present = gt(weight, L(0.0));
-    double *const sum = sums + i % math::kRowUnit, *const change = changes + i % math::kRowUnit;
-    L::store(sum, L::load(sum) + select(present, weight * defect.sum, L(0.0)));
+    sums.add(i, select(present, weight * defect.sum, L(0.0)));
+    double* const change = changes + i % math::kRowUnit;
     L::store(change, max(select(present, defect.change, L(0.0)), L::load(change)));
   }
   StepDefect all;
-  for (double one : sums) all.energy += defect_unit(l) * one;
+  for (double one : sums.at) all.energy += defect_unit(l) * one;
   for (double one : changes) all.omega2 = std::max(all.omega2, defect_change(l) * one);
   return all;
 }

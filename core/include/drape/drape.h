@@ -238,11 +238,11 @@ void drape_close(drape_cloth*);
  * a scene file, with the meshes in the same folder, it gives the same cloth. */
 const char* drape_scene_name(const drape_cloth*);
 const char* drape_scene_text(const drape_cloth*);
-double drape_duration(const drape_cloth*); /* s, scene.duration */
 typedef struct drape_about {
   const char *description, *author, *version, *copyright, *license; /* of the scene; "" where it has none */
 } drape_about;
 drape_about drape_scene_about(const drape_cloth*);
+double drape_duration(const drape_cloth*);      /* s, scene.duration */
 double drape_communication(const drape_cloth*); /* s, scene.communication */
 /* The files that the scene text names, 0 <= index < drape_file_count: the present path of each, and the name
  * it must have next to the text. */
@@ -272,7 +272,8 @@ drape_inputs* drape_input_rates_of(drape_cloth*);
 /* 1 once a cloth in fit mode has reached its equilibrium, where it stays; else 0. */
 int drape_at_rest(const drape_cloth*);
 
-/* What the energy guard has missed so far. Without bodies, self-contact and fit; else all is 0. */
+/* What the energy guard has missed so far. 0 where it does not watch: in wind, fits and the paper's scheme,
+ * with bodies, self-contact or rigid links. */
 typedef struct drape_unaccounted {
   double energy;  /* J, at the time where it was largest: gained, or lost where negative */
   double largest; /* J, the largest energy of the cloth: kinetic, elastic, change of gravity's and work */
