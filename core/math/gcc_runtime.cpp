@@ -1,6 +1,5 @@
-// What the code of an FMU and the static runtime of GCC ask of glibc 2.35 and 2.36, in the development build.
-// With it the library loads where glibc is 2.34. The release build is made for older ones; see
-// fmu/release.sh.
+// What the static C++ runtime of GCC lacks in a library that is loaded into an unknown host and unloaded
+// again. Of the development build; the release build has another runtime.
 #include <dlfcn.h>
 #include <elf.h>
 #include <link.h>
@@ -8,6 +7,18 @@
 
 #include <cstdint>
 
+#ifdef __GLIBCXX__
+namespace __gnu_cxx {
+void __freeres();
+}
+
+// libstdc++ takes 72 kB for exceptions without memory when it is loaded, and does not give them back by
+// itself.
+__attribute__((destructor)) static void exception_pool_free() { __gnu_cxx::__freeres(); }
+#endif
+
+// What newer versions of glibc give this code under newer names: with the older ones the library loads where
+// glibc is 2.34, though it is built with 2.36.
 #define DRAPE_HIDDEN extern "C" __attribute__((visibility("hidden")))
 
 #if defined(__x86_64__) && defined(__GLIBC__) && __GLIBC_PREREQ(2, 35)
