@@ -25,10 +25,11 @@ file(STRINGS ${DRAPE_FMI_HEADERS}/fmi2Functions.h FMI_LINE REGEX "FMI [0-9.]+ Mo
 string(REGEX MATCH "[0-9]+\\.[0-9.]+" VERSION_FMI "${FMI_LINE}")
 
 set(PLATFORM linux64)
+set(CONTACT libdrape_contact.so)
 if(WIN32)
   set(PLATFORM win64)
+  set(CONTACT drape_contact.dll)
 endif()
-set(CONTACT ${CMAKE_SHARED_MODULE_PREFIX}drape_contact${CMAKE_SHARED_MODULE_SUFFIX})
 
 # The runtime of the compiler, which both binaries hold: name, version, licence, text; package of Debian.
 set(RUNTIME "")
