@@ -1,5 +1,6 @@
 #include "guid.h"
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -25,7 +26,8 @@ char hex_digit(Hash hash, int digit) { return "0123456789abcdef"[unsigned(hash >
 std::string guid_content(const drape_cloth* cloth) {
   std::string content = drape_scene_text(cloth);
   for (int k = 0; k < drape_file_count(cloth); ++k) {
-    std::ifstream mesh(drape_file_path(cloth, k), std::ios::binary);
+    const std::string_view file = drape_file_path(cloth, k);  // UTF-8
+    std::ifstream mesh(std::filesystem::path(std::u8string(file.begin(), file.end())), std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(mesh), {}};
     const Hash hash = hash_append(kStart, bytes);
     for (int digit = 0; digit < 32; ++digit) content += hex_digit(hash, digit);

@@ -11,6 +11,7 @@
 #include "dynamics/seam_welding.h"
 #include "dynamics/step_size/step_limit.h"
 #include "math/plain_environment.h"
+#include "scene/files.h"
 #include "validation/load.h"
 
 namespace drape::api {
@@ -123,8 +124,8 @@ drape_cloth* drape_open(const char* scene_file, drape_log_fn* log, void* user) {
   c->log_user = user;
   std::vector<Problem> problems;
   try {
-    c->scene = validation::scene_load(scene_file, problems);
-    if (problems.empty()) c->text = scene::scene_inline_files(scene_file, problems);
+    c->scene = validation::scene_load(scene::path_of(scene_file), problems);
+    if (problems.empty()) c->text = scene::scene_inline_files(scene::path_of(scene_file), problems);
     for (const scene::BodySpec& body : c->scene.bodies)
       c->files.push_back(scene::body_file(body.name, body.mesh));
     if (problems.empty()) {

@@ -22,7 +22,7 @@ Vec3 posed(const math::RigidMotion& frame, const Vec3& x) {
 bool mesh_load(const scene::BodySpec& spec, const math::RigidMotion& frame,
                const drape_contact_library& library, std::vector<Vec3>& point,
                std::vector<std::array<int, 3>>& corner, std::string& trouble) {
-  trouble = scene::file_hindrance(spec.mesh, scene::kMaxData);
+  trouble = scene::file_hindrance(scene::path_of(spec.mesh), scene::kMaxData);
   if (!trouble.empty()) return false;
   char text[512];
   drape_mesh_file* mesh = library.mesh_read(spec.mesh.c_str(), text, sizeof text);
@@ -63,7 +63,7 @@ std::vector<model::Body> bodies_make(const Scene& scene, std::vector<Problem>& p
   for (const scene::BodySpec& spec : scene.bodies) {
     const std::string path = "body." + spec.name;
     std::string trouble;
-    const drape_contact_library* library = body::contact_library(trouble);
+    const std::shared_ptr<const drape_contact_library> library = body::contact_library(trouble);
     if (!library) {
       problems.push_back({path, "needs the contact library: " + trouble});
       return bodies;
@@ -91,7 +91,8 @@ std::vector<model::Body> bodies_make(const Scene& scene, std::vector<Problem>& p
     body.mesh.library = library;
     body.mesh.query = {
         library->query_make(s.point[0].data(), s.point.size(), s.corner[0].data(), s.corner.size()),
-        library->query_free};
+        [library](drape_query* query) { library->query_free(query); }};
+    if (!body.mesh.query) problems.push_back({path + ".mesh", "does not fit in memory"});
   }
   return bodies;
 }

@@ -1,29 +1,29 @@
 #include "body/library.h"
 
-#include <dlfcn.h>
-
-#include <filesystem>
 #include <mutex>
+
+#include "body/shared_object.h"
 
 namespace drape::body {
 
-const drape_contact_library* contact_library(std::string& hindrance) {
+std::shared_ptr<const drape_contact_library> contact_library(std::string& hindrance) {
   static std::mutex one_at_a_time;
-  static const drape_contact_library* library = nullptr;
+  static std::weak_ptr<const drape_contact_library> shared;
   const std::lock_guard<std::mutex> lock(one_at_a_time);
-  if (library) return library;
-  Dl_info here{};
-  if (!dladdr(reinterpret_cast<const void*>(&contact_library), &here))
-    return hindrance = "dladdr failed", nullptr;
-  std::error_code error;
-  const auto self = std::filesystem::canonical(here.dli_fname, error);
-  const std::string file = (self.parent_path() / "libdrape_contact.so").string();
-  void* opened = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (!opened) return hindrance = dlerror(), nullptr;
+  if (auto library = shared.lock()) return library;
+  SharedObject object = shared_object_beside(DRAPE_CONTACT_FILE, hindrance);
+  if (!object.handle) return nullptr;
   using Get = const drape_contact_library* (*)();
-  const auto get = reinterpret_cast<Get>(dlsym(opened, "drape_contact_library_1"));
-  if (!get) return hindrance = file + " is of another version", nullptr;
-  return library = get();
+  const auto get = reinterpret_cast<Get>(shared_object_symbol(object, "drape_contact_library_2"));
+  if (!get) {
+    hindrance = object.file + " is of another version";
+    shared_object_close(object);
+    return nullptr;
+  }
+  const std::shared_ptr<const drape_contact_library> library(
+      get(), [object](const drape_contact_library*) { shared_object_close(object); });
+  shared = library;
+  return library;
 }
 
 }  // namespace drape::body

@@ -5,14 +5,17 @@
 //   binary  80 bytes, uint32 count, count x { float normal[3], float vertex[3][3], uint16 }, little-endian
 #include "body/mesh_reading.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -88,7 +91,7 @@ std::string obj_plain(const std::string& bytes, std::string& trouble) {
   return plain;
 }
 
-std::string obj_read(const char* file, Triangles& to) {
+std::string obj_read(const std::filesystem::path& file, Triangles& to) {
   tinyobj::attrib_t attributes;
   std::vector<tinyobj::shape_t> shapes;
   std::vector<tinyobj::material_t> materials;
@@ -162,7 +165,7 @@ bool is_binary(const std::string& bytes) {
   return bytes.size() >= size && bytes.size() < size + kFacet;
 }
 
-std::string stl_read(const char* file, Triangles& to) {
+std::string stl_read(const std::filesystem::path& file, Triangles& to) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return "cannot be opened";
   const std::string bytes = bytes_read(stream);
@@ -192,32 +195,36 @@ std::string ending(const std::string& file) {
   return dot == std::string::npos ? "" : lower(file.substr(dot + 1));
 }
 
+drape_mesh_file* mesh_copy(const Triangles& from) {
+  auto mesh = std::make_unique<drape_mesh_file>();
+  auto point = std::make_unique<double[]>(from.point.size());
+  auto corner = std::make_unique<int[]>(from.corner.size());
+  std::copy(from.point.begin(), from.point.end(), point.get());
+  std::copy(from.corner.begin(), from.corner.end(), corner.get());
+  *mesh = {from.point.size() / 3, point.release(), from.corner.size() / 3, corner.release()};
+  return mesh.release();
+}
+
 }  // namespace
 
 drape_mesh_file* mesh_read(const char* file, char* problem, size_t capacity) {
-  Triangles found;
   std::string trouble;
   try {
-    const std::string kind = ending(file);
-    if (kind == "obj") trouble = obj_read(file, found);
-    else if (kind == "stl") trouble = stl_read(file, found);
+    Triangles found;
+    const std::string name = file, kind = ending(name);
+    const std::filesystem::path path = std::u8string(name.begin(), name.end());
+    if (kind == "obj") trouble = obj_read(path, found);
+    else if (kind == "stl") trouble = stl_read(path, found);
     else trouble = "ends in ." + kind + "; wanted: .obj or .stl";
+    if (trouble.empty() && found.corner.empty()) trouble = "holds no triangles";
+    if (trouble.empty()) seams_merge(found);
+    if (trouble.empty()) return mesh_copy(found);
   } catch (const std::exception& e) {
     trouble = std::string("cannot be read: ") + e.what();
   }
-  if (trouble.empty() && found.corner.empty()) trouble = "holds no triangles";
-  if (trouble.empty()) seams_merge(found);
-  if (!trouble.empty()) {
-    while (!trouble.empty() && trouble.back() == '\n') trouble.pop_back();
-    std::snprintf(problem, capacity, "%s", trouble.c_str());
-    return nullptr;
-  }
-  auto* mesh = new drape_mesh_file{found.point.size() / 3, nullptr, found.corner.size() / 3, nullptr};
-  mesh->point = new double[found.point.size()];
-  mesh->corner = new int[found.corner.size()];
-  std::copy(found.point.begin(), found.point.end(), mesh->point);
-  std::copy(found.corner.begin(), found.corner.end(), mesh->corner);
-  return mesh;
+  while (!trouble.empty() && trouble.back() == '\n') trouble.pop_back();
+  std::snprintf(problem, capacity, "%s", trouble.c_str());
+  return nullptr;
 }
 
 void mesh_free(drape_mesh_file* mesh) {

@@ -21,10 +21,11 @@ typedef struct drape_mesh_file {
 typedef struct drape_query drape_query;
 
 typedef struct drape_contact_library {
-  /* Reads an OBJ or STL file. Returns NULL on failure and writes the reason to `problem` [capacity]. */
+  /* Reads an OBJ or STL file; its name is in UTF-8. Returns NULL on failure and writes the reason to
+   * `problem` [capacity]. */
   drape_mesh_file* (*mesh_read)(const char* file, char* problem, size_t capacity);
   void (*mesh_free)(drape_mesh_file*);
-  /* Copies the triangles. */
+  /* Copies the triangles. Returns NULL where there is not enough memory. */
   drape_query* (*query_make)(const double* point, size_t points, const int* corner, size_t triangles);
   void (*query_free)(drape_query*);
   /* The distance from a point to the closest triangle. `triangle` gets its number, unless it is NULL. */
@@ -34,8 +35,16 @@ typedef struct drape_contact_library {
   size_t (*within)(const drape_query*, const double at[3], double radius, int* triangle, size_t capacity);
 } drape_contact_library;
 
-/* The only exported symbol of the library. */
-__attribute__((visibility("default"))) const drape_contact_library* drape_contact_library_1(void);
+#ifdef _WIN32
+#define DRAPE_CONTACT_EXPORT __declspec(dllexport)
+#define DRAPE_CONTACT_FILE "drape_contact.dll"
+#else
+#define DRAPE_CONTACT_EXPORT __attribute__((visibility("default")))
+#define DRAPE_CONTACT_FILE "libdrape_contact.so"
+#endif
+
+/* The only exported symbol of the library. Its number is the version of this interface. */
+DRAPE_CONTACT_EXPORT const drape_contact_library* drape_contact_library_2(void);
 
 #ifdef __cplusplus
 }

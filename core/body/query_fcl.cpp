@@ -1,10 +1,14 @@
-// The contact library: FCL behind a C interface. The only file that includes FCL.
+// The contact library: FCL behind a C interface. Includes FCL's search for one kind of tree and one shape;
+// the matrices of fcl::distance and fcl::collide hold those for all.
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/sphere.h>
-#include <fcl/narrowphase/collision.h>
-#include <fcl/narrowphase/distance.h>
+#include <fcl/narrowphase/detail/primitive_shape_algorithm/sphere_triangle.h>
+#include <fcl/narrowphase/detail/traversal/collision/mesh_shape_collision_traversal_node.h>
+#include <fcl/narrowphase/detail/traversal/distance/mesh_shape_distance_traversal_node.h>
+#include <fcl/narrowphase/detail/traversal/traversal_recurse.h>
 
 #include <algorithm>
+#include <exception>
 #include <memory>
 #include <vector>
 
@@ -19,16 +23,45 @@ struct drape_query {
 
 namespace {
 
-fcl::Vector3d vector_of(const double* p) { return {p[0], p[1], p[2]}; }
+using Vector = fcl::Vector3d;
+using Transform = fcl::Transform3d;
+using Ball = fcl::Sphered;
 
-fcl::Transform3d transform_of(const double* p) {
-  fcl::Transform3d transform = fcl::Transform3d::Identity();
+// What FCL calls a narrow phase solver, for a ball and a triangle. The names are FCL's.
+struct Solver {
+  bool shapeTriangleDistance(const Ball& ball, const Transform& ball_at, const Vector& a, const Vector& b,
+                             const Vector& c, const Transform& mesh_at, double* distance, Vector* on_ball,
+                             Vector* on_triangle) const {
+    return fcl::detail::sphereTriangleDistance(ball, ball_at, a, b, c, mesh_at, distance, on_ball,
+                                               on_triangle);
+  }
+  bool shapeTriangleDistance(const Ball& ball, const Transform& ball_at, const Vector& a, const Vector& b,
+                             const Vector& c, double* distance, Vector* on_ball, Vector* on_triangle) const {
+    return fcl::detail::sphereTriangleDistance(ball, ball_at, a, b, c, distance, on_ball, on_triangle);
+  }
+  bool shapeTriangleIntersect(const Ball& ball, const Transform& ball_at, const Vector& a, const Vector& b,
+                              const Vector& c, const Transform& mesh_at, Vector* point, double* depth,
+                              Vector* normal) const {
+    return fcl::detail::sphereTriangleIntersect(ball, ball_at, mesh_at * a, mesh_at * b, mesh_at * c, point,
+                                                depth, normal);
+  }
+  bool shapeTriangleIntersect(const Ball& ball, const Transform& ball_at, const Vector& a, const Vector& b,
+                              const Vector& c, Vector* point, double* depth, Vector* normal) const {
+    return fcl::detail::sphereTriangleIntersect(ball, ball_at, a, b, c, point, depth, normal);
+  }
+};
+
+Vector vector_of(const double* p) { return {p[0], p[1], p[2]}; }
+
+Transform transform_of(const double* p) {
+  Transform transform = Transform::Identity();
   transform.translation() = vector_of(p);
   return transform;
 }
 
-drape_query* query_make(const double* point, size_t points, const int* corner, size_t triangles) {
-  std::vector<fcl::Vector3d> vertices;
+std::unique_ptr<drape_query> tree_of(const double* point, size_t points, const int* corner,
+                                     size_t triangles) {
+  std::vector<Vector> vertices;
   std::vector<fcl::Triangle> faces;
   for (size_t k = 0; k < points; ++k) vertices.push_back(vector_of(point + 3 * k));
   for (size_t t = 0; t < triangles; ++t)
@@ -37,27 +70,41 @@ drape_query* query_make(const double* point, size_t points, const int* corner, s
   query->tree.beginModel(int(triangles), int(points));
   query->tree.addSubModel(vertices, faces);
   query->tree.endModel();
-  return query.release();
+  return query;
+}
+
+drape_query* query_make(const double* point, size_t points, const int* corner, size_t triangles) {
+  try {
+    return tree_of(point, points, corner, triangles).release();
+  } catch (const std::exception&) {
+    return nullptr;
+  }
 }
 
 void query_free(drape_query* query) { delete query; }
 
 double distance(const drape_query* query, const double* at, int* triangle) {
   constexpr double kPoint = 1e-9;  // m, radius of the ball that represents the point
-  const fcl::Sphered ball(kPoint);
+  const Ball ball(kPoint);
+  const Solver solver;
   const fcl::DistanceRequest<double> request;
   fcl::DistanceResult<double> result;
-  const double found =
-      fcl::distance(&query->tree, fcl::Transform3d::Identity(), &ball, transform_of(at), request, result);
+  fcl::detail::MeshShapeDistanceTraversalNodeOBBRSS<Ball, Solver> node;
+  initialize(node, query->tree, Transform::Identity(), ball, transform_of(at), &solver, request, result);
+  node.preprocess();
+  fcl::detail::distanceRecurse<double>(&node, 0, 0, nullptr);
   if (triangle) *triangle = int(result.b1);
-  return std::max(found, 0.0) + kPoint;
+  return std::max(result.min_distance, 0.0) + kPoint;
 }
 
 size_t within(const drape_query* query, const double* at, double radius, int* triangle, size_t capacity) {
-  const fcl::Sphered ball(radius);
-  const fcl::CollisionRequest<double> request(query->tree.num_tris, false);
+  const Ball ball(radius);
+  const Solver solver;
+  const fcl::CollisionRequest<double> request(size_t(query->tree.num_tris), false);
   fcl::CollisionResult<double> result;
-  fcl::collide(&query->tree, fcl::Transform3d::Identity(), &ball, transform_of(at), request, result);
+  fcl::detail::MeshShapeCollisionTraversalNodeOBBRSS<Ball, Solver> node;
+  initialize(node, query->tree, Transform::Identity(), ball, transform_of(at), &solver, request, result);
+  fcl::detail::collisionRecurse<double>(&node, 0, 0, nullptr);
   const size_t count = result.numContacts();
   for (size_t k = 0; k < std::min(count, capacity); ++k) triangle[k] = int(result.getContact(k).b1);
   std::sort(triangle, triangle + std::min(count, capacity));
@@ -66,7 +113,7 @@ size_t within(const drape_query* query, const double* at, double radius, int* tr
 
 }  // namespace
 
-const drape_contact_library* drape_contact_library_1() {
+const drape_contact_library* drape_contact_library_2() {
   static const drape_contact_library library{
       drape::body::mesh_read, drape::body::mesh_free, query_make, query_free, distance, within};
   return &library;

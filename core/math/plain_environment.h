@@ -2,6 +2,7 @@
 #pragma once
 #include <cfenv>
 #include <clocale>
+#include <string>
 
 namespace drape::math {
 
@@ -17,7 +18,12 @@ class PlainEnvironment {
 
  private:
   std::fenv_t host_{};
+#ifdef _WIN32
+  int host_mode_;  // whether the thread has a locale of its own
+  std::string host_locale_;
+#else
   locale_t host_locale_;
+#endif
 };
 
 // While it lives, its thread takes numbers below 2^-1022 for 0, where the processor can. It computes with

@@ -19,7 +19,7 @@ using Mat3 = std::array<Vec3, 3>;
 // A body's surface in the body's frame, and the library that queries its triangles.
 struct BodyMesh {
   body::BodySurface surface;
-  const drape_contact_library* library = nullptr;
+  std::shared_ptr<const drape_contact_library> library;
   std::shared_ptr<drape_query> query;
 };
 

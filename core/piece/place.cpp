@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "math/elliptic.h"
+
 namespace drape::piece {
 namespace {
 
@@ -31,11 +33,12 @@ Vec3 plane_normal(const scene::PlaceSpec& place) {
 //
 //   s(f) = int_0^f sqrt(a^2 cos^2 u + b^2 sin^2 u) du = a E(f, k),  k^2 = 1 - b^2/a^2      for a >= b,
 //                                                     = b [E(k') - E(pi/2 - f, k')]        for a < b
+constexpr double kQuarter = std::numbers::pi / 2;  // rad
 double arc_length(Vec2 radius, double f) {
   const auto [a, b] = radius;
-  if (a >= b) return a * std::ellint_2(std::sqrt(1 - b * b / (a * a)), f);
+  if (a >= b) return a * math::elliptic_second(f, std::sqrt(1 - b * b / (a * a)));
   const double k = std::sqrt(1 - a * a / (b * b));
-  return b * (std::comp_ellint_2(k) - std::ellint_2(k, std::numbers::pi / 2 - f));
+  return b * (math::elliptic_second(kQuarter, k) - math::elliptic_second(kQuarter - f, k));
 }
 
 // The f at which s(f) = s. Within a quarter of the ellipse s' is monotone, so Newton's method started at the
@@ -43,7 +46,6 @@ double arc_length(Vec2 radius, double f) {
 double arc_angle(Vec2 radius, double s) {
   const auto [a, b] = radius;
   if (a == b) return s / a;
-  constexpr double kQuarter = std::numbers::pi / 2;
   const double quarter = std::floor(s / arc_length(radius, kQuarter));
   const bool even = std::fmod(quarter, 2) == 0;  // s' runs from a to b there, else from b to a
   double f = kQuarter * ((even == (a > b)) ? quarter : quarter + 1);

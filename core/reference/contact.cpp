@@ -16,7 +16,7 @@ Obstacle obstacle_of(const scene::BodySpec& body) {
   const std::string name = "body." + body.name;
   if (body.moves) throw std::runtime_error(name + " moves; the reference takes bodies that stay");
   std::string trouble;
-  const drape_contact_library* library = body::contact_library(trouble);
+  const std::shared_ptr<const drape_contact_library> library = body::contact_library(trouble);
   if (!library) throw std::runtime_error(trouble);
   char text[256];
   drape_mesh_file* mesh = library->mesh_read(body.mesh.c_str(), text, sizeof text);

@@ -4,6 +4,13 @@ namespace drape::scene {
 
 namespace fs = std::filesystem;
 
+fs::path path_of(std::string_view utf8) { return std::u8string(utf8.begin(), utf8.end()); }
+
+std::string path_text(const fs::path& path) {
+  const std::u8string text = path.u8string();
+  return {text.begin(), text.end()};
+}
+
 std::string file_hindrance(const fs::path& file, std::uintmax_t max_size) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);

@@ -25,6 +25,17 @@ bool percent_decode(std::string& text) {
   return true;
 }
 
+#ifdef _WIN32
+// "/C:/folder" -> "C:/folder"
+void drive_first(std::string& path) {
+  if (path.size() > 2 && path[0] == '/' && std::isalpha(static_cast<unsigned char>(path[1])) &&
+      path[2] == ':')
+    path.erase(0, 1);
+}
+#else
+void drive_first(std::string&) {}
+#endif
+
 }  // namespace
 
 std::string resource_path(const std::string& location, std::string& problem) {
@@ -45,6 +56,7 @@ std::string resource_path(const std::string& location, std::string& problem) {
     }
     if (path.empty() || path[0] != '/') return refuse("an absolute path after file:");
     if (!percent_decode(path)) return refuse("two hexadecimal digits, not 00, after each % sign");
+    drive_first(path);
   } else if (path.find("://") != std::string::npos || path.empty()) {
     return refuse("a file: URI or a path");
   }

@@ -1,8 +1,8 @@
 #include "package/package.h"
 
-#include <link.h>
 #include <zip.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
@@ -15,16 +15,9 @@
 
 #include "description.h"
 #include "figures/model_picture.h"
-#include "package/licenses/licenses.h"
 
 namespace drape::package {
 namespace {
-
-// The FMU binary installed with `drape`.
-std::filesystem::path binary_path() {
-  std::error_code error;
-  return std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / "drape_fmi2.so";
-}
 
 // 1980-01-01 00:00, where the time of zip files begins: the bytes of a package do not depend on the time.
 constexpr zip_uint16_t kZipTime = 0, kZipDate = 1 << 5 | 1;
@@ -61,10 +54,6 @@ bool archive_write(const std::filesystem::path& file, const std::vector<Entry>& 
   return false;
 }
 
-}  // namespace
-
-namespace {
-
 bool file_read(const std::filesystem::path& file, std::string& bytes) {
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream read;
@@ -73,20 +62,17 @@ bool file_read(const std::filesystem::path& file, std::string& bytes) {
   return true;
 }
 
-// The contact library and what it needs beyond the C library, as loaded by this process.
-std::vector<std::filesystem::path> contact_files() {
-  std::vector<std::filesystem::path> files;
-  dl_iterate_phdr(
-      [](dl_phdr_info* info, std::size_t, void* to) {
-        const std::filesystem::path file = info->dlpi_name;
-        for (const char* name : {"libdrape_contact.", "libfcl.", "libccd.", "liboctomap.", "liboctomath.",
-                                 "libstdc++.", "libgcc_s."})
-          if (file.filename().string().starts_with(name))
-            static_cast<std::vector<std::filesystem::path>*>(to)->push_back(file);
-        return 0;
-      },
-      &files);
-  return files;
+// Adds a file. Returns its size.
+std::size_t file_add(std::vector<Entry>& entries, const std::string& name, const std::filesystem::path& file,
+                     std::string& problem) {
+  std::string bytes;
+  if (!file_read(file, bytes)) {
+    if (problem.empty())
+      problem = "cannot read " + file.string() + ", which an FMU holds; it belongs beside the drape command";
+    return 0;
+  }
+  entries.emplace_back(name, std::move(bytes));
+  return entries.back().second.size();
 }
 
 // The time of packing as FMI writes it: that of SOURCE_DATE_EPOCH, with which the bytes are the same each
@@ -109,46 +95,70 @@ std::string date_now(std::string& problem) {
   return text;
 }
 
-// Adds what a scene with bodies needs beside the rest: meshes, libraries and their licences.
-bool bodies_add(drape_cloth* cloth, std::vector<Entry>& entries, std::string& problem) {
-  const auto add = [&](const std::string& name, const std::filesystem::path& file) {
-    if (!file_read(file, entries.emplace_back(name, "").second)) problem = "cannot read " + file.string();
-  };
-  for (int k = 0; k < drape_file_count(cloth); ++k)
-    add(std::string("resources/") + drape_file_name(cloth, k), drape_file_path(cloth, k));
-  if (drape_file_count(cloth) == 0) return true;
-  for (const std::filesystem::path& file : contact_files())
-    add("binaries/linux64/" + file.filename().string(), file);
-  for (const License& license : kContactLicenses)
-    entries.emplace_back("documentation/licenses/" + license.name, license.text);
-  return problem.empty();
+// Adds the licences of what is packed for a platform. `list` gets the lines of components.csv.
+void licenses_add(const Platform& platform, bool has_body, std::vector<Entry>& entries, std::string& list,
+                  std::string& problem) {
+  const std::filesystem::path folder = platform.folder / "licenses";
+  std::string text, line;
+  if (!file_read(folder / "components.csv", text)) {
+    problem = "cannot read " + (folder / "components.csv").string() + "; it belongs beside the drape command";
+    return;
+  }
+  std::istringstream lines(text);
+  for (bool head = true; std::getline(lines, line); head = false) {
+    if (head && list.empty()) list = line + '\n';
+    if (head || (!has_body && line.find(",the binary,") == std::string::npos)) continue;
+    list += line + '\n';
+    std::string texts, text_file;
+    std::istringstream columns(line);
+    for (int column = 0; column < 4; ++column) std::getline(columns, texts, ',');  // the fourth names files
+    for (std::istringstream files(texts); files >> text_file;) {
+      const std::string name = "documentation/licenses/" + text_file;
+      const auto is_it = [&](const Entry& entry) { return entry.first == name; };
+      if (std::none_of(entries.begin(), entries.end(), is_it))
+        file_add(entries, name, folder / text_file, problem);
+    }
+  }
 }
 
 }  // namespace
 
-bool fmu_pack(drape_cloth* cloth, description::Nodes nodes, const std::string& picture,
-              const std::filesystem::path& file, std::string& problem) {
-  const std::filesystem::path binary_file = binary_path();
-  std::string binary;
-  if (!file_read(binary_file, binary)) {
-    problem = "cannot read " + binary_file.string() +
-              ", the binary of the FMU; it belongs beside the drape command";
-    return false;
-  }
+std::filesystem::path program_folder() {
+  std::error_code error;
+  return std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+}
+
+std::vector<PackedPlatform> fmu_pack(drape_cloth* cloth, description::Nodes nodes,
+                                     const std::vector<Platform>& platforms, const std::string& picture,
+                                     const std::filesystem::path& file, std::string& problem) {
+  const bool has_body = drape_file_count(cloth) > 0;
   description::Description d = description::description_of(cloth, nodes);
   d.date = date_now(problem);
-  if (!problem.empty()) return false;
+  if (!problem.empty()) return {};
   std::vector<Entry> entries = {{"modelDescription.xml", description::description_xml_fmi2(d)},
-                                {"binaries/linux64/" + d.identifier + ".so", binary},
                                 {"resources/scene.toml", drape_scene_text(cloth)},
                                 {"model.png", figures::model_png(cloth)},
                                 {"documentation/index.html", description::description_html(d, picture)}};
-  for (const License& license : kLicenses)
-    entries.emplace_back("documentation/licenses/" + license.name, license.text);
-  if (!bodies_add(cloth, entries, problem)) return false;
-  entries.emplace_back("documentation/licenses/components.csv",
-                       kComponents + (drape_file_count(cloth) > 0 ? kContactComponents : ""));
-  return archive_write(file, entries, problem);
+  for (int k = 0; k < drape_file_count(cloth); ++k)
+    file_add(entries, std::string("resources/") + drape_file_name(cloth, k), drape_file_path(cloth, k),
+             problem);
+  std::vector<PackedPlatform> packed;
+  std::string list;
+  for (const Platform& platform : platforms) {
+    PackedPlatform& now = packed.emplace_back();
+    now.name = platform.name;
+    const std::string folder = "binaries/" + platform.name + "/";
+    now.size = file_add(entries, folder + d.identifier + platform.ending, platform.folder / platform.binary,
+                        problem);
+    if (problem.empty()) now.glibc = glibc_needed(entries.back().second);
+    if (has_body)
+      now.size += file_add(entries, folder + platform.contact, platform.folder / platform.contact, problem);
+    if (has_body && problem.empty()) now.glibc = glibc_newer(now.glibc, glibc_needed(entries.back().second));
+    licenses_add(platform, has_body, entries, list, problem);
+  }
+  entries.emplace_back("documentation/licenses/components.csv", list);
+  if (!problem.empty() || !archive_write(file, entries, problem)) packed.clear();
+  return packed;
 }
 
 }  // namespace drape::package

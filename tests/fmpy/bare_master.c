@@ -1,9 +1,16 @@
-/* A co-simulation master that needs nothing but libc: loads an FMU's library, does some steps, prints one
- * output.
+/* A co-simulation master that needs nothing but libc: loads an FMU's library, does some steps, prints
+ * outputs, a line each, in hexadecimal, and unloads the library. Also for Windows.
  *
- *   bare_master LIBRARY GUID RESOURCES VALUE_REFERENCE STEPS LENGTH
+ *   bare_master LIBRARY GUID RESOURCES FIRST_REFERENCE COUNT STEPS LENGTH
  */
+#ifdef _WIN32
+#define WIN32_LEAN_AND_MEAN
+#include <windows.h>
+/* after windows.h */
+#include <shellapi.h>
+#else
 #include <dlfcn.h>
+#endif
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,16 +28,42 @@ static void print_log(fmi2ComponentEnvironment env, fmi2String name, fmi2Status 
   va_end(arguments);
 }
 
-#define LOAD(function)                                                   \
-  function##TYPE* function = (function##TYPE*)dlsym(library, #function); \
+#ifdef _WIN32
+static HMODULE library_open(const char* utf8) {
+  wchar_t file[1024];
+  MultiByteToWideChar(CP_UTF8, 0, utf8, -1, file, 1024);
+  HMODULE library = LoadLibraryW(file);
+  if (!library) fprintf(stderr, "error %lu of Windows\n", GetLastError());
+  return library;
+}
+#define library_symbol(library, name) (void*)GetProcAddress(library, name)
+#define library_close(library) FreeLibrary(library)
+#define library_is_loaded(name) (GetModuleHandleA(name) != NULL)
+#else
+static void* library_open(const char* file) {
+  void* library = dlopen(file, RTLD_NOW | RTLD_LOCAL);
+  if (!library) fprintf(stderr, "%s\n", dlerror());
+  return library;
+}
+#define library_symbol(library, name) dlsym(library, name)
+#define library_close(library) dlclose(library)
+#define library_is_loaded(name) (dlopen(name, RTLD_NOW | RTLD_NOLOAD) != NULL)
+#endif
+
+#define LOAD(function)                                                            \
+  function##TYPE* function = (function##TYPE*)library_symbol(library, #function); \
   if (!function) return fprintf(stderr, "no " #function "\n"), 1
 #define CALL(call) \
   if ((call) != fmi2OK) return fprintf(stderr, "failed: " #call "\n"), 1
 
-int main(int argc, char** argv) {
-  if (argc != 7) return 2;
-  void* library = dlopen(argv[1], RTLD_NOW | RTLD_LOCAL);
-  if (!library) return fprintf(stderr, "%s\n", dlerror()), 1;
+static int run(int argc, char** argv) {
+  if (argc != 8) return 2;
+#ifdef _WIN32
+  HMODULE library = library_open(argv[1]);
+#else
+  void* library = library_open(argv[1]);
+#endif
+  if (!library) return 1;
   LOAD(fmi2Instantiate);
   LOAD(fmi2SetupExperiment);
   LOAD(fmi2EnterInitializationMode);
@@ -47,13 +80,33 @@ int main(int argc, char** argv) {
   CALL(fmi2SetupExperiment(cloth, fmi2False, 0, 0, fmi2False, 0));
   CALL(fmi2EnterInitializationMode(cloth));
   CALL(fmi2ExitInitializationMode(cloth));
-  const double length = atof(argv[6]);
-  for (int k = 0; k < atoi(argv[5]); ++k) CALL(fmi2DoStep(cloth, k * length, length, fmi2True));
-  const fmi2ValueReference reference = (fmi2ValueReference)atoi(argv[4]);
-  fmi2Real value = 0;
-  CALL(fmi2GetReal(cloth, &reference, 1, &value));
-  printf("%.17g\n", value);
+  const double length = atof(argv[7]);
+  for (int k = 0; k < atoi(argv[6]); ++k) CALL(fmi2DoStep(cloth, k * length, length, fmi2True));
+  for (int k = 0; k < atoi(argv[5]); ++k) {
+    const fmi2ValueReference reference = (fmi2ValueReference)(atoi(argv[4]) + k);
+    fmi2Real value = 0;
+    CALL(fmi2GetReal(cloth, &reference, 1, &value));
+    printf("%a\n", value);
+  }
   CALL(fmi2Terminate(cloth));
   fmi2FreeInstance(cloth);
+  library_close(library);
+  if (library_is_loaded(argv[1])) return fprintf(stderr, "the library is still loaded\n"), 1;
   return 0;
 }
+
+#ifdef _WIN32
+int main(void) {  // the words of the line in UTF-8
+  static char text[16][2048];
+  char* words[16];
+  int count = 0;
+  wchar_t** wide = CommandLineToArgvW(GetCommandLineW(), &count);
+  for (int k = 0; k < count && k < 16; ++k) {
+    WideCharToMultiByte(CP_UTF8, 0, wide[k], -1, text[k], sizeof text[k], NULL, NULL);
+    words[k] = text[k];
+  }
+  return run(count, words);
+}
+#else
+int main(int argc, char** argv) { return run(argc, argv); }
+#endif

@@ -1,4 +1,6 @@
 """Fixtures: the built `drape` command, and FMUs packed from scenes into a test's own folder."""
+import os
+import signal
 import subprocess
 from pathlib import Path
 
@@ -8,6 +10,12 @@ import pytest
 from convergence import measure
 from master import Fmu
 from scenes import ROOT, toml
+
+# The FMUs of the tests are those of the development build. `DRAPE_BUILD=release pytest tests/fmpy` runs them on the other.
+BUILD = os.environ.get("DRAPE_BUILD", "development")
+
+# A shell starts a job in the background with Ctrl-C ignored, which its children inherit. Some tests here press it.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 class KeptCallbacks(fmpy.fmi2.fmi2CallbackFunctions):
@@ -31,7 +39,8 @@ def drape():
         pytest.exit(f"{command} is missing: run `bash tests/run.sh`", returncode=1)
 
     def run(*arguments, check=True, **named):
-        done = subprocess.run([command, *map(str, arguments)], capture_output=True, text=True, **named)
+        build = ["--build", BUILD] if arguments and arguments[0] == "pack" and "--build" not in arguments else []
+        done = subprocess.run([command, *map(str, arguments), *build], capture_output=True, text=True, **named)
         assert not check or done.returncode == 0, done.stderr
         return done
 

@@ -1,6 +1,4 @@
 """Bodies through the packed FMU: its contents, its inputs, its outputs."""
-import re
-import subprocess
 import zipfile
 
 import numpy as np
@@ -10,7 +8,7 @@ from fmpy.validation import validate_fmu
 from master import Instance, same_bits
 from scenes import read_csv, swinging_sheet
 
-CONTACT = {"libdrape_contact.so", "libfcl.so.0.7", "libccd.so.2", "liboctomap.so.1.9", "liboctomath.so.1.9"}
+CONTACT = {"libdrape_contact.so"}
 
 
 def libraries(fmu):
@@ -19,19 +17,9 @@ def libraries(fmu):
 
 def test_the_contact_library_is_packed_where_there_is_a_body(pack, tmp_path):
     with_body = pack(sheet_over_ball(tmp_path), name="with")
-    assert CONTACT < libraries(with_body)
+    assert libraries(with_body) == CONTACT | {with_body.library.name}
     assert validate_fmu(str(with_body.file)) == []
     assert not CONTACT & libraries(pack(swinging_sheet(), name="without"))
-
-
-def test_the_contact_library_finds_what_it_needs_in_the_fmu(pack, tmp_path):
-    fmu = pack(sheet_over_ball(tmp_path))
-    folder = fmu.library.parent
-    found = subprocess.run(["ldd", folder / "libdrape_contact.so"], capture_output=True, text=True).stdout
-    places = dict(re.findall(r"(\S+) => (\S+)", found))
-    for name in CONTACT - {"libdrape_contact.so"}:
-        assert places[name] == str(folder / name)
-    assert not re.findall("not found", found)
 
 
 def test_the_guid_covers_the_meshes(pack, tmp_path):

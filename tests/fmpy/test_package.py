@@ -100,11 +100,11 @@ def test_runs_where_there_is_only_glibc(pack, tmp_path):
     done = subprocess.run(
         [*into, bare, "/master"]
         + ["/fmu" / fmu.library.relative_to(fmu.folder), fmu.description.guid, "file:///fmu/resources"]
-        + [str(fmu.variables["probe.hem.position[3]"].valueReference), "10", "0.001"],
+        + [str(fmu.variables["probe.hem.position[3]"].valueReference), "1", "10", "0.001"],
         capture_output=True,
         text=True,
         env=SYSTEM,
     )
     assert done.returncode == 0, done.stderr
-    assert same_bits(float(done.stdout), expected)
+    assert same_bits(float.fromhex(done.stdout), expected)
     assert sorted(p.name for p in bare.iterdir()) == ["fmu", "lib", "lib64", "master"]  # nothing was written

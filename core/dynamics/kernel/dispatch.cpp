@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "dynamics/kernel/processor.h"
 #include "dynamics/kernel/row_blocks.h"
 #include "forces/irregular_elements.h"
 
@@ -9,12 +10,6 @@ namespace drape::dynamics {
 namespace {
 
 bool runs_anywhere() { return true; }
-[[maybe_unused]] bool has_avx2() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
-[[maybe_unused]] bool has_avx512() {
-  return has_avx2() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-         __builtin_cpu_supports("avx512vl");
-}
-
 // The kernels of this build, the fastest first. CMake says which there are.
 struct Choice {
   const Kernel* kernel;
@@ -22,14 +17,14 @@ struct Choice {
 };
 constexpr Choice kByChoice[] = {
 #ifdef DRAPE_KERNEL_AVX512
-    {&kKernelAvx512, has_avx512},
+    {&kKernelAvx512, processor_has_avx512},
 #endif
 #ifdef DRAPE_KERNEL_AVX2
-    {&kKernelAvx2, has_avx2},
+    {&kKernelAvx2, processor_has_avx2},
 #endif
     {&kKernelPortable, runs_anywhere},
 #ifdef DRAPE_KERNEL_SCALAR
-    {&kKernelScalar, has_avx2},
+    {&kKernelScalar, processor_has_avx2},
 #endif
 };
 

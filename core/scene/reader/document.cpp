@@ -140,18 +140,19 @@ bool fabric_file_merge(toml::table& fabric, const std::string& path, const fs::p
   const std::string key = path + ".file";
   faults.locations[key] = {faults.file, named->source().begin.line};
 
-  const fs::path file = (folder / name).lexically_normal();
+  const fs::path file = (folder / path_of(name)).lexically_normal();
   files.push_back(file);
   std::string hindrance;
   const std::string text = file_text(file, hindrance);
   if (!hindrance.empty()) {
-    fault_add(faults, key, "= " + in_quotes(name) + ": " + hindrance + " (looked for " + file.string() + ")");
+    fault_add(faults, key,
+              "= " + in_quotes(name) + ": " + hindrance + " (looked for " + path_text(file) + ")");
     return false;
   }
-  std::optional<toml::table> base = text_parse(text, file.string(), faults);
+  std::optional<toml::table> base = text_parse(text, path_text(file), faults);
   if (!base) return false;
   if (const toml::node* another = base->get("file")) {
-    faults.locations[key] = {file.string(), another->source().begin.line};
+    faults.locations[key] = {path_text(file), another->source().begin.line};
     fault_add(faults, key, "stands in a fabric file; a fabric file cannot name another one");
   }
   corrections_drop(fabric, *base);
@@ -171,7 +172,7 @@ void calibration_drop(toml::table& fabric) {
 
 Document document_load_file(const std::filesystem::path& file, Faults& faults) {
   Document document;
-  faults.file = file.string();
+  faults.file = path_text(file);
   document.files.push_back(file);
   std::string hindrance;
   const std::string text = file_text(file, hindrance);

@@ -1,5 +1,6 @@
 #include <sstream>
 
+#include "scene/files.h"
 #include "scene/reader/document.h"
 #include "scene/reader/read.h"
 #include "scene/reader/schema.h"
@@ -7,7 +8,7 @@
 namespace drape::scene {
 
 std::string body_file(const std::string& name, const std::string& mesh) {
-  return "body_" + name + std::filesystem::path(mesh).extension().string();
+  return "body_" + name + path_text(path_of(mesh).extension());
 }
 
 // Data sheets become plain keys. Doubles are printed as the shortest decimals that give the same doubles, so

@@ -109,14 +109,14 @@ void seam_normalize(Faults& faults, const toml::table& table, const std::string&
 
 void body_normalize(Faults& faults, const std::string& path, const std::filesystem::path& folder,
                     const BodyText& text, BodySpec& body) {
-  const std::filesystem::path file = (folder / text.mesh).lexically_normal();
-  body.mesh = file.string();
+  const std::filesystem::path file = (folder / path_of(text.mesh)).lexically_normal();
+  body.mesh = path_text(file);
   if (body.drive != Drive::kNone && !body.moves)
     fault_add(faults, path + ".drive",
               "is of a body that moves; wanted: moves = true beside it, or no drive");
   if (const std::string hindrance = file_hindrance(file, kMaxData); !text.mesh.empty() && !hindrance.empty())
     fault_add(faults, path + ".mesh",
-              "= " + in_quotes(text.mesh) + ": " + hindrance + " (looked for " + file.string() + ")");
+              "= " + in_quotes(text.mesh) + ": " + hindrance + " (looked for " + path_text(file) + ")");
   if (text.orientation.empty() || fault_within(faults, path + ".orientation")) return;
   if (text.orientation.size() != 4)
     return fault_add(faults, path + ".orientation",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "scene/files.h"
 #include "scene/reader/normalize.h"
 #include "scene/reader/schema.h"
 #include "scene/reader/table_reader.h"
@@ -94,7 +95,7 @@ void document_read(Faults& faults, const Document& document, Scene& scene) {
   scene.seams = specs_read<SeamSpec>(
       faults, root, "seam", [&](SeamSpec& s) { return seam_keys(s, pieces); },
       [&](const toml::table& t, const std::string& path, SeamSpec&) { seam_normalize(faults, t, path); });
-  const std::filesystem::path folder = std::filesystem::path(faults.file).parent_path();
+  const std::filesystem::path folder = path_of(faults.file).parent_path();
   BodyText text;
   scene.bodies = specs_read<BodySpec>(
       faults, root, "body", [&](BodySpec& b) { return body_keys(b, text = BodyText{}); },
@@ -123,7 +124,7 @@ FabricFile fabric_read(const std::filesystem::path& file, Corrections correction
   if (!text.loaded) return text;
   text.calibration_cell = document.root["calibration"]["cell"].value_or(0.0);
   if (corrections == Corrections::kDropped) calibration_drop(document.root);
-  const std::string name = file.stem().string(), path = "fabric." + name;
+  const std::string name = path_text(file.stem()), path = "fabric." + name;
   FabricText read = fabric_read(text.faults, document.root, path, diagrams);
   text.fabric = std::move(read.spec);
   text.fabric.name = name;
@@ -145,7 +146,7 @@ std::vector<std::filesystem::path> scene_files(const std::filesystem::path& file
     for (toml::node& node : *bodies)
       if (const toml::table* body = node.as_table())
         if (const auto mesh = (*body)["mesh"].value<std::string>())
-          files.push_back(file.parent_path() / *mesh);
+          files.push_back(file.parent_path() / path_of(*mesh));
   return files;
 }
 

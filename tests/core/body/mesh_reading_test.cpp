@@ -28,7 +28,7 @@ struct Read {
 Read read(const std::string& name, const std::string& bytes) {
   const SceneFolder folder;
   std::string hindrance;
-  const drape_contact_library* library = contact_library(hindrance);
+  const std::shared_ptr<const drape_contact_library> library = contact_library(hindrance);
   EXPECT_TRUE(library) << hindrance;
   char problem[200] = "";
   Read found;

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <zip.h>
 
+#include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -40,13 +42,21 @@ std::map<std::string, std::string> entries_of(const std::string& file) {
 }
 
 constexpr char kDate[] = "1970-01-02T00:00:00Z";
+std::vector<Platform> own_platforms() {
+  std::string problem;
+  std::vector<Platform> platforms = platforms_built(program_folder(), Build::kDevelopment, {}, problem);
+  EXPECT_EQ(problem, "");
+  return platforms;
+}
 
 std::string pack_swatch(const std::string& name, description::Nodes nodes) {
   setenv("SOURCE_DATE_EPOCH", "86400", 1);
   const Cloth cloth = open_swatch();
   const std::string file = testing::TempDir() + name;
   std::string problem;
-  EXPECT_TRUE(fmu_pack(cloth.get(), nodes, "<svg><title>here</title></svg>", file, problem)) << problem;
+  const std::vector<PackedPlatform> packed =
+      fmu_pack(cloth.get(), nodes, own_platforms(), "<svg><title>here</title></svg>", file, problem);
+  EXPECT_EQ(packed.size(), 1u) << problem;
   return file;
 }
 
@@ -94,9 +104,74 @@ TEST(Package, SameSceneSameBytes) {
 TEST(Package, NamesTheFileItCannotWrite) {
   const Cloth cloth = open_swatch();
   std::string problem;
-  EXPECT_FALSE(
-      fmu_pack(cloth.get(), description::Nodes::kNone, "<svg/>", "/no/such/folder/cloth.fmu", problem));
+  EXPECT_TRUE(fmu_pack(cloth.get(), description::Nodes::kNone, own_platforms(), "<svg/>",
+                       "/no/such/folder/cloth.fmu", problem)
+                  .empty());
   EXPECT_NE(problem.find("/no/such/folder/cloth.fmu"), std::string::npos) << problem;
+}
+
+// A folder with empty files in place of binaries, some younger than others.
+struct Binaries {
+  std::filesystem::path folder;
+  explicit Binaries(const char* name) : folder(testing::TempDir() + name) {
+    std::filesystem::remove_all(folder);
+  }
+  ~Binaries() { std::filesystem::remove_all(folder); }
+  void put(const std::string& file, int age) const {  // age in s
+    std::filesystem::create_directories((folder / file).parent_path());
+    std::ofstream(folder / file) << "x";
+    std::filesystem::last_write_time(
+        folder / file, std::filesystem::file_time_type::clock::now() - std::chrono::seconds(age));
+  }
+};
+
+std::string names_of(const std::vector<Platform>& platforms) {
+  std::string names;
+  for (const Platform& p : platforms) names += p.name + (p.released ? "* " : " ");
+  return names;
+}
+
+TEST(Platforms, TheReleaseBuildIsTakenUnlessTheSourcesHaveChangedSince) {
+  const Binaries made("drape_platforms");
+  const auto found = [&](Build build, const std::vector<std::string>& names = {}) {
+    std::string problem;
+    const std::string text = names_of(platforms_built(made.folder, build, names, problem));
+    EXPECT_NE(text.empty(), problem.empty());
+    return text + problem;
+  };
+  EXPECT_NE(found(Build::kNewest).find("drape_fmi2.so, the binary of the FMU; it belongs beside"),
+            std::string::npos);
+  made.put("drape_fmi2.so", 20);
+  EXPECT_EQ(found(Build::kNewest), "linux64 ");
+  EXPECT_EQ(found(Build::kNewest, {"win64"}),
+            "--platforms names win64, which is not built; built: linux64; `bash fmu/release.sh` builds it");
+  EXPECT_EQ(found(Build::kRelease), "there is no release build; `bash fmu/release.sh` builds it");
+  made.put("release/win64/drape_fmi2.dll", 10);
+  EXPECT_EQ(found(Build::kNewest), "linux64 win64* ");
+  EXPECT_EQ(found(Build::kRelease), "win64* ");
+  made.put("release/linux64/drape_fmi2.so", 10);
+  EXPECT_EQ(found(Build::kNewest), "linux64* win64* ");
+  EXPECT_EQ(found(Build::kNewest, {"win64"}), "win64* ");
+  EXPECT_EQ(found(Build::kDevelopment), "linux64 ");
+  EXPECT_EQ(found(Build::kNewest, {"win32"}), "--platforms names 'win32'; allowed: linux64, win64");
+  EXPECT_EQ(found(Build::kNewest, {"win64", "win64"}), "--platforms names win64 twice; allowed: once");
+  made.put("drape_fmi2.so", 0);
+  EXPECT_EQ(found(Build::kNewest), "linux64 ");
+  EXPECT_NE(found(Build::kNewest, {"win64"}).find("not built since the sources changed; built: linux64"),
+            std::string::npos);
+  EXPECT_NE(found(Build::kRelease).find("older than the development build"), std::string::npos);
+}
+
+TEST(Platforms, TheVersionOfGlibcIsReadFromTheLibrary) {
+  const std::string bytes = bytes_of(DRAPE_FMI2_BINARY), needed = glibc_needed(bytes);
+  EXPECT_TRUE(needed.starts_with("2.")) << needed;
+  EXPECT_NE(bytes.find("GLIBC_" + needed + '\0'), std::string::npos);
+  EXPECT_EQ(glibc_newer("2.9", "2.28"), "2.28");
+  EXPECT_EQ(glibc_newer("2.36", "2.4"), "2.36");
+  EXPECT_EQ(glibc_newer("", "2.4"), "2.4");
+  EXPECT_EQ(glibc_needed("MZ, a library of Windows"), "");
+  for (std::size_t size = 0; size < 4096; size += 7)
+    EXPECT_EQ(glibc_needed(bytes.substr(0, size)), "") << size;
 }
 
 }  // namespace
