@@ -7,7 +7,7 @@
 # a Python environment of its own. Everything lies in build/release: the compiler with its cache, one build folder a
 # platform, and linux64/ and win64/, which `drape pack` takes by itself. Remove the folder, and nothing is left.
 #
-# The first build of a platform compiles the C++ runtime too. Two cores take five minutes for it, and 400 MB of disk.
+# The first build of a platform compiles the C++ runtime too. Two cores take 5 to 10 minutes for it. In all it takes 1.3 GB of disk.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../tests/setup.sh"
 

@@ -13,6 +13,8 @@ from scenes import ROOT, toml
 
 # The FMUs of the tests are those of the development build. `DRAPE_BUILD=release pytest tests/fmpy` runs them on the other.
 BUILD = os.environ.get("DRAPE_BUILD", "development")
+BINARIES = ROOT / "build" / {"development": "", "release": "release/linux64"}[BUILD]
+PACKED = {"development": ["--build", "development"], "release": ["--build", "release", "--platforms", "linux64"]}[BUILD]
 
 # A shell starts a job in the background with Ctrl-C ignored, which its children inherit. Some tests here press it.
 signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -39,8 +41,8 @@ def drape():
         pytest.exit(f"{command} is missing: run `bash tests/run.sh`", returncode=1)
 
     def run(*arguments, check=True, **named):
-        build = ["--build", BUILD] if arguments and arguments[0] == "pack" and "--build" not in arguments else []
-        done = subprocess.run([command, *map(str, arguments), *build], capture_output=True, text=True, **named)
+        choice = PACKED if arguments and arguments[0] == "pack" and "--build" not in arguments else []
+        done = subprocess.run([command, *map(str, arguments), *choice], capture_output=True, text=True, **named)
         assert not check or done.returncode == 0, done.stderr
         return done
 

@@ -5,10 +5,7 @@ import sys
 
 import pytest
 from bodies import sheet_over_ball
-from conftest import BUILD
-from scenes import ROOT
-
-LIBRARIES = ROOT / "build" / ("release/linux64" if BUILD == "release" else "")
+from conftest import BINARIES
 
 # In a process of its own, which a crash would end.
 INSTANTIATE = """
@@ -58,7 +55,7 @@ def test_a_library_that_is_missing(fmu):
 
 
 def test_a_library_of_another_kind(fmu):
-    shutil.copy(LIBRARIES / "drape_fmi2.so", fmu.library.with_name("libdrape_contact.so"))
+    shutil.copy(BINARIES / "drape_fmi2.so", fmu.library.with_name("libdrape_contact.so"))
     (sentence,) = refused(fmu)
     assert "is of another version" in sentence
     fmu.library.with_name("libdrape_contact.so").write_text("no library")

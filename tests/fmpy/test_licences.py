@@ -7,13 +7,15 @@ import subprocess
 import zipfile
 from pathlib import Path
 
+import conftest
 import pytest
 from bodies import sheet_over_ball
 from scenes import ROOT, swinging_sheet
 
 BUILD = ROOT / "build"
 C_LIBRARY = {"libc6-dev", "linux-libc-dev"}  # declares; what it runs is the machine's own
-debian = pytest.mark.skipif(not shutil.which("dpkg-query"), reason="the packages of Debian tell which file is whose")
+debian = pytest.mark.skipif(not shutil.which("dpkg-query") or conftest.BUILD == "release",
+                            reason="the packages of Debian tell which file is whose, of the development build alone")
 
 
 def components(file):

@@ -14,7 +14,7 @@ from scenes import swinging_sheet
 
 SYSTEM = {"PATH": "/usr/sbin:/usr/bin:/sbin:/bin"}
 INTO_ROOT_FOLDER = (["chroot"], ["unshare", "--map-root-user", "chroot"])  # for root, for other users
-GLIBC = {"libc.so.6", "libm.so.6", "ld-linux-x86-64.so.2"}
+GLIBC = {"libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "ld-linux-x86-64.so.2"}
 
 
 @pytest.mark.parametrize("nodes", ["none", "outline", "all"])

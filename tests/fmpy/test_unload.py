@@ -5,8 +5,7 @@ from pathlib import Path
 
 import fmpy
 from bodies import sheet_over_ball
-from conftest import BUILD
-from scenes import ROOT
+from conftest import BINARIES
 
 ROUNDS = 200
 
@@ -30,9 +29,8 @@ def test_200_rounds(pack, tmp_path):
 
 def test_nothing_holds_a_library():
     """A unique symbol keeps it loaded for ever, a destructor of a thread's variable until the thread ends."""
-    folder = ROOT / "build" / ("release/linux64" if BUILD == "release" else "")
     for name in ("drape_fmi2.so", "libdrape_contact.so"):
-        symbols = subprocess.run(["readelf", "--wide", "--dyn-syms", folder / name], capture_output=True, text=True,
+        symbols = subprocess.run(["readelf", "--wide", "--dyn-syms", BINARIES / name], capture_output=True, text=True,
                                  check=True).stdout
         assert "fmi2DoStep" in symbols or "drape_contact_library" in symbols
         assert re.findall(r" UNIQUE |__cxa_thread_atexit\w*", symbols) == [], name

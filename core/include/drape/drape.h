@@ -66,7 +66,7 @@ enum { DRAPE_MODE_DYNAMIC = 1, DRAPE_MODE_FIT = 2 };
 typedef struct drape_parameters {
   double damping;                    /* 1/s, damping by mass */
   double gravity[3];                 /* m/s^2 */
-  int has_air;                       /* 1: the scene has air; 0: the next two have no effect */
+  int has_air;                       /* 1: the scene gives the next two; above 0 they act in either case */
   double air_normal, air_tangential; /* 1, drag coefficients */
   double ramp;                       /* s, parameter_ramp: time in which tuned values reach their targets */
   double step_max;                   /* s, upper bound of the time step; fixed after the first step */
