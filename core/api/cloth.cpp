@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <new>
+#include <utility>
 
 #include "api/cloth.h"
 #include "assembly/assemble.h"
@@ -85,9 +87,9 @@ void log_failure(const drape_cloth& c, dynamics::Advance how, double length) {
     log_message(
         c, DRAPE_LOG_ERROR,
         when + " the cloth has " + (g.unaccounted > 0 ? "gained " : "lost ") +
-            number(std::abs(g.unaccounted), 3) + " J that no force accounts for, " +
-            number(100 * std::abs(g.unaccounted) / g.largest, 3) + " % of its largest energy, at a step of " +
-            number(c.state.h_old, 3) + " s, set by the " +
+            number(dynamics::guard_missing(c.state), 3) + " J that no force accounts for, " +
+            number(100 * dynamics::guard_missing(c.state) / dynamics::guard_size(c.system, c.state), 3) +
+            " % of its largest energy, at a step of " + number(c.state.h_old, 3) + " s, set by the " +
             dynamics::step_limit_link(c.system, c.scene, c.state) +
             "; give the cloth smaller steps (scene.step, step.max) or slower motion; the state is that of " +
             number(from, 9) + " s");
@@ -119,7 +121,7 @@ using namespace drape::api;
 
 drape_cloth* drape_open(const char* scene_file, drape_log_fn* log, void* user) {
   const math::PlainEnvironment plain;
-  auto* c = new drape_cloth;
+  auto c = std::make_unique<drape_cloth>();
   c->log = log;
   c->log_user = user;
   std::vector<Problem> problems;
@@ -136,9 +138,8 @@ drape_cloth* drape_open(const char* scene_file, drape_log_fn* log, void* user) {
     problems.push_back(
         {std::string(scene_file) + ":", "does not fit into this machine's memory; use larger cells"});
   }
-  if (problems.empty()) return c;
+  if (problems.empty()) return c.release();
   log_problems(*c, problems);
-  delete c;
   return nullptr;
 }
 
@@ -170,10 +171,12 @@ void drape_inputs_start(drape_cloth* c) {
 }
 int drape_at_rest(const drape_cloth* c) { return c->state.relaxation.at_rest; }
 
-drape_unaccounted drape_energy_unaccounted(const drape_cloth* c) {
+drape_unaccounted drape_energy_unaccounted(drape_cloth* c) {
   const math::PlainEnvironment plain;
-  const model::EnergyGuard& g = c->state.guard;
-  return {g.worst, dynamics::guard_size(c->system, c->state), g.worst_time, dynamics::kGuardAllowed};
+  const model::EnergyGuard kept = c->state.guard;
+  dynamics::guard_look(c->system, c->motion, c->state);
+  const model::EnergyGuard now = std::exchange(c->state.guard, kept);
+  return {now.worst, now.worst_size, now.worst_time, dynamics::kGuardAllowed};
 }
 
 drape_status drape_start(drape_cloth* c, double time) {

@@ -71,7 +71,7 @@ void motion_update(const System& system, const Motion& motion, double h, double 
   if (path_moves(motion.path)) s.flutter = std::max(s.flutter, flutter_unknown(system, s.omega2));
   s.mean_defect += weight * (defect.energy / std::pow(std::abs(h), 3) - s.mean_defect);
   s.mean_kinetic += weight * (kinetic - s.mean_kinetic);
-  if (h > 0) guard_damped(system, s, h, kinetic);
+  if (h > 0) guard_damped(system, s, kinetic);
 }
 
 // The largest omega^2 and motion of all checks since the number of steps last changed; from the present ones.
@@ -97,7 +97,7 @@ bool all_finite(const System& system, const State& s) {
 // the step too large is repeated over fewer: in vibrating cloth velocities reverse long before.
 void check_step_limit(const System& system, const Motion& motion, State& s, double h) {
   if (system.step_given > 0) {
-    if (system.damping > 0) guard_damped(system, s, h, model::kinetic_energy(system, s));
+    if (system.damping > 0) guard_damped(system, s, model::kinetic_energy(system, s));
     s.omega2 = step_limit_omega2(system, *motion.kernel, s);
     s.steps_to_limit_check = kLimitCheckGiven;
     return;
@@ -196,25 +196,36 @@ Advance interval_watched(const System& system, Motion& motion, State& s, double 
   };
   const bool repeats = guard_watches(system, s) && system.step_given == 0 && steps() >= s.guard.period;
   if (repeats) motion.before = s;
-  const double refinement = s.guard.refinement, known = guard_missing(system, s);  // before the interval
-  for (double failed = INFINITY;;) {
+  const double refinement = s.guard.refinement, known = guard_missing(s);  // before the interval
+  const std::string told = event;
+  bool again = false;
+  for (double failed = INFINITY;; again = true) {
     const Advance how = interval_run(system, motion, s, {length, steps()}, event);
-    if (how != Advance::kDone) return how;
-    const Guard guard = guard_check(system, motion, s, length);
+    const bool fell = how == Advance::kNotFinite && repeats;
+    if (how != Advance::kDone && !fell) return how;
+    const Guard guard = fell ? Guard::kRepeat : guard_check(system, motion, s, length);
     if (guard == Guard::kLost) return Advance::kEnergyLost;
     if (guard == Guard::kKept || system.step_given > 0) return Advance::kDone;
-    const double missing = guard_missing(system, s) - known;
+    const double missing = fell ? INFINITY : guard_missing(s) - known;
     if (missing > kGuardHelps * failed) {
-      guard_accept(system, s, refinement);
+      event = told;
+      guard_accept(s, refinement);
+      return guard_lost(system, s) ? Advance::kEnergyLost : Advance::kDone;
+    }
+    if (!guard_refine(repeats ? motion.before : s, again)) {
+      if (fell) return how;
+      guard_accept(s, s.guard.refinement);
       return Advance::kDone;
     }
-    if (!guard_refine(system, repeats ? motion.before : s, failed < INFINITY)) return Advance::kDone;
     failed = missing;
-    describe_step(event, "is refined, since energy is missing,", model::state_time(s, q),
-                  q / double(s.steps_per_interval), s);
+    if (repeats) {
+      if (fell) workspace_clear(motion.workspace);
+      s = motion.before;
+      held_follow(motion.constraints, s, motion.held);
+    }
+    describe_step(event, "is refined, since energy is missing,",
+                  model::state_time(s, q) + (repeats ? 0 : length), q / double(s.steps_per_interval), s);
     if (!repeats) return Advance::kDone;
-    s = motion.before;
-    held_follow(motion.constraints, s, motion.held);
   }
 }
 
@@ -278,8 +289,10 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   held_follow(motion.constraints, s, motion.held);
   const double before = jumps ? model::kinetic_energy(system, s) : 0;
   if (jumps) {
+    const std::array<Array, 3> velocity = {s.vx, s.vy, s.vz};
     constraints_project(system, motion.constraints, motion.held, {s.vx.data(), s.vy.data(), s.vz.data()},
                         &s.pin_impulse);
+    guard_jump(system, motion, s, velocity);
     if (!s.wx.empty()) s.wx = s.vx, s.wy = s.vy, s.wz = s.vz;
   }
   if (!s.body.empty() && (jumps || bodies_jump(motion.path)))  // neighbours took all to move as before

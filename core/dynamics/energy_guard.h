@@ -1,11 +1,12 @@
 // The energy guard: compares the energy of the cloth with the work done on it, and asks for smaller steps
 // where more is missing than a run may lose. core/README.md, section 4, "Energy guard".
 #pragma once
+#include <array>
+
 #include "dynamics/advance.h"
 
 namespace drape::dynamics {
 
-// A check costs some three steps.
 inline constexpr std::int64_t kGuardSteps = 256;  // between two checks, at least
 inline constexpr double kGuardAllowed = 0.01;     // of the largest energy, in a run
 
@@ -13,16 +14,18 @@ inline constexpr double kGuardAllowed = 0.01;     // of the largest energy, in a
 // wind and rigid links. The paper's scheme is left as it is.
 bool guard_watches(const System& system, const State& state);
 
-// Before a step of h (s). Begins the balance where it is due, after the first step and after a pause; follows
-// a change of the step.
+// Before a step of h (s). Begins the balance where it is due, at the start and after a pause; follows a
+// change of the step.
 void guard_step(const System& system, Motion& motion, State& state, double h);
-// Before a change of the system: ends the balance, which needs the staggered velocities, and then completes
-// the last half kick. Changes that are not rare come in each interval, as in a ramp.
+// After the velocities of pins have jumped, from those of `before` (m/s): follows the energy of the step.
+void guard_jump(const System& system, Motion& motion, State& state, const std::array<Array, 3>& before);
+// Before a change of the system: ends the balance, and completes the last half kick. Changes that are not
+// rare may come in each interval, as in a ramp.
 enum class Change { kRare, kFrequent };
 void change_begin(const System& system, Motion& motion, State& state, Change change);
 
-// Takes note of what the damping -m c v takes, by the kinetic energy (J) within steps of h (s).
-void guard_damped(const System& system, State& state, double h, double kinetic);
+// Takes note of what the damping -m c v takes, by the present kinetic energy (J).
+void guard_damped(const System& system, State& state, double kinetic);
 
 enum class Guard { kKept, kRepeat, kLost };
 
@@ -30,16 +33,21 @@ enum class Guard { kKept, kRepeat, kLost };
 // since the last check, and smaller steps can be taken. kLost: ten times the allowed energy is missing.
 Guard guard_check(const System& system, Motion& motion, State& state, double length);
 
+// The same look at the present state, without a verdict: for what a run has lost at its end.
+void guard_look(const System& system, Motion& motion, State& state);
+
 // J, missing at the last check beyond what is not known.
-double guard_missing(const System& system, const State& state);
+double guard_missing(const State& state);
+// True where that is ten times the allowed energy.
+bool guard_lost(const System& system, const State& state);
 
 // Doubles the refinement of the automatic step, up to a bound. False: it is there already. `again`: for the
 // same interval.
-bool guard_refine(const System& system, State& state, bool again);
+bool guard_refine(State& state, bool again);
 
-// Smaller steps do not help: takes what is missing as it is, with the refinement from before.
+// Smaller steps do not help: takes what is missing as it is, with the refinement and the steps from before.
 inline constexpr double kGuardHelps = 0.7;  // a refinement leaves less than this share of what is missing
-void guard_accept(const System& system, State& state, double refinement);
+void guard_accept(State& state, double refinement);
 
 // J, the largest energy so far, which counts as no less than a floor.
 double guard_size(const System& system, const State& state);

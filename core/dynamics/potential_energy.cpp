@@ -50,11 +50,19 @@ drape_energy potential_energy(const System& system, const Kernel& kernel, const 
   e.bending += sewn.bending;
   e.stretch += sewn.stretch;
   e.contact = contact::contact_energy(system, s) + contact::self_energy(system, s);
-  const Vec3& g = system.gravity;
-  for (std::size_t n : system.particle)
-    e.gravity -= system.mass[n] * (g[0] * s.x[n] + g[1] * s.y[n] + g[2] * s.z[n]);
+  e.gravity = gravity_energy(system, s);
   return e;
 }
+
+double gravity_energy(const System& system, const State& s) {
+  const Vec3& g = system.gravity;
+  double sum = 0;
+  for (std::size_t n : system.particle)
+    sum -= system.mass[n] * (g[0] * s.x[n] + g[1] * s.y[n] + g[2] * s.z[n]);
+  return sum;
+}
+
+double elastic_energy(const drape_energy& e) { return e.stretch + e.shear + e.bending; }
 
 drape_energy potential_energy(const System& system, const State& s) {
   return potential_energy(system, kernel_pick(), s);

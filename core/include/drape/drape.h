@@ -275,12 +275,13 @@ int drape_at_rest(const drape_cloth*);
 /* What the energy guard has missed so far. 0 where it does not watch: in wind, fits and the paper's scheme,
  * with bodies, self-contact or rigid links. */
 typedef struct drape_unaccounted {
-  double energy;  /* J, at the time where it was largest: gained, or lost where negative */
-  double largest; /* J, the largest energy of the cloth: kinetic, elastic, change of gravity's and work */
-  double time;    /* s */
+  double energy; /* J, at the time where it was largest: gained, or lost where negative */
+  double
+      largest; /* J, the largest energy of the cloth by then: kinetic, elastic, change of gravity's, work */
+  double time; /* s */
   double allowed; /* 1, share of the largest energy */
 } drape_unaccounted;
-drape_unaccounted drape_energy_unaccounted(const drape_cloth*);
+drape_unaccounted drape_energy_unaccounted(drape_cloth*);
 
 /* Sets the clock to the start time, s. Only before the first step. */
 drape_status drape_start(drape_cloth*, double time);

@@ -77,7 +77,13 @@ Scene swinging() {
   return scene;
 }
 
-double share_missing(const Assembled& a) { return std::abs(a.state.guard.worst) / a.state.guard.largest; }
+double share_missing(const Assembled& a) { return std::abs(a.state.guard.worst) / a.state.guard.worst_size; }
+
+Scene thrown(const Vec3& velocity) {
+  Scene scene = swinging();
+  scene.pieces[0].velocity = velocity;
+  return scene;
+}
 
 TEST(EnergyGuard, MissesLittleWhereLittleIsMissing) {
   for (const double damping : {0.0, 2.0, 50.0}) {
@@ -94,6 +100,20 @@ TEST(EnergyGuard, MissesLittleWhereLittleIsMissing) {
       EXPECT_GT(a.state.guard.damped, 0.01 * a.state.guard.largest);
     }
   }
+}
+
+// A cloth that is thrown ends in stiff vibrations. By m v-.v+/2 + U it would lose 2 to 3 % at this step,
+// though it loses none for good: that falls by (h omega)^2/6 of all energy that moves into a vibration of
+// omega.
+TEST(EnergyGuard, TakesStiffVibrationsForNoLoss) {
+  Scene scene = thrown({1, -2, 1});
+  scene.step = 0.55 * step_limit_of(assemble(scene).system, assemble(scene).state.omega2);
+  scene.communication = 0.001;
+  Assembled a = assemble(scene);
+  const double energy = model::kinetic_energy(a.system, a.state);
+  for (int k = 0; k < 1000; ++k) advance(a, 0.001);
+  EXPECT_GT(a.state.guard.largest, energy);
+  EXPECT_LE(share_missing(a), 0.005);
 }
 
 // The energy that the given step takes out of the constant belongs to the step, not to the motion.
@@ -130,6 +150,102 @@ TEST(EnergyGuard, FindsEnergyThatWasPlanted) {
   }
 }
 
+// A master that sends positions off the grid makes the step change where velocities jump.
+TEST(EnergyGuard, FollowsAStepThatChangesInAJump) {
+  for (const double length : {0.001, 0.00101, 0.0012}) {
+    Scene scene = thrown({0, 0, -1});
+    scene.pins[0].drive = scene::Drive::kPosition;
+    scene.step = 3e-5;
+    scene.communication = 0.001;
+    Assembled a = assemble(scene);
+    for (double t = 0; t < 0.3; t += length) {
+      a.motion.inputs.pin[0].position[1] = 0.01 * std::sin(25 * (t + length));
+      advance(a, length);
+    }
+    SCOPED_TRACE(length);
+    EXPECT_LE(share_missing(a), 0.005);
+  }
+}
+
+// The work of a jolt is booked, and the energy that the step then has.
+TEST(EnergyGuard, FollowsJolts) {
+  Scene scene = swinging();
+  scene.pins[0].drive = scene::Drive::kPosition;
+  Assembled a = assemble(scene);
+  for (int k = 0; k < 60; ++k) {
+    if (k % 10 == 0) a.motion.inputs.pin[0].position[2] = k % 20 == 0 ? 0.004 : 0;
+    advance(a, 0.002);
+  }
+  EXPECT_LE(share_missing(a), 0.005);
+}
+
+TEST(EnergyGuard, KnowsWhatDampingTakesInStepsOfAnySize) {
+  Scene scene = thrown({0, 0, -2});
+  scene.damping = 20;
+  scene.step = scene.communication = 2e-5;
+  Assembled a = assemble(scene);
+  for (double t = 0; t < 0.05; t += 2.02e-5) {
+    advance(a, 2e-5);
+    advance(a, 2e-7);
+  }
+  EXPECT_GT(a.state.guard.damped, 0.1 * a.state.guard.largest);
+  EXPECT_LE(share_missing(a), 0.005);
+}
+
+// What still air takes is not known; what comes back out of nothing is.
+TEST(EnergyGuard, FindsGainsAfterLossesToTheAir) {
+  Scene scene = thrown({0, 0, -2});
+  scene.has_air = true;
+  scene.air_normal = 1;
+  scene.step = 2e-5;
+  Assembled a = assemble(scene);
+  advance(a, 0.2);
+  EXPECT_LE(share_missing(a), 0.002);
+  const double kinetic = model::kinetic_energy(a.system, a.state);
+  gain(a.state, 1.1);
+  advance(a, 0.001);
+  guard_look(a.system, a.motion, a.state);
+  EXPECT_GT(a.state.guard.unaccounted, 0.9 * 0.21 * kinetic);
+}
+
+// A loss counts by the energy of its time, also where the cloth moves faster later; and up to the last step.
+TEST(EnergyGuard, ForgetsNothing) {
+  Scene scene = swinging();
+  scene.step = 2e-5;
+  Assembled a = assemble(scene);
+  advance(a, 0.03);
+  gain(a.state, 0.9);
+  const std::int64_t at = a.state.steps;
+  advance(a, 0.001);
+  ASSERT_LT(a.state.guard.checked, a.state.steps);
+  guard_look(a.system, a.motion, a.state);
+  const double share = share_missing(a);
+  EXPECT_GT(share, 0.01);
+  EXPECT_GE(a.state.steps, at);
+  const double size = a.state.guard.largest;
+  advance(a, 0.2);
+  EXPECT_GT(a.state.guard.largest, 2 * size);
+  EXPECT_GE(share_missing(a), share);
+}
+
+TEST(EnergyGuard, WatchesAcrossChanges) {
+  Scene scene = swinging();
+  scene.step = 2e-5;
+  Assembled a = assemble(scene);
+  double planted = 0;
+  for (int k = 0; k < 100; ++k) {
+    change_begin(a.system, a.motion, a.state, Change::kFrequent);
+    advance(a, 0.003);
+    if (k == 50) {
+      planted = model::kinetic_energy(a.system, a.state) * (1.05 * 1.05 - 1);
+      EXPECT_LE(share_missing(a), 1e-3);
+      gain(a.state, 1.05);
+    }
+    advance(a, 0.003);  // 300 steps in all
+  }
+  EXPECT_NEAR(a.state.guard.unaccounted, planted, 0.05 * planted);
+}
+
 TEST(EnergyGuard, RefinesTheStepAndStopsWhereThatDoesNotHelp) {
   Assembled a = assemble(swinging());
   bool told = false;
@@ -158,6 +274,25 @@ TEST(EnergyGuard, KeepsTheStepWhereSmallerOnesDoNotHelp) {
   advance(a, 0.02);
   EXPECT_EQ(a.state.guard.refinement, 1);
   EXPECT_GT(share_missing(a), 0.01);
+  const double h = a.state.h_old;
+  advance(a, 0.02);
+  EXPECT_GT(a.state.h_old, 0.9 * h);
+}
+
+// Ten times the allowed energy missing ends a run, also in intervals that are repeated in vain.
+TEST(EnergyGuard, StopsWhereRepeatingDoesNotHelp) {
+  Scene scene = swinging();
+  scene.communication = 0.01;
+  Assembled a = assemble(scene);
+  Advance how = Advance::kDone;
+  for (int interval = 0; how == Advance::kDone && interval < 200; ++interval) {
+    std::string event;
+    how = leapfrog_advance(a.system, a.motion, a.state, 0.01, event, [&](double) {
+      gain(a.state, 1.01);
+      return false;
+    });
+  }
+  EXPECT_EQ(how, Advance::kEnergyLost);
 }
 
 // The step recovers once nothing goes missing any more.
@@ -165,7 +300,7 @@ TEST(EnergyGuard, GivesTheRefinementBack) {
   Assembled a = assemble(swinging());
   advance(a, 0.3);
   const double h = a.state.h_old;
-  ASSERT_TRUE(guard_refine(a.system, a.state, false));
+  ASSERT_TRUE(guard_refine(a.state, false));
   advance(a, 0.02);
   EXPECT_EQ(a.state.guard.refinement, 2);
   EXPECT_LT(a.state.h_old, 0.6 * h);
@@ -197,14 +332,21 @@ TEST(EnergyGuard, KnowsTheWorkOfPins) {
 }
 
 TEST(EnergyGuard, GivesTheSameBitsHoweverAMasterGroupsItsSteps) {
-  Assembled a = assemble(swinging()), b = assemble(swinging());
-  gain(a.state, 1.0);
-  for (Assembled* one : {&a, &b})
-    for (double& v : one->state.vz) v = -4;  // hard enough that the guard acts
-  advance(a, 0.04);
-  for (int k = 0; k < 40; ++k) advance(b, 0.001);
-  EXPECT_EQ((positions(a) - positions(b)).cwiseAbs().maxCoeff(), 0.0);
-  EXPECT_EQ(a.state.guard.unaccounted, b.state.guard.unaccounted);
+  for (const double communication : {0.001, 0.01}) {  // refined after an interval, and an interval repeated
+    Scene scene = thrown({0, 0, -4});
+    scene.communication = communication;
+    Assembled a = assemble(scene), b = assemble(scene);
+    for (Assembled* one : {&a, &b}) {
+      advance(*one, communication);
+      one->state.guard.balance -= 0.02 * one->state.guard.largest;  // a gain that makes the guard act
+    }
+    advance(a, 0.04);
+    for (int k = 0; k < int(0.04 / communication + 0.5); ++k) advance(b, communication);
+    SCOPED_TRACE(communication);
+    EXPECT_GT(a.state.guard.refinements, 0);
+    EXPECT_EQ((positions(a) - positions(b)).cwiseAbs().maxCoeff(), 0.0);
+    EXPECT_EQ(a.state.guard.unaccounted, b.state.guard.unaccounted);
+  }
 }
 
 }  // namespace
