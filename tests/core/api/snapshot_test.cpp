@@ -152,7 +152,7 @@ TEST_P(Snapshots, DamagedBytesAreRefused) {
 INSTANTIATE_TEST_SUITE_P(Seeds, Snapshots,
                          testing::Values("hanging", "driven", "order_4", "order_6", "sewn", "fitted", "paper",
                                          "bodies", "self_contact", "bodies_and_self_contact"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& seed) { return std::string(seed.param); });
 
 TEST(Snapshot, BytesOfAnotherSceneAreRefused) {
   Logged logged;
