@@ -47,14 +47,18 @@ link_headers() {
 }
 
 build_platform() { # linux64|win64
-  local tree="$release/tree-$1"
+  local tree="$release/tree-$1" fresh=()
   export ZIG_GLOBAL_CACHE_DIR="${ZIG_GLOBAL_CACHE_DIR:-$release/cache}" ZIG_LOCAL_CACHE_DIR="$release/cache-local"
-  cmake -S "$root" -B "$tree" -G Ninja --log-level=WARNING -DCMAKE_BUILD_TYPE=Release -DDRAPE_FMU_ONLY=ON \
+  if [[ -f $tree/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$tree/CMakeCache.txt"; then
+    fresh=(--fresh) # the tree was moved or copied together with its build folder
+  fi
+  rm -rf "$tree/licenses" # of texts that are packed no more
+  cmake -S "$root" -B "$tree" "${fresh[@]}" -G Ninja --log-level=WARNING -DCMAKE_BUILD_TYPE=Release -DDRAPE_FMU_ONLY=ON \
     -DCMAKE_TOOLCHAIN_FILE="$root/fmu/release.cmake" -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DCMAKE_PREFIX_PATH=/usr \
     -DDRAPE_PLATFORM="$1" -DDRAPE_TOOLS="$release/tools" -DDRAPE_ZIG="$zig" -DDRAPE_ZIG_VERSION="$zig_version" \
     -DDRAPE_TOMLPLUSPLUS_HEADERS="$release/include" -DDRAPE_FCL_HEADERS="$release/include" \
     -DDRAPE_TINYOBJLOADER_HEADERS="$release/include"
-  cmake --build "$tree"
+  cmake --build "$tree" --target drape_fmi2 drape_contact
   rm -rf "${release:?}/$1"
   mkdir -p "$release/$1"
   local file

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
+#include <new>
 #include <numbers>
 
 #include "body/closest_features.h"
@@ -37,16 +39,28 @@ bool voxel_name(const Vec3& x, double size, std::uint64_t& name, Vec3& centre) {
 
 double half_diagonal(const DistanceGrid& grid, int level) { return kHalfDiagonal * grid.size[level]; }
 
+// The queries of the contact library, which fail where there is not enough memory.
+double query_distance(const DistanceGrid& grid, const Vec3& x, int* triangle) {
+  const double distance = grid.library->distance(grid.query, x.data(), triangle);
+  if (std::isnan(distance) && std::isfinite(x[0] + x[1] + x[2])) throw std::bad_alloc();
+  return distance;
+}
+std::size_t query_within(const DistanceGrid& grid, const Vec3& x, double radius, std::vector<int>& triangle) {
+  const std::size_t count =
+      grid.library->within(grid.query, x.data(), radius, triangle.data(), triangle.size());
+  if (count == SIZE_MAX) throw std::bad_alloc();
+  return count;
+}
+
 // Makes a voxel of the largest size.
 Voxel voxel_query(const DistanceGrid& grid, const Vec3& centre) {
   Voxel voxel;
-  voxel.distance = grid.library->distance(grid.query, centre.data(), nullptr) * (1 - kRounding);
+  voxel.distance = query_distance(grid, centre, nullptr) * (1 - kRounding);
   voxel.far = voxel.distance > half_diagonal(grid, 0) + grid.size[0] / kFiner;
   if (voxel.far) return voxel;
   voxel.distance = half_diagonal(grid, 0) + grid.reach;
   voxel.triangle.resize(grid.surface->corner.size());
-  voxel.triangle.resize(grid.library->within(grid.query, centre.data(), voxel.distance, voxel.triangle.data(),
-                                             voxel.triangle.size()));
+  voxel.triangle.resize(query_within(grid, centre, voxel.distance, voxel.triangle));
   voxel.triangle.shrink_to_fit();
   return voxel;
 }
@@ -119,7 +133,7 @@ Found voxel_at(DistanceGrid& grid, const Vec3& x) {
 
 double signed_distance(const DistanceGrid& grid, const Vec3& x) {
   int triangle = 0;
-  grid.library->distance(grid.query, x.data(), &triangle);
+  query_distance(grid, x, &triangle);
   return closest_features_signed(*grid.surface, triangle, x);
 }
 
@@ -127,8 +141,7 @@ double signed_distance(const DistanceGrid& grid, const Vec3& x) {
 
 Neighbourhood distance_grid_at(DistanceGrid& grid, const Vec3& x) {
   const Found found = voxel_at(grid, x);
-  if (!found.voxel)
-    return {grid.library->distance(grid.query, x.data(), nullptr) * (1 - kRounding), nullptr, 0};
+  if (!found.voxel) return {query_distance(grid, x, nullptr) * (1 - kRounding), nullptr, 0};
   if (found.voxel->far) return {found.voxel->distance - norm(x - found.centre), nullptr, 0};
   return {0, &found.voxel->triangle, found.voxel->distance * (1 - kRounding) - norm(x - found.centre)};
 }

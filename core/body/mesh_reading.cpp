@@ -207,9 +207,9 @@ drape_mesh_file* mesh_copy(const Triangles& from) {
 
 }  // namespace
 
-drape_mesh_file* mesh_read(const char* file, char* problem, size_t capacity) {
-  std::string trouble;
+drape_mesh_file* mesh_read(const char* file, char* problem, size_t capacity) noexcept {
   try {
+    std::string trouble;
     Triangles found;
     const std::string name = file, kind = ending(name);
     const std::filesystem::path path = std::u8string(name.begin(), name.end());
@@ -219,15 +219,15 @@ drape_mesh_file* mesh_read(const char* file, char* problem, size_t capacity) {
     if (trouble.empty() && found.corner.empty()) trouble = "holds no triangles";
     if (trouble.empty()) seams_merge(found);
     if (trouble.empty()) return mesh_copy(found);
+    while (!trouble.empty() && trouble.back() == '\n') trouble.pop_back();
+    std::snprintf(problem, capacity, "%s", trouble.c_str());
   } catch (const std::exception& e) {
-    trouble = std::string("cannot be read: ") + e.what();
+    std::snprintf(problem, capacity, "cannot be read: %s", e.what());
   }
-  while (!trouble.empty() && trouble.back() == '\n') trouble.pop_back();
-  std::snprintf(problem, capacity, "%s", trouble.c_str());
   return nullptr;
 }
 
-void mesh_free(drape_mesh_file* mesh) {
+void mesh_free(drape_mesh_file* mesh) noexcept {
   if (!mesh) return;
   delete[] mesh->point;
   delete[] mesh->corner;

@@ -4,7 +4,7 @@
 
 namespace drape::body {
 
-drape_mesh_file* mesh_read(const char* file, char* problem, size_t capacity);
-void mesh_free(drape_mesh_file* mesh);
+drape_mesh_file* mesh_read(const char* file, char* problem, size_t capacity) noexcept;
+void mesh_free(drape_mesh_file* mesh) noexcept;
 
 }  // namespace drape::body

@@ -8,7 +8,8 @@
 #include <fcl/narrowphase/detail/traversal/traversal_recurse.h>
 
 #include <algorithm>
-#include <exception>
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -73,17 +74,17 @@ std::unique_ptr<drape_query> tree_of(const double* point, size_t points, const i
   return query;
 }
 
-drape_query* query_make(const double* point, size_t points, const int* corner, size_t triangles) {
+drape_query* query_make(const double* point, size_t points, const int* corner, size_t triangles) noexcept {
   try {
     return tree_of(point, points, corner, triangles).release();
-  } catch (const std::exception&) {
+  } catch (...) {
     return nullptr;
   }
 }
 
-void query_free(drape_query* query) { delete query; }
+void query_free(drape_query* query) noexcept { delete query; }
 
-double distance(const drape_query* query, const double* at, int* triangle) {
+double distance_to(const drape_query* query, const double* at, int* triangle) {
   constexpr double kPoint = 1e-9;  // m, radius of the ball that represents the point
   const Ball ball(kPoint);
   const Solver solver;
@@ -97,7 +98,8 @@ double distance(const drape_query* query, const double* at, int* triangle) {
   return std::max(result.min_distance, 0.0) + kPoint;
 }
 
-size_t within(const drape_query* query, const double* at, double radius, int* triangle, size_t capacity) {
+size_t ball_triangles(const drape_query* query, const double* at, double radius, int* triangle,
+                      size_t capacity) {
   const Ball ball(radius);
   const Solver solver;
   const fcl::CollisionRequest<double> request(size_t(query->tree.num_tris), false);
@@ -111,9 +113,26 @@ size_t within(const drape_query* query, const double* at, double radius, int* tr
   return count;
 }
 
+double distance(const drape_query* query, const double* at, int* triangle) noexcept {
+  try {
+    return distance_to(query, at, triangle);
+  } catch (...) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+size_t within(const drape_query* query, const double* at, double radius, int* triangle,
+              size_t capacity) noexcept {
+  try {
+    return ball_triangles(query, at, radius, triangle, capacity);
+  } catch (...) {
+    return SIZE_MAX;
+  }
+}
+
 }  // namespace
 
-const drape_contact_library* drape_contact_library_2() {
+const drape_contact_library* drape_contact_library_2() noexcept {
   static const drape_contact_library library{
       drape::body::mesh_read, drape::body::mesh_free, query_make, query_free, distance, within};
   return &library;

@@ -39,6 +39,9 @@ SharedObject shared_object_beside(const char* name, std::string& hindrance) {
     return hindrance = "dladdr failed", SharedObject{};
   std::error_code error;
   const auto self = std::filesystem::canonical(here.dli_fname, error);
+  if (error || !self.has_parent_path())
+    return hindrance = std::string(here.dli_fname) + ": its folder cannot be found: " + error.message(),
+           SharedObject{};
   SharedObject object{nullptr, (self.parent_path() / name).string()};
   if (is_cut_off(object.file)) return hindrance = object.file + ": the file is cut off", object;
   object.handle = dlopen(object.file.c_str(), RTLD_NOW | RTLD_LOCAL);

@@ -25,6 +25,24 @@ bool percent_decode(std::string& text) {
   return true;
 }
 
+// Whether the bytes are the shortest forms of characters: no half of a pair (surrogate), none beyond 10FFFF.
+bool is_utf8(const std::string& text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+    const unsigned first = byte(i);
+    const std::size_t more = first < 0x80 ? 0 : first < 0xE0 ? 1 : first < 0xF0 ? 2 : 3;
+    if ((first >= 0x80 && first < 0xC2) || first > 0xF4 || text.size() - i <= more) return false;
+    for (std::size_t k = 1; k <= more; ++k)
+      if (byte(i + k) >> 6 != 2) return false;
+    const unsigned second = more ? byte(i + 1) : 0;
+    if ((first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
+        (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F))
+      return false;
+    i += 1 + more;
+  }
+  return true;
+}
+
 #ifdef _WIN32
 // "/C:/folder" -> "C:/folder"
 void drive_first(std::string& path) {
@@ -60,6 +78,7 @@ std::string resource_path(const std::string& location, std::string& problem) {
   } else if (path.find("://") != std::string::npos || path.empty()) {
     return refuse("a file: URI or a path");
   }
+  if (!is_utf8(path)) return refuse("UTF-8");
   while (path.size() > 1 && path.back() == '/') path.pop_back();
   return path;
 }

@@ -22,13 +22,22 @@ bool is_built(const Platform& platform) {
   return fs::exists(platform.folder / platform.binary, error);
 }
 
-// Whether a release binary is at least as young as that of the development build.
+// When the two libraries of a build were written, of those that exist.
+std::vector<fs::file_time_type> times_of(const Platform& platform) {
+  std::vector<fs::file_time_type> times;
+  for (const std::string& name : {platform.binary, platform.contact}) {
+    std::error_code error;
+    const auto time = fs::last_write_time(platform.folder / name, error);
+    if (!error) times.push_back(time);
+  }
+  return times;
+}
+
+// Whether no library of a release build is older than one of the development build.
 bool is_fresh(const Platform& release, const Platform& development) {
-  std::error_code error;
-  const auto time = fs::last_write_time(release.folder / release.binary, error);
-  if (error) return false;
-  const auto other = fs::last_write_time(development.folder / development.binary, error);
-  return error || time >= other;
+  const std::vector<fs::file_time_type> made = times_of(release), other = times_of(development);
+  if (made.empty() || other.empty()) return !made.empty();
+  return *std::min_element(made.begin(), made.end()) >= *std::max_element(other.begin(), other.end());
 }
 
 std::string names_text(const std::vector<Platform>& platforms) {

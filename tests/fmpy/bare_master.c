@@ -14,6 +14,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "fmi2Functions.h"
 
@@ -38,7 +39,13 @@ static HMODULE library_open(const char* utf8) {
 }
 #define library_symbol(library, name) (void*)GetProcAddress(library, name)
 #define library_close(library) FreeLibrary(library)
-#define library_is_loaded(name) (GetModuleHandleA(name) != NULL)
+static int library_is_loaded(const char* utf8) {
+  wchar_t file[1024];
+  MultiByteToWideChar(CP_UTF8, 0, utf8, -1, file, 1024);
+  return GetModuleHandleW(file) != NULL;
+}
+#define CONTACT "drape_contact.dll"
+#define SEPARATORS "\\/"
 #else
 static void* library_open(const char* file) {
   void* library = dlopen(file, RTLD_NOW | RTLD_LOCAL);
@@ -48,7 +55,18 @@ static void* library_open(const char* file) {
 #define library_symbol(library, name) dlsym(library, name)
 #define library_close(library) dlclose(library)
 #define library_is_loaded(name) (dlopen(name, RTLD_NOW | RTLD_NOLOAD) != NULL)
+#define CONTACT "libdrape_contact.so"
+#define SEPARATORS "/"
 #endif
+
+/* Whether the contact library beside the FMU's library is loaded. */
+static int contact_is_loaded(const char* library) {
+  char file[2048];
+  size_t folder = strlen(library);
+  while (folder > 0 && !strchr(SEPARATORS, library[folder - 1])) --folder;
+  snprintf(file, sizeof file, "%.*s%s", (int)folder, library, CONTACT);
+  return library_is_loaded(file);
+}
 
 #define LOAD(function)                                                            \
   function##TYPE* function = (function##TYPE*)library_symbol(library, #function); \
@@ -92,6 +110,7 @@ static int run(int argc, char** argv) {
   fmi2FreeInstance(cloth);
   library_close(library);
   if (library_is_loaded(argv[1])) return fprintf(stderr, "the library is still loaded\n"), 1;
+  if (contact_is_loaded(argv[1])) return fprintf(stderr, "the contact library is still loaded\n"), 1;
   return 0;
 }
 

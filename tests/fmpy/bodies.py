@@ -29,9 +29,9 @@ def obj(points, faces):
     return "\n".join(lines) + "\n"
 
 
-def sheet_over_ball(folder, moves=False, **scene_keys):
+def sheet_over_ball(folder, moves=False, cell=0.01, **scene_keys):
     """0.1 m x 0.1 m of wool a thickness above a ball of 3 cm, off its middle."""
     (folder / "ball.obj").write_text(ball(0.03, 32))
-    scene = sheet(0.1, 0.1, 0.01, HORIZONTAL | {"origin": [-0.04, -0.05, 0.0306]}, **scene_keys)
+    scene = sheet(0.1, 0.1, cell, HORIZONTAL | {"origin": [-0.04, -0.05, 0.0306]}, **scene_keys)
     scene["body"] = [{"name": "ball", "mesh": "ball.obj", "moves": moves}]
     return scene

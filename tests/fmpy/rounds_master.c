@@ -2,11 +2,13 @@
  *
  *   rounds_master FOLDER_OF_THE_FMU LIBRARY_WITHIN GUID FOLDER_FOR_COPIES ROUNDS
  *
- * Prints how many mappings of the copies are left, and how many bytes of the heap are in use, after half of
- * the rounds and after all.
+ * Prints how many mappings of the copies are left, how many bytes of the heap are in use, and which key of
+ * thread-specific data is the next free one, after half of the rounds and after all.
  */
 #include <dlfcn.h>
+#include <limits.h>
 #include <malloc.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,6 +22,13 @@ static int mappings(const char* folder) {
   while (fgets(line, sizeof line, maps)) count += strstr(line, folder) != NULL;
   fclose(maps);
   return count;
+}
+
+static unsigned free_key(void) {
+  pthread_key_t key = 0;
+  if (pthread_key_create(&key, NULL) != 0) return PTHREAD_KEYS_MAX;
+  pthread_key_delete(key);
+  return key;
 }
 
 #define LOAD(function) function##TYPE* function = (function##TYPE*)dlsym(library, #function)
@@ -61,7 +70,8 @@ int main(int argc, char** argv) {
     if (system(command) != 0 || round_run(copy, argv[2], argv[3]) != 0) return 1;
     snprintf(command, sizeof command, "rm -r '%s'", copy);
     if (system(command) != 0) return 1;
-    if (k == rounds / 2 || k == rounds) printf("%d %zu\n", mappings(argv[4]), mallinfo2().uordblks);
+    if (k == rounds / 2 || k == rounds)
+      printf("%d %zu %u\n", mappings(argv[4]), mallinfo2().uordblks, free_key());
   }
   return 0;
 }

@@ -15,6 +15,7 @@ from bodies import sheet_over_ball
 from golden import HASH, LENGTH, STEPS, golden_sheet, hash_of
 from master import Fmu, Instance, same_bits
 from scenes import ROOT, concave_sheet, swinging_sheet
+from test_licences import components
 
 RELEASE = ROOT / "build" / "release"
 BINARIES = {"linux64": ["drape_fmi2.so", "libdrape_contact.so"], "win64": ["drape_fmi2.dll", "drape_contact.dll"]}
@@ -90,6 +91,19 @@ def test_pack_prints_what_the_host_must_have(packed, tmp_path):
     rows = archive.read("documentation/licenses/components.csv").decode()
     assert "libc++" in rows and "libstdc++" not in rows
     assert b"LLVM Exceptions" in archive.read("documentation/licenses/llvm.txt")
+    assert "libc_nonshared of glibc" in rows and "compiler-rt" not in rows
+    assert b"unlimited" in archive.read("documentation/licenses/glibc.txt")
+
+
+@win64
+def test_the_notices_of_the_runtime_on_windows(packed, tmp_path):
+    fmu, _ = packed(sheet_over_ball(tmp_path), "release", platforms="win64")
+    archive, rows = components(fmu.file)
+    texts = {row["component"]: row["text"].split() for row in rows}
+    assert texts["compiler-rt of Zig with functions of musl"] == ["zig.txt", "musl.txt"]
+    assert texts["runtime of mingw-w64 with gdtoa"] == ["mingw.txt", "gdtoa.txt"]
+    for name, notice in {"musl.txt": b"Rich Felker", "gdtoa.txt": b"Lucent Technologies", "mingw.txt": b"mingw-w64 project"}.items():
+        assert notice in archive.read(f"documentation/licenses/{name}")
 
 
 def test_pack_names_what_is_not_built(drape, write, tmp_path):
@@ -118,9 +132,17 @@ def test_golden_hash(packed, build):
 
 
 @linux64
+@pytest.mark.parametrize("name, functions", zip(BINARIES["linux64"], ({"sin", "cos", "tan", "exp", "memcpy"}, {"sqrt", "memcpy"})))
+def test_takes_mathematics_from_the_c_library(name, functions):
+    """Not from Zig's compiler-rt, which has functions of these names too: core/math/zig_runtime.cpp."""
+    lines = objdump("-T", RELEASE / "linux64" / name).splitlines()
+    assert functions <= {line.split()[-1] for line in lines if "*UND*" in line}
+
+
+@linux64
 @pytest.mark.parametrize("name", ["swinging", "concave", "ball"])
 def test_same_bits_as_the_development_build(packed, tmp_path, name):
-    """On one machine both builds call the same mathematical library."""
+    """Both builds call the mathematical functions of the machine."""
     scenes = {"swinging": swinging_sheet(energy=True, damping=2.0), "concave": concave_sheet(energy=True),
               "ball": sheet_over_ball(tmp_path, moves=True)}
     ends = []

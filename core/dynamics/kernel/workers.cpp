@@ -1,12 +1,20 @@
 #include "dynamics/kernel/workers.h"
 
+#ifdef _WIN32
+#define WIN32_LEAN_AND_MEAN
+#define NOMINMAX
+#include <windows.h>
+#else
+#include <sched.h>
+#endif
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cfenv>
-#include <system_error>
-#include <thread>
 #include <vector>
+
+#include "dynamics/kernel/thread.h"
 
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -25,6 +33,12 @@ unsigned rounding_read() { return unsigned(std::fegetround()); }
 void rounding_write(unsigned mode) { std::fesetround(int(mode)); }
 #endif
 
+#ifdef _WIN32
+void yield_to_others() { SwitchToThread(); }
+#else
+void yield_to_others() { sched_yield(); }
+#endif
+
 constexpr int kSpins = 2000, kYields = 100;
 
 // Waits until done(): spins, then yields `yields` times, below 0 without end. False if done() is still false.
@@ -32,7 +46,7 @@ template <class Done>
 bool await(Done done, int yields) {
   for (int k = 0; k < kSpins; ++k, spin())
     if (done()) return true;
-  for (int k = 0; yields < 0 || k < yields; ++k, std::this_thread::yield())
+  for (int k = 0; yields < 0 || k < yields; ++k, yield_to_others())
     if (done()) return true;
   return false;
 }
@@ -40,7 +54,7 @@ bool await(Done done, int yields) {
 }  // namespace
 
 struct Workers {
-  std::vector<std::thread> threads;
+  std::vector<Thread> threads;
   void (*task)(void*, int) = nullptr;  // null: workers end
   void* context = nullptr;
   unsigned rounding = 0;
@@ -51,7 +65,8 @@ struct Workers {
 
 namespace {
 
-void worker_loop(Workers& w, int k) {
+void worker_loop(void* workers, int k) {
+  Workers& w = *static_cast<Workers*>(workers);
   for (unsigned seen = 0;; ++seen) {
     const auto called = [&] { return w.call.load(std::memory_order_acquire) != seen; };
     if (!await(called, kYields)) w.call.wait(seen, std::memory_order_acquire);
@@ -71,11 +86,9 @@ void workers_call(Workers& w) {
 
 WorkersHandle workers_start(int threads) {
   WorkersHandle w(new Workers);
-  try {
-    for (int k = 1; k < threads; ++k) w->threads.emplace_back(worker_loop, std::ref(*w), k);
-  } catch (const std::system_error&) {
-    w.reset();
-  }
+  w->threads.resize(std::size_t(std::max(threads - 1, 0)));
+  for (std::size_t k = 0; k < w->threads.size(); ++k)
+    if (!w->threads[k].start(worker_loop, w.get(), int(k) + 1)) return nullptr;
   return w;
 }
 
@@ -83,7 +96,7 @@ void WorkersEnd::operator()(Workers* w) const {
   if (getpid() != w->process) return;  // no thread to join in a fork, which keeps the memory
   w->task = nullptr;
   workers_call(*w);
-  for (std::thread& t : w->threads) t.join();
+  w->threads.clear();
   delete w;
 }
 

@@ -15,6 +15,7 @@ TEST(ResourceUri, AllowedForms) {
       {"file:///tmp/my%20cloth/100%25/%d0%a8%D0%B5", "/tmp/my cloth/100%/\xd0\xa8\xd0\xb5"},
       {"/tmp/my cloth/100%/resources", "/tmp/my cloth/100%/resources"},
       {"resources", "resources"},
+      {"/tmp/\xe2\x82\xac/\xf0\x9f\xa7\xb5", "/tmp/\xe2\x82\xac/\xf0\x9f\xa7\xb5"},
       {"file:///", "/"},
   };
   for (const auto& [location, path] : cases) {
@@ -27,7 +28,10 @@ TEST(ResourceUri, AllowedForms) {
 TEST(ResourceUri, RefusedForms) {
   for (const char* location :
        {"", "file:", "file://", "file://otherhost/tmp", "file:relative", "http://localhost/tmp",
-        "file:///tmp/%2", "file:///tmp/%zz", "file:///tmp/%00"}) {
+        "file:///tmp/%2", "file:///tmp/%zz", "file:///tmp/%00", "file:///tmp/%ff", "file:///tmp/%c0%af",
+        "file:///tmp/%ed%a0%80", "file:///tmp/%f4%90%80%80", "file:///tmp/%e2%82",
+        "/tmp/T\xfc"
+        "cher"}) {
     std::string problem;
     EXPECT_EQ(resource_path(location, problem), "") << location;
     EXPECT_NE(problem.find(location), std::string::npos) << problem;

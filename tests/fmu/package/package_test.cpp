@@ -155,6 +155,13 @@ TEST(Platforms, TheReleaseBuildIsTakenUnlessTheSourcesHaveChangedSince) {
   EXPECT_EQ(found(Build::kDevelopment), "linux64 ");
   EXPECT_EQ(found(Build::kNewest, {"win32"}), "--platforms names 'win32'; allowed: linux64, win64");
   EXPECT_EQ(found(Build::kNewest, {"win64", "win64"}), "--platforms names win64 twice; allowed: once");
+  made.put("libdrape_contact.so", 0);  // the contact library alone is newer
+  EXPECT_EQ(found(Build::kNewest), "linux64 ");
+  made.put("libdrape_contact.so", 15);
+  EXPECT_EQ(found(Build::kNewest), "linux64* win64* ");
+  made.put("release/win64/drape_contact.dll", 17);  // older than that of the development build
+  EXPECT_EQ(found(Build::kNewest), "linux64* ");
+  made.put("release/win64/drape_contact.dll", 10);
   made.put("drape_fmi2.so", 0);
   EXPECT_EQ(found(Build::kNewest), "linux64 ");
   EXPECT_NE(found(Build::kNewest, {"win64"}).find("not built since the sources changed; built: linux64"),
