@@ -1,6 +1,6 @@
 /* Loads, instantiates, steps, frees and unloads an FMU in fresh folders, again and again.
  *
- *   rounds_master FOLDER_OF_THE_FMU LIBRARY_WITHIN GUID FOLDER_FOR_COPIES ROUNDS
+ *   rounds_master FOLDER_OF_THE_FMU LIBRARY_WITHIN GUID FOLDER_FOR_COPIES ROUNDS REFERENCE_OF_THREADS THREADS
  *
  * Prints how many mappings of the copies are left, how many bytes of the heap are in use, and which key of
  * thread-specific data is the next free one, after half of the rounds and after all.
@@ -35,13 +35,15 @@ static unsigned free_key(void) {
 #define CALL(call) \
   if ((call) != fmi2OK) return fprintf(stderr, "failed: " #call "\n"), 1
 
-static int round_run(const char* copy, const char* within, const char* guid) {
+static int round_run(const char* copy, const char* within, const char* guid, fmi2ValueReference reference,
+                     fmi2Integer threads) {
   char file[2048], resources[2048];
   snprintf(file, sizeof file, "%s/%s", copy, within);
   snprintf(resources, sizeof resources, "file://%s/resources", copy);
   void* library = dlopen(file, RTLD_NOW | RTLD_LOCAL);
   if (!library) return fprintf(stderr, "%s\n", dlerror()), 1;
   LOAD(fmi2Instantiate);
+  LOAD(fmi2SetInteger);
   LOAD(fmi2SetupExperiment);
   LOAD(fmi2EnterInitializationMode);
   LOAD(fmi2ExitInitializationMode);
@@ -51,6 +53,7 @@ static int round_run(const char* copy, const char* within, const char* guid) {
   fmi2Component cloth =
       fmi2Instantiate("round", fmi2CoSimulation, guid, resources, &callbacks, fmi2False, fmi2False);
   if (!cloth) return fprintf(stderr, "cannot instantiate\n"), 1;
+  CALL(fmi2SetInteger(cloth, &reference, 1, &threads));
   CALL(fmi2SetupExperiment(cloth, fmi2False, 0, 0, fmi2False, 0));
   CALL(fmi2EnterInitializationMode(cloth));
   CALL(fmi2ExitInitializationMode(cloth));
@@ -61,13 +64,14 @@ static int round_run(const char* copy, const char* within, const char* guid) {
 }
 
 int main(int argc, char** argv) {
-  if (argc != 6) return 2;
-  const int rounds = atoi(argv[5]);
+  if (argc != 8) return 2;
+  const int rounds = atoi(argv[5]), threads = atoi(argv[7]);
+  const fmi2ValueReference reference = (fmi2ValueReference)atoi(argv[6]);
   for (int k = 1; k <= rounds; ++k) {
     char copy[1024], command[4096];
     snprintf(copy, sizeof copy, "%s/%d", argv[4], k);
     snprintf(command, sizeof command, "cp -r '%s' '%s'", argv[1], copy);
-    if (system(command) != 0 || round_run(copy, argv[2], argv[3]) != 0) return 1;
+    if (system(command) != 0 || round_run(copy, argv[2], argv[3], reference, threads) != 0) return 1;
     snprintf(command, sizeof command, "rm -r '%s'", copy);
     if (system(command) != 0) return 1;
     if (k == rounds / 2 || k == rounds)
