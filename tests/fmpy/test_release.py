@@ -67,7 +67,7 @@ def test_needs_glibc_2_28_and_nothing_else(name):
 
 @linux64
 def test_shows_the_functions_of_the_standard_and_no_more():
-    for name, prefix in list(zip(BINARIES["linux64"], ("fmi2", "drape_contact_library_"))):
+    for name, prefix in zip(BINARIES["linux64"], ("fmi2", "drape_contact_library_")):
         defined = [line.split() for line in objdump("-T", RELEASE / "linux64" / name).splitlines() if "*UND*" not in line]
         names = [words[-1] for words in defined if len(words) > 5]
         assert names and all(n.startswith(prefix) for n in names), names
