@@ -8,6 +8,7 @@
 #include <fcl/common/types.h>
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/sphere.h>
+#include <fcl/geometry/shape/utility.h>
 #include <fcl/math/bv/utility.h>
 #include <fcl/narrowphase/detail/primitive_shape_algorithm/sphere_triangle.h>
 #include <fcl/narrowphase/detail/traversal/traversal_recurse.h>
@@ -83,6 +84,9 @@ template void fit2<double>(const V*, OBBRSS<double>&);
 template void fit3<double>(const V*, OBBRSS<double>&);
 template void fitn<double>(const V*, int, OBBRSS<double>&);
 }  // namespace OBBRSS_fit_functions
+
+template struct Fitter<double, OBBRSS<double>>;
+template struct ComputeBVImpl<double, AABB<double>, Sphere<double>>;
 
 // A ball and a triangle.
 template bool sphereTriangleDistance<double>(const Sphere<double>&, const T&, const V&, const V&, const V&,
