@@ -62,8 +62,6 @@ double gravity_energy(const System& system, const State& s) {
   return sum;
 }
 
-double elastic_energy(const drape_energy& e) { return e.stretch + e.shear + e.bending; }
-
 drape_energy potential_energy(const System& system, const State& s) {
   return potential_energy(system, kernel_pick(), s);
 }

@@ -11,8 +11,7 @@ struct Kernel;
 drape_energy potential_energy(const System& system, const Kernel& kernel, const State& state);
 drape_energy potential_energy(const System& system, const State& state);  // by the kernel of this processor
 
-// Its elastic part, and that of gravity, J.
-double elastic_energy(const drape_energy& energy);
+// That of gravity alone, J.
 double gravity_energy(const System& system, const State& state);
 
 // The sum of the kinetic and all potential energies, J.
