@@ -7,7 +7,8 @@
 # a Python environment of its own. Everything lies in build/release: the compiler with its cache, one build folder a
 # platform, and linux64/ and win64/, which `drape pack` takes by itself. Remove the folder, and nothing is left.
 #
-# The first build of a platform compiles the C++ runtime too. Two cores take 5 to 10 minutes for it. In all it takes 1.3 GB of disk.
+# The first build of a platform compiles the C++ runtime too. Two cores take 5 to 10 minutes for it. In all it takes
+# 1.3 GB of disk.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../tests/setup.sh"
 
@@ -49,9 +50,7 @@ link_headers() {
 build_platform() { # linux64|win64
   local tree="$release/tree-$1" fresh=()
   export ZIG_GLOBAL_CACHE_DIR="${ZIG_GLOBAL_CACHE_DIR:-$release/cache}" ZIG_LOCAL_CACHE_DIR="$release/cache-local"
-  if [[ -f $tree/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$tree/CMakeCache.txt"; then
-    fresh=(--fresh) # the tree was moved or copied together with its build folder
-  fi
+  if is_moved "$tree"; then fresh=(--fresh); fi
   rm -rf "$tree/licenses" # of texts that are packed no more
   cmake -S "$root" -B "$tree" "${fresh[@]}" -G Ninja --log-level=WARNING -DCMAKE_BUILD_TYPE=Release -DDRAPE_FMU_ONLY=ON \
     -DCMAKE_TOOLCHAIN_FILE="$root/fmu/release.cmake" -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DCMAKE_PREFIX_PATH=/usr \

@@ -73,12 +73,15 @@ stage() {
   [[ -z ${DRAPE_STAGES:-} ]] || echo "${stages[-1]}" >>"$DRAPE_STAGES"
 }
 
+# is_moved FOLDER: this build folder was moved or copied together with its tree.
+is_moved() {
+  [[ -f $1/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$1/CMakeCache.txt"
+}
+
 # build_drape [cmake options]: options given once stay in build/, so the two scripts can share the folder.
 build_drape() {
   local fresh=()
-  if [[ -f $build/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"; then
-    fresh=(--fresh) # the tree was moved or copied together with its build folder
-  fi
+  if is_moved "$build"; then fresh=(--fresh); fi
   say "Building into build/"
   (cd "$root" && cmake --preset release "${fresh[@]}" --log-level=WARNING "$@" && cmake --build "$build")
 }
