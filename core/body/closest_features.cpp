@@ -85,11 +85,11 @@ std::array<double, 6> shape_of(const BodySurface& s, const TrianglePoint& closes
 }
 
 // The feature with the side of the surface that the particle belongs to, and the signed distance.
-ClosestFeature feature_of(const BodySurface& s, const TrianglePoint& closest, const Vec3& x,
+ClosestFeature feature_of(const BodySurface& s, const TrianglePoint& closest, int triangle, const Vec3& x,
                           double contact_distance, const Vec3* side) {
   const Vec3 away = x - closest.point, normal = normal_of(s, closest);
   const double distance = norm(away), out = dot(away, normal);
-  ClosestFeature feature{closest.point, shape_of(s, closest), normal, distance};
+  ClosestFeature feature{closest.point, shape_of(s, closest), normal, distance, triangle};
   double sign = out < 0 ? -1 : 1;  // open surface: the side that the particle is on
   if (s.solid) {
     if (out < 0) feature.distance = -distance;
@@ -234,7 +234,7 @@ void closest_features_find(const BodySurface& s, const std::vector<int>& triangl
     const TrianglePoint closest = flattened(s, c.closest, c.triangle, q.x);
     if (seen.size() == 1 && closest.kind == FeatureKind::kFace) face = closest.index;
     const ClosestFeature feature =
-        feature_of(s, closest, q.x, q.contact_distance, found.feature.empty() ? q.side : nullptr);
+        feature_of(s, closest, c.triangle, q.x, q.contact_distance, found.feature.empty() ? q.side : nullptr);
     if (!found.feature.empty() && (feature.distance < 0 || found.feature[0].distance < 0)) continue;
     found.feature.push_back(feature);
   }

@@ -22,6 +22,7 @@ struct ClosestFeature {
   std::array<double, 6> shape;  // D: xx xy xz yy yz zz
   Vec3 side;                    // unit vector from the surface to the side that the particle belongs to
   double distance;              // m; negative where the particle is on the wrong side
+  int triangle;                 // on which the feature was found
 };
 
 struct ClosestFeatures {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "body/surface_walk.h"
 #include "math/closest_points.h"
 #include "math/vector3.h"
 
@@ -11,33 +13,73 @@ namespace {
 
 using namespace math::vector3;
 
+constexpr double kFullTurn =
+    std::numbers::pi / 2;               // of a bar's edge, and what a cube's corner lacks of a circle
 constexpr double kMaxBuckets = 2e5;     // along all sharp edges
+constexpr double kFlatTip = 1e-3;       // sine of its fall, below which a vertex is no tip at all
 constexpr double kBucketFar = 1 << 20;  // buckets from the origin; points farther away share keys
 
+// Sets `sharp`: how far all sides fall away from `out`.
+void sharp_set(SharpFeature& r) {
+  r.sharp = 1;
+  for (const Vec3& f : r.fall) r.sharp = std::min(r.sharp, -dot(r.out, f));
+}
+
 // Sets `out` and `sharp`. Where the `normal` of a solid points the other way, the edge or vertex is a
-// groove, which is not sharp.
-bool is_sharp(SharpFeature& r, double sine, const Vec3* normal) {
-  if (r.fall.empty()) return false;
+// groove, which falls away from nothing.
+void out_set(SharpFeature& r, const Vec3* normal) {
   r.out = {0, 0, 0};
   for (const Vec3& f : r.fall) r.out -= f;
   r.out = unit(r.out);
-  r.sharp = 1;
-  for (const Vec3& f : r.fall) r.sharp = std::min(r.sharp, -dot(r.out, f));
-  return r.sharp > sine && !(normal && dot(r.out, *normal) <= 0);
+  sharp_set(r);
+  if (normal && dot(r.out, *normal) <= 0) r.sharp = -1;
 }
 
-// The extent (m) of a triangle along `into` from an edge through `from`.
-double height_over(const BodySurface& s, const Vec3& from, int triangle, const Vec3& into) {
-  double largest = 0;
-  for (int c : s.corner[std::size_t(triangle)])
-    largest = std::max(largest, dot(s.point[std::size_t(c)] - from, into));
-  return largest;
+// Turns `out` until all sides fall away from it as far as they can, step by step against the one that falls
+// least.
+void out_improve(SharpFeature& r) {
+  constexpr int kSteps = 64;
+  SharpFeature best = r;
+  for (int k = 1; k <= kSteps; ++k) {
+    const Vec3* least = nullptr;
+    double falls = INFINITY;
+    for (const Vec3& f : r.fall)
+      if (-dot(r.out, f) < falls) falls = -dot(r.out, f), least = &f;
+    r.out = unit(r.out - (1.0 / (k + 1)) * (*least + falls * r.out));
+    sharp_set(r);
+    if (r.sharp > best.sharp) best.out = r.out, best.sharp = r.sharp;
+  }
+  r.out = best.out;
+  r.sharp = best.sharp;
 }
 
-void edges_add(const BodySurface& s, double sine, SharpFeatures& to) {
+// How far (m) the surface goes on straight.
+double straight_of(const BodySurface& s, int triangle, const Vec3& from, const Vec3& along,
+                   const SharpBounds& bounds) {
+  const double longest = std::isfinite(bounds.longest) ? bounds.longest : s.size;
+  return surface_walk(s, {triangle, from, along, {0, 0, 0}}, longest, bounds.bend).straight;
+}
+
+// How deep (m) a link would sink in, whose middle is over that of the edge, and whose ends are on the
+// surface: the surface drops as much on both sides.
+double edge_sink(const BodySurface& s, const SurfaceEdge& e, const SharpFeature& r, double half) {
+  if (e.triangle.size() < 2) return 0;
+  const Vec3 middle = 0.5 * (r.from + r.to);
+  double least = INFINITY;
+  for (std::size_t k = 0; k < e.triangle.size(); ++k)
+    least = std::min(least, surface_walk(s, {e.triangle[k], middle, e.into[k], r.out}, half, half).drop);
+  return least;
+}
+
+void sink_add(const SurfaceEdge& e, double sink, std::size_t triangles, std::vector<double>& to) {
+  to.resize(triangles, 0.0);
+  for (int t : e.triangle) to[std::size_t(t)] = std::max(to[std::size_t(t)], sink);
+}
+
+void edges_add(const BodySurface& s, const SharpBounds& bounds, SharpFeatures& to) {
   for (std::size_t k = 0; k < s.edges.size(); ++k) {
     const SurfaceEdge& e = s.edges[k];
-    if (s.solid && e.triangle.size() != 2) continue;  // a bad edge
+    if (e.flat) continue;
     SharpFeature r{s.point[std::size_t(e.corner[0])],
                    s.point[std::size_t(e.corner[1])],
                    false,
@@ -45,23 +87,104 @@ void edges_add(const BodySurface& s, double sine, SharpFeatures& to) {
                    e.into,
                    {},
                    {},
-                   0};
+                   0,
+                   1,
+                   true};
+    out_set(r, s.solid && e.triangle.size() == 2 ? &e.normal : nullptr);
+    if (!(r.sharp > 0)) continue;
+    if (!(r.sharp > bounds.sine)) {
+      if (!std::isfinite(bounds.sink)) continue;
+      const double sink = edge_sink(s, e, r, bounds.half);
+      if (!(sink > bounds.sink)) {
+        if (bounds.keeps_off) sink_add(e, sink, s.corner.size(), to.sink);
+        continue;
+      }
+    }
+    const Vec3 middle = 0.5 * (r.from + r.to);
     for (std::size_t f = 0; f < e.triangle.size(); ++f)
-      r.length.push_back(height_over(s, r.from, e.triangle[f], e.into[f]));
-    if (is_sharp(r, sine, s.solid ? &e.normal : nullptr)) to.feature.push_back(r);
+      r.length.push_back(straight_of(s, e.triangle[f], middle, e.into[f], bounds));
+    r.turn = std::min(2 * std::asin(std::min(r.sharp, 1.0)) / kFullTurn, 1.0);
+    to.feature.push_back(r);
   }
 }
 
-void tips_add(const BodySurface& s, double sine, SharpFeatures& to) {
+// The directions from a vertex into one of its triangles: along both edges, hardly turned inwards, and
+// between them.
+std::array<Vec3, 3> directions_into(const BodySurface& s, int triangle, int vertex) {
+  constexpr double kTurned = 0.01;
+  const std::array<int, 3>& c = s.corner[std::size_t(triangle)];
+  const std::size_t k = c[0] == vertex ? 0 : c[1] == vertex ? 1 : 2;
+  const Vec3& p = s.point[std::size_t(vertex)];
+  const Vec3 a = unit(s.point[std::size_t(c[(k + 1) % 3])] - p),
+             b = unit(s.point[std::size_t(c[(k + 2) % 3])] - p);
+  return {unit(a + kTurned * b), unit(a + b), unit(b + kTurned * a)};
+}
+
+// The corners of the surface at a vertex: its triangles, each once.
+std::vector<int> triangles_at(const BodySurface& s, std::size_t vertex) {
+  std::vector<int> found;
+  for (int k : s.edges_at[vertex])
+    for (int t : s.edges[std::size_t(k)].triangle) found.push_back(t);
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+// Whether the surface falls away from a vertex by more than bounds.sink on all sides, half a link from it.
+bool sinks_round(const BodySurface& s, const SharpFeature& r, const SharpBounds& bounds) {
+  for (int t : triangles_at(s, std::size_t(r.edge)))
+    for (const Vec3& along : directions_into(s, t, r.edge))
+      if (!(surface_walk(s, {t, r.from, along, r.out}, bounds.half, bounds.half).drop > bounds.sink))
+        return false;
+  return true;
+}
+
+// What the corners at a vertex lack of a full circle.
+double angle_missing(const BodySurface& s, int vertex) {
+  double sum = 2 * std::numbers::pi;
+  for (int t : triangles_at(s, std::size_t(vertex))) {
+    const std::array<int, 3>& c = s.corner[std::size_t(t)];
+    const std::size_t k = c[0] == vertex ? 0 : c[1] == vertex ? 1 : 2;
+    const Vec3& p = s.point[std::size_t(vertex)];
+    const Vec3 a = unit(s.point[std::size_t(c[(k + 1) % 3])] - p),
+               b = unit(s.point[std::size_t(c[(k + 2) % 3])] - p);
+    sum -= std::acos(std::clamp(dot(a, b), -1.0, 1.0));
+  }
+  return sum;
+}
+
+// A vertex on a sharp edge that the surface does not fall away from on all sides is a tip too, but a cell is
+// only stopped there.
+void tips_add(const BodySurface& s, const SharpBounds& bounds, SharpFeatures& to) {
+  std::vector<char> on_edge(s.point.size(), 0);
+  for (const SharpFeature& r : to.feature)
+    for (int c : s.edges[std::size_t(r.edge)].corner) on_edge[std::size_t(c)] = 1;
   for (std::size_t p = 0; p < s.point.size(); ++p) {
-    SharpFeature r{s.point[p], s.point[p], true, int(p), {}, {}, {}, 0};
+    if (s.edges_at[p].empty() || s.flat_at[p]) continue;
+    SharpFeature r{s.point[p], s.point[p], true, int(p), {}, {}, {}, 0, 1, true};
     for (int k : s.edges_at[p]) {
       const SurfaceEdge& e = s.edges[std::size_t(k)];
       const int other = e.corner[0] == int(p) ? e.corner[1] : e.corner[0];
       r.fall.push_back(unit(s.point[std::size_t(other)] - s.point[p]));
-      r.length.push_back(norm(s.point[std::size_t(other)] - s.point[p]));
     }
-    if (is_sharp(r, sine, s.solid ? &s.normal_at[p] : nullptr)) to.feature.push_back(r);
+    out_set(r, s.solid ? &s.normal_at[p] : nullptr);
+    if (!(r.sharp > bounds.sine)) {
+      if (!s.solid || !s.convex_at[p] || !std::isfinite(bounds.sink)) continue;
+      r.out = s.normal_at[p];
+      sharp_set(r);
+      out_improve(r);
+      const bool blunt = !(r.sharp > 0 && sinks_round(s, r, bounds));
+      if (blunt && !(r.sharp > kFlatTip && on_edge[p])) continue;
+      r.bears = !blunt;
+    }
+    for (std::size_t f = 0; f < r.fall.size(); ++f) {
+      const SurfaceEdge& e = s.edges[std::size_t(s.edges_at[p][f])];
+      const std::array<Vec3, 3> into = directions_into(s, e.triangle[0], int(p));
+      const Vec3& along = dot(into[0], r.fall[f]) > dot(into[2], r.fall[f]) ? into[0] : into[2];
+      r.length.push_back(straight_of(s, e.triangle[0], s.point[p], along, bounds));
+    }
+    if (s.solid) r.turn = std::clamp(angle_missing(s, int(p)) / kFullTurn, 0.0, 1.0);
+    to.feature.push_back(r);
   }
 }
 
@@ -132,12 +255,13 @@ void buckets_fill(SharpFeatures& to) {
 
 }  // namespace
 
-SharpFeatures sharp_features_make(const BodySurface& surface, double sine, double bucket) {
+SharpFeatures sharp_features_make(const BodySurface& surface, const SharpBounds& bounds, double bucket) {
   SharpFeatures to;
-  edges_add(surface, sine, to);
-  tips_add(surface, sine, to);
+  edges_add(surface, bounds, to);
+  tips_add(surface, bounds, to);
   double length = 0;
   for (const SharpFeature& r : to.feature) {
+    for (double straight : r.length) to.narrow = to.narrow || straight < bounds.longest;
     length += norm(r.to - r.from);
     for (const Vec3& p : {r.from, r.to})
       for (std::size_t k = 0; k < 3; ++k)

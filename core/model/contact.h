@@ -51,6 +51,7 @@ struct alignas(math::kLine) ContactBlock {
   double offset[math::kRowUnit];         // m, side . point
   double point[3][math::kRowUnit];       // m
   double shape[6][math::kRowUnit];       // D: xx xy xz yy yz zz
+  double sink[math::kRowUnit];           // m, how deep a link at the particle may sink in beside it
   double sticking[math::kRowUnit];       // 1 where the particle sticks, else 0
   double warm_start[3][math::kRowUnit];  // m/s^2, response of the last step, where several constraints act
   double shared[math::kRowUnit];         // 1 where further surfaces are near the particle, else 0

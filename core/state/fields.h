@@ -30,6 +30,7 @@ struct Table<model::ContactBlock> {
                       Field{"offset", s.offset},
                       Field{"point", s.point},
                       Field{"shape", s.shape},
+                      Field{"sink", s.sink},
                       Field{"sticking", s.sticking},
                       Field{"warm_start", s.warm_start},
                       Field{"shared", s.shared},

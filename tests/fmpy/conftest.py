@@ -41,7 +41,8 @@ def drape():
         pytest.exit(f"{command} is missing: run `bash tests/run.sh`", returncode=1)
 
     def run(*arguments, check=True, **named):
-        choice = PACKED if arguments and arguments[0] == "pack" and "--build" not in arguments else []
+        chosen = "--build" in arguments or "--platforms" in arguments
+        choice = PACKED if arguments and arguments[0] == "pack" and not chosen else []
         done = subprocess.run([command, *map(str, arguments), *choice], capture_output=True, text=True, **named)
         assert not check or done.returncode == 0, done.stderr
         return done

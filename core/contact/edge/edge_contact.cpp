@@ -32,13 +32,12 @@ constexpr double kRounding = 1e-9;   // m, of travel
 simd::Vec<Lane> lanes(const Vec3& v) { return {v[0], v[1], v[2]}; }
 Vec3 vector(const simd::Vec<Lane>& v) { return {v.x.v, v.y.v, v.z.v}; }
 
-// Whether a pair belongs outside the body. An element past a feature is cut by it where it is in the solid;
-// else it is beyond the body, as below a plate. At a sheet only pairs that were outside before belong there:
-// others are in the groove behind a fold.
+// Whether a pair belongs outside the body. So does one that was outside before. Else an element past a
+// feature is cut by it where it is in the solid; elsewhere it is beyond the body, as below a plate, or in the
+// groove behind a fold.
 bool belongs_out(const model::Body& body, const model::EdgePair& pair, const EdgeGap& gap) {
   if (!gap.over) return false;
-  if (gap.distance > 0) return true;
-  return body.mesh.surface.solid ? -gap.distance < gap.inside : pair.outside;
+  return gap.distance > 0 || pair.outside || (body.mesh.surface.solid && -gap.distance < gap.inside);
 }
 
 EdgeContactPair pair_of(const System& system, const State& s, std::size_t b, std::size_t pair,
@@ -213,9 +212,10 @@ double pair_respond(const State& s, const EdgeContactPair& t, const PairLaw& law
   const double k = law.inverse_effective_mass;
   push(t, law.over, c, f, -1.0 * given.impulse);
   const Vec3 free = gap_velocity(t, f.v), old = c.old_time > 0 || c.new_time > 0 ? t.old : free;
-  const ContactHit<Lane> hit = contact_hit(law.lanes, lanes(t.gap.n), Lane(std::max(t.gap.distance, 0.0)),
-                                           lanes(free - t.body_velocity), lanes(old - t.body_velocity),
-                                           Lane(s.body[t.body].edges.pair[t.pair].sticking), Lane(1.0));
+  const ContactHit<Lane> hit =
+      contact_hit(law.lanes, lanes(t.gap.n), Lane(std::max(t.gap.distance, 0.0)), Lane(0.0),
+                  lanes(free - t.body_velocity), lanes(old - t.body_velocity),
+                  Lane(s.body[t.body].edges.pair[t.pair].sticking), Lane(1.0));
   const Vec3 impulse = (1 / k) * vector(hit.dv);
   const double change = k * norm(impulse - given.impulse);
   given = {impulse, hit.stored.v / k, hit.stop.v / k, hit.sticking.v};

@@ -46,6 +46,15 @@ inline bool edge_any(const State& s) {  // an element is near a sharp feature
   return false;
 }
 
+// What pairs add to omega^2 of the step limit, over that of the penalty on a particle. An edge crosses two
+// links of a node at most; a narrow face has two edges.
+inline double edge_added(const System& system, const State& s) {
+  double added = 0;
+  for (std::size_t b = 0; b < s.body.size(); ++b)
+    if (!s.body[b].edges.pair.empty()) added = std::max(added, system.bodies[b].sharp.narrow ? 2.0 : 1.0);
+  return added;
+}
+
 // Begins a new state, before its neighbours are found; edge_stick, after that, makes pairs at rest stick.
 void edge_begin(const System& system, State& state);
 void edge_stick(const System& system, State& state);

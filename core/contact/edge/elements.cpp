@@ -14,10 +14,12 @@
 namespace drape::contact {
 namespace {
 
-constexpr double kSink = 0.125;   // of the contact distance
-constexpr double kMargin = 0.25;  // of a cell
-constexpr double kStretched = 1;  // of a cell: how far the nearer end of a link may be from what it touches
-constexpr double kBucket = 2;     // of edge_near
+constexpr double kSink = 0.125;    // of the contact distance
+constexpr double kMaxSink = 0.75;  // of the contact distance: deeper, particles do not bear a link
+constexpr double kFollowed = 2;    // cells: how far a face is followed
+constexpr double kMargin = 0.25;   // of a cell
+constexpr double kStretched = 1;   // of a cell: how far the nearer end of a link may be from what it touches
+constexpr double kBucket = 2;      // of edge_near
 
 void cell_add(const std::size_t* corner, int lattice,
               std::map<std::array<std::uint32_t, 2>, std::size_t>& links, model::EdgeElements& cloth) {
@@ -64,16 +66,22 @@ double edge_near(const model::Lattice& l) {
 }
 
 void edge_elements_make(System& system) {
-  double sine = INFINITY, near = 0;
+  body::SharpBounds bounds{INFINITY, 0, INFINITY, !system.fit, INFINITY, 0};
+  double near = 0;
   for (const model::Lattice& l : system.lattices) {
-    sine = std::min(sine, 2 * edge_sine(l));
+    const double contact_distance = l.contact_law.distance;
+    bounds.sine = std::min(bounds.sine, 2 * edge_sine(l));
+    bounds.half = std::max(bounds.half, l.cell / 2);
+    bounds.sink = std::min(bounds.sink, kMaxSink * contact_distance);
+    bounds.bend = std::min(bounds.bend, kSink * contact_distance);
+    bounds.longest = std::max(bounds.longest, kFollowed * l.cell);
     near = std::max(near, edge_near(l));
   }
+  bounds.sine = std::max(bounds.sine, system.fit ? body::kSharpSineFit : body::kSharpSine);
+  if (system.fit) bounds.sink = std::max(bounds.sink, bounds.sine * bounds.half);
   bool any = false;
   for (model::Body& body : system.bodies) {
-    body.sharp = body::sharp_features_make(
-        body.mesh.surface, std::max(sine, system.fit ? body::kSharpSineFit : body::kSharpSine),
-        kBucket * near);
+    body.sharp = body::sharp_features_make(body.mesh.surface, bounds, kBucket * near);
     any = any || !body.sharp.feature.empty();
   }
   if (!any) return;

@@ -5,7 +5,14 @@
 //
 //          n
 //      --__|__--   link        The link is over the edge where -n.f >= sine for both faces. Elsewhere the
-//        / o \     edge        particles at its ends are as near.
+//        / o \     edge        particles at its ends are as near: they bear it, and a pair only stops it.
+//
+// So it is with a face that goes on to the end of the link. A narrow face ends before: no particle is over
+// it,
+//
+//      --.__n__.--             and a link that lies on it rests on both of its edges. It is over each of them
+//        |     |               until it is steep there: -n.f >= -0.5. The farther edge bears what its own
+//        |_____|               depth gives.
 #pragma once
 #include "body/sharp_edges.h"
 
@@ -16,7 +23,7 @@ struct EdgeGap {
   bool over = false;     // a local minimum of the distance; the rest is set only then
   double distance = 0;   // d, m
   double inside = 0;     // m, how deep the body is below the feature: deeper, the cloth is beyond the body
-  double share = 0;  // of the penalty: rises from 0 at the sine to 1 at twice the sine; over (sum |W_k|)^2
+  double share = 0;      // of the penalty, 0 to 1; over (sum |W_k|)^2
   Vec3 n{0, 0, 0};
   double weight[4]{};  // W
 };
@@ -30,5 +37,9 @@ EdgeGap gap_link_tip(const body::SharpFeature& tip, const Vec3* end, const Vec3 
 
 // The cell is the bilinear surface of its corners a, b, c, d [4].
 EdgeGap gap_cell_tip(const body::SharpFeature& tip, const Vec3* corner, double sine);
+
+// A twisted cell may dip below an edge that both of its links pass over: the lowest place in its interior. No
+// penalty acts there, only the stop.
+EdgeGap gap_cell_edge(const body::SharpFeature& edge, const Vec3* corner, double sine);
 
 }  // namespace drape::contact

@@ -17,7 +17,7 @@ inline void edge_element_places(const System& system, const State& s, std::size_
 
 inline EdgeGap edge_gap(const model::EdgeElement& element, const body::SharpFeature& feature, const Vec3* x,
                         double sine) {
-  if (element.cell) return gap_cell_tip(feature, x, sine);
+  if (element.cell) return feature.tip ? gap_cell_tip(feature, x, sine) : gap_cell_edge(feature, x, sine);
   if (!feature.tip) return gap_link_edge(feature, x, sine);
   const Vec3 beyond[2][2] = {{x[2], x[3]}, {x[4], x[5]}};
   return gap_link_tip(feature, x, beyond, element.nodes == 6 ? 2 : 1, sine);

@@ -77,7 +77,6 @@ void pairs_find(const Listing& listing, EdgeScratch& scratch) {
     body::sharp_features_in(of, middle - box, middle + box, features);
     for (std::uint32_t r : features) {
       const body::SharpFeature& feature = of.feature[r];
-      if (element.cell && !feature.tip) continue;
       if (math::segment_distance2(middle, feature.from, feature.to) > (around + reach) * (around + reach))
         continue;
       if (edge_gap(element, feature, x, edge_sine(l)).clearance <= reach) found.push_back({p, r});

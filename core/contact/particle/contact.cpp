@@ -306,7 +306,7 @@ bool any_near(const State& s) {
 
 double added_omega2(const System& system, const State& s, int lattice) {
   const double omega2 = system.lattices[std::size_t(lattice)].contact_law.omega2;
-  return (any_near(s) ? omega2 : 0) + (edge_any(s) ? omega2 : 0) + (self_any(s) ? omega2 : 0);
+  return (any_near(s) ? omega2 : 0) + edge_added(system, s) * omega2 + (self_any(s) ? omega2 : 0);
 }
 
 }  // namespace drape::contact

@@ -3,7 +3,7 @@
 //   distance d = |D (x - p)|, signed by the side;  depth e = contact distance - d
 //   normal     F/m = [omega^2 phi(e) - 2 zeta omega phi'(e) v_n]+,  centred damping as in -m c v
 //              phi' = 3 t^2 - 2 t^3,  t = e/blend from 0 to 1;  1 beyond: C2 where they touch
-//   stop       r_{n+1} is not nearer than min_distance: removes the approach that the penalty leaves
+//   stop       r_{n+1} is not nearer than min_distance + sink: removes the approach that the penalty leaves
 //   friction   removes the tangential velocity, with at most mu of the normal impulse (Coulomb). A particle
 //              that sticks has no tangential velocity at all, so it does not creep.
 //
@@ -49,14 +49,15 @@ struct ContactLanes {
     L stop;     // the part of it that the stop adds
     L stored;   // the part that the potential of the penalty gives
   };
-  // w: normal velocity of the free motion; before: that of v_{n-1/2}; penalty_scale: factor on omega^2.
-  DRAPE_INLINE Normal normal(L distance, L w, L before, L penalty_scale) const {
+  // w: normal velocity of the free motion; before: that of v_{n-1/2}; penalty_scale: factor on omega^2; sink:
+  // m, by which the stop keeps the particle farther away.
+  DRAPE_INLINE Normal normal(L distance, L sink, L w, L before, L penalty_scale) const {
     const L depth = contact_distance - distance, t = min(max(depth * inverse_blend, L(0.0)), L(1.0));
     const L t2 = t * t, slope = t2 * fma(L(-2.0), t, L(3.0));
     const L phi = fma(blend, t2 * t * fma(L(-0.5), t, L(1.0)), max(depth - blend, L(0.0)));
     const L stored = kick * penalty_scale * omega2 * phi, drag = nu * slope;
     const L after = (w + stored - drag * old_time * before) / fma(drag, new_time, L(1.0));
-    const L clearance = distance - min_distance;
+    const L clearance = distance - (min_distance + sink);
     const L expected = L(0.0) - clearance * select(ge(clearance, L(0.0)), stop_rate, push_rate);
     const L soft = max(after - w, L(0.0)), all = max(soft, expected - w);
     return {all, all - soft, stored};
@@ -72,11 +73,11 @@ struct ContactHit {
 
 template <class L>
 // NOLINTNEXTLINE(readability-function-size): a kernel, whose parts share their registers
-DRAPE_INLINE ContactHit<L> contact_hit(const ContactLanes<L>& k, const simd::Vec<L>& n, L distance,
+DRAPE_INLINE ContactHit<L> contact_hit(const ContactLanes<L>& k, const simd::Vec<L>& n, L distance, L sink,
                                        const simd::Vec<L>& w, const simd::Vec<L>& before, L sticking,
                                        L penalty_scale) {
   const L wn = dot(w, n);
-  const typename ContactLanes<L>::Normal normal = k.normal(distance, wn, dot(before, n), penalty_scale);
+  const typename ContactLanes<L>::Normal normal = k.normal(distance, sink, wn, dot(before, n), penalty_scale);
   const L p = normal.impulse;
   const simd::Vec<L> wt = w - n * wn;
   const L speed = sqrt(dot(wt, wt));
@@ -89,7 +90,7 @@ DRAPE_INLINE ContactHit<L> contact_hit(const ContactLanes<L>& k, const simd::Vec
            select(touches, fma(p, n.y, zero - share * wt.y), zero),
            select(touches, fma(p, n.z, zero - share * wt.z), zero)},
           select(touches, select(sticks, L(1.0), zero), zero),
-          select(touches, normal.stored, zero),
+          normal.stored,
           select(touches, normal.stop, zero)};
 }
 
@@ -198,7 +199,8 @@ DRAPE_INLINE void given_store(double* rows, const simd::Vec<L>& v) {
 
 // Prefetches what a pass reads of every block.
 DRAPE_INLINE void block_fetch(const model::ContactBlock& b) {
-  for (const double* row : {b.side[0], b.side[1], b.side[2], b.offset, b.sticking}) __builtin_prefetch(row);
+  for (const double* row : {b.side[0], b.side[1], b.side[2], b.offset, b.sink, b.sticking})
+    __builtin_prefetch(row);
   __builtin_prefetch(&b.node);
 }
 
@@ -259,7 +261,7 @@ void contact_run(const ContactPass& pass) {
       }
       const Gap<L> gap = contact_gap(b, i, x, s);
       const simd::Vec<L> normal = pose.outward(gap.n);
-      const L sticking = L::load(b.sticking + i);
+      const L sticking = L::load(b.sticking + i), sink = L::load(b.sink + i);
       const L penalty_scale = pass.inverse_penalty_scale
                                   ? L(1.0) / max(L::load(pass.inverse_penalty_scale + n), L(1e-300))
                                   : L(1.0);
@@ -268,7 +270,7 @@ void contact_run(const ContactPass& pass) {
                                                    L::load(kept + 2 * math::kRowUnit)}
                                     : free;
       const ContactHit<L> hit =
-          contact_hit(law, normal, gap.distance, w, old - body_velocity, sticking, penalty_scale);
+          contact_hit(law, normal, gap.distance, sink, w, old - body_velocity, sticking, penalty_scale);
       const L inertia =
           select(gt(inverse_scale, L(0.0)), L::load(pass.mass + n) / inverse_scale, L(0.0)) * L(c.impulse);
       simd::Vec<L> impulse = hit.dv * (L(0.0) - inertia);
@@ -296,7 +298,7 @@ void contact_run(const ContactPass& pass) {
         const simd::Vec<L> half =
             (old + kicked * L(c.reported_share)) * L(1 / c.reported_centred) - body_velocity;
         const ContactHit<L> half_kick =
-            contact_hit(reported, normal, gap.distance, half, half, sticking, penalty_scale);
+            contact_hit(reported, normal, gap.distance, sink, half, half, sticking, penalty_scale);
         impulse = impulse + half_kick.dv * (inertia * L(c.reported_centred / c.impulse));
       }
       sums.add(part, impulse, arm);

@@ -51,8 +51,8 @@ double pressure_of(const System& system, const State& s, const Touching& t, doub
          system.area[t.node];
 }
 
-bool is_deep(double contact_distance, double depth) {
-  return depth >= kNearStop * kContactDeepest * contact_distance;
+bool is_deep(double contact_distance, double sink, double depth) {
+  return depth >= kNearStop * (kContactDeepest * contact_distance - sink);
 }
 
 double stop_of(const std::vector<double>& stops, std::size_t k) { return stops.empty() ? 0 : stops[k]; }
@@ -65,9 +65,11 @@ double contact_distance_of(const System& system, const EdgeContactPair& t) {
 
 bool any_stopped(const System& system, const State& s) {
   bool deep = false;
-  each_touching(system, s, [&](const Touching& t) { deep = deep || is_deep(t.law->distance, t.depth()); });
+  each_touching(system, s, [&](const Touching& t) {
+    deep = deep || is_deep(t.law->distance, t.block->sink[t.lane], t.depth());
+  });
   edge_pairs_visit(system, s, [&](const EdgeContactPair& t, std::size_t, double depth, double) {
-    deep = deep || is_deep(contact_distance_of(system, t), depth);
+    deep = deep || is_deep(contact_distance_of(system, t), 0, depth);
   });
   return deep;
 }
@@ -89,8 +91,8 @@ ContactStops stop_forces(const System& system, EdgeScratch& scratch, const State
     for (std::size_t k = 0; k < 3; ++k)
       *to[k] = a[k][n] - t.block->warm_start[k][t.lane] - body_acceleration[k];
     const ContactHit<Lane> hit =
-        contact_hit(law, simd::Vec<Lane>{out[0], out[1], out[2]}, t.gap.distance, free, free,
-                    Lane(t.block->sticking[t.lane]),
+        contact_hit(law, simd::Vec<Lane>{out[0], out[1], out[2]}, t.gap.distance, Lane(t.block->sink[t.lane]),
+                    free, free, Lane(t.block->sticking[t.lane]),
                     Lane(s.inverse_mass_scale.empty() ? 1 : 1 / s.inverse_mass_scale[n]));
     const Lane dv[] = {hit.dv.x, hit.dv.y, hit.dv.z};
     for (std::size_t k = 0; k < 3; ++k) a[k][n] = (*to[k] + dv[k]).v + body_acceleration[k];
@@ -116,7 +118,7 @@ model::ContactSummary contact_summary(const System& system, const State& s, cons
     sum.pressure = std::max(sum.pressure, pressure_of(system, s, t, stop_of(stops.particle, k++)));
   });
   edge_pairs_visit(system, s, [&](const EdgeContactPair& t, std::size_t pair, double depth, double force) {
-    if (t.gap.share == 0 && !is_deep(contact_distance_of(system, t), depth))
+    if (t.gap.share == 0 && !is_deep(contact_distance_of(system, t), 0, depth))
       return;  // only a stop would act on it
     double area = INFINITY;
     for (int i = 0; i < t.element->weights(); ++i) area = std::min(area, system.area[t.element->node[i]]);

@@ -26,18 +26,21 @@ model::ContactBlock block_make(std::size_t node, int lattice) {
 void lane_clear(model::ContactBlock& b, std::size_t i) {
   for (auto& row : b.side) row[i] = 0;
   b.offset[i] = -model::kFar;
+  b.sink[i] = 0;
   b.sticking[i] = 0;
   for (auto& row : b.warm_start) row[i] = 0;
   b.shared[i] = 0;
 }
 
-void lane_set(model::ContactBlock& b, std::size_t i, const body::ClosestFeature& contact, double sticking) {
+void lane_set(model::ContactBlock& b, std::size_t i, const body::ClosestFeature& contact, double sink,
+              double sticking) {
   for (std::size_t k = 0; k < 3; ++k) {
     b.side[k][i] = contact.side[k];
     b.point[k][i] = contact.point[k];
   }
   for (std::size_t k = 0; k < 6; ++k) b.shape[k][i] = contact.shape[k];
   b.offset[i] = dot(contact.side, contact.point);
+  b.sink[i] = sink;
   b.sticking[i] = sticking;
 }
 
@@ -77,9 +80,10 @@ void block_insert(model::ContactBlocks& blocks, std::size_t at, std::uint32_t no
 }
 
 // Puts what one particle may touch into the blocks of its node. `shared`: its links may touch sharp features
-// as well.
+// as well. `sink`: [triangles] m, or empty.
 void lane_write(model::ContactBlocks& blocks, std::uint32_t node, int lattice, std::size_t lane,
-                const std::vector<body::ClosestFeature>& contact, bool shared) {
+                const std::vector<body::ClosestFeature>& contact, const std::vector<double>& sink,
+                bool shared) {
   const std::size_t first = place_first(blocks, node), count = places_of(blocks, first, node);
   const double sticking = count > 0 ? blocks.pool[blocks.order[first].block].sticking[lane] : 0;
   for (std::size_t k = contact.size(); k < count; ++k)
@@ -87,7 +91,8 @@ void lane_write(model::ContactBlocks& blocks, std::uint32_t node, int lattice, s
   for (std::size_t k = 0; k < contact.size(); ++k) {
     if (k >= count) block_insert(blocks, first + k, node, lattice);
     model::ContactBlock& b = blocks.pool[blocks.order[first + k].block];
-    lane_set(b, lane, contact[k], k == 0 ? sticking : 0);
+    lane_set(b, lane, contact[k], sink.empty() ? 0 : sink[std::size_t(contact[k].triangle)],
+             k == 0 ? sticking : 0);
     b.shared[lane] = contact.size() > 1 || shared ? 1 : 0;
   }
   for (std::size_t k = 0; k < std::max(count, contact.size()); ++k) {
@@ -175,7 +180,8 @@ void update_neighbours(const NeighbourBody& body, const NeighbourNodes& nodes, N
     const double free_distance = std::max(std::min(found.free_distance, edge_free), kMin * contact_distance);
     c.x[n] = x[i][0], c.y[n] = x[i][1], c.z[n] = x[i][2];
     c.free_distance2[n] = free_distance * free_distance;
-    lane_write(c.blocks, name, lattice, i, found.feature, !c.edges.near.empty() && c.edges.near[n]);
+    lane_write(c.blocks, name, lattice, i, found.feature, features.sharp.sink,
+               !c.edges.near.empty() && c.edges.near[n]);
   }
   blocks_prune(c.blocks, name);
 }

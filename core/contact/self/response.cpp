@@ -234,7 +234,7 @@ double self_dissipated(SelfContactPairs& pairs) {
     if (!(t.stored + t.stop > 0)) continue;
     const double w = dot(t.n, gap_rate(pairs, t, &SelfNode::old) + gap_rate(pairs, t, &SelfNode::v)) / 2;
     const Vec3 along = 0.5 * (slip(pairs, t, &SelfNode::old) + slip(pairs, t, &SelfNode::v));
-    sum -= (t.normal + t.stop - (t.normal > 0 ? t.stored : 0)) * w + dot(t.friction, along);
+    sum -= (t.normal + t.stop - t.stored) * w + dot(t.friction, along);
   }
   return sum;
 }

@@ -24,8 +24,7 @@ BodySurface surface_of(const Mesh& mesh) {
 
 std::array<int, 2> edges_and_tips(const Mesh& mesh) {
   std::array<int, 2> count{};
-  for (const SharpFeature& r : sharp_features_make(surface_of(mesh), kSharpSine, 0.01).feature)
-    ++count[r.tip];
+  for (const SharpFeature& r : sharp_features_make(surface_of(mesh), {}, 0.01).feature) ++count[r.tip];
   return count;
 }
 
@@ -50,11 +49,67 @@ TEST(SharpEdges, AreTheSharpEdgesAndTipsOfABody) {
   EXPECT_EQ(edges_and_tips(dented), (std::array<int, 2>{12, 8}));
 }
 
+// What is smaller than a link has edges and tips everywhere, however finely it is triangulated; on larger
+// bodies triangles know how deep a link sinks in: by b^2/(8 R).
+TEST(SharpEdges, AreAllOfBodiesSmallerThanALink) {
+  const double half = 0.005, sink = 0.0003;
+  const SharpBounds bounds{kSharpSine, half, sink, true, 1e-5, 4 * half};
+  const auto features = [&](const Mesh& mesh) { return sharp_features_make(surface_of(mesh), bounds, 0.01); };
+  const SharpFeatures rod = features(cylinder(0.0015, 0.1, 200));
+  EXPECT_EQ(
+      std::count_if(rod.feature.begin(), rod.feature.end(),
+                    [](const SharpFeature& f) { return !f.tip && std::abs(f.to[1] - f.from[1]) > 0.09; }),
+      200);
+  EXPECT_TRUE(rod.narrow);
+  const SharpFeatures bead = features(ball(0.001, 40));
+  EXPECT_EQ(
+      std::count_if(bead.feature.begin(), bead.feature.end(), [](const SharpFeature& f) { return f.tip; }),
+      2 + 39 * 40);
+  const double radius = 0.05;
+  const SharpFeatures large = features(ball(radius, 200));
+  EXPECT_TRUE(large.feature.empty());
+  ASSERT_FALSE(large.sink.empty());
+  const double deepest = *std::max_element(large.sink.begin(), large.sink.end());
+  EXPECT_NEAR(deepest, half * half / (2 * radius), 0.1 * deepest);
+}
+
+// The faces of a bar are as long as they are, into however many triangles they are cut.
+TEST(SharpEdges, FacesGoOnOverTheirTriangles) {
+  for (const int parts : {1, 7}) {
+    Mesh bar;  // along y, 6 by 4 mm, its sides cut along y
+    for (int k = 0; k <= parts; ++k)
+      for (const Vec3& p :
+           {Vec3{-0.003, 0, -0.002}, {0.003, 0, -0.002}, {0.003, 0, 0.002}, {-0.003, 0, 0.002}})
+        bar.point.push_back(p + Vec3{0, 0.1 * k / parts, 0});
+    for (int k = 0; k < parts; ++k)
+      for (int i = 0; i < 4; ++i) {
+        const int a = 4 * k + i, b = 4 * k + (i + 1) % 4;
+        bar.corner.push_back({a, b + 4, b}), bar.corner.push_back({a, a + 4, b + 4});
+      }
+    bar.corner.insert(bar.corner.end(), {{0, 1, 2}, {0, 2, 3}});
+    const int end = 4 * parts;
+    bar.corner.insert(bar.corner.end(), {{end, end + 2, end + 1}, {end, end + 3, end + 2}});
+    ASSERT_TRUE(surface_of(bar).solid);
+    const SharpFeatures features =
+        sharp_features_make(surface_of(bar), {kSharpSine, 0.005, 3e-4, true, 1e-5, 0.02}, 0.01);
+    int along = 0;
+    for (const SharpFeature& f : features.feature) {
+      if (f.tip || std::abs(f.to[1] - f.from[1]) < 1e-3) continue;
+      ++along;
+      ASSERT_EQ(f.length.size(), 2u);
+      EXPECT_NEAR(std::min(f.length[0], f.length[1]), 0.004, 1e-9);
+      EXPECT_NEAR(std::max(f.length[0], f.length[1]), 0.006, 1e-9);
+      EXPECT_NEAR(f.turn, 1, 1e-9);
+    }
+    EXPECT_EQ(along, 4 * parts);
+  }
+}
+
 // The search in buckets finds what a comparison with all features finds.
 TEST(SharpEdges, SearchFindsTheNearest) {
   const Mesh mesh = box(0.3, 0.2, 0.1);
   const BodySurface surface = surface_of(mesh);
-  const SharpFeatures features = sharp_features_make(surface, kSharpSine, 0.02);
+  const SharpFeatures features = sharp_features_make(surface, {}, 0.02);
   std::mt19937 random(5);
   std::uniform_real_distribution<double> at(-0.2, 0.2);
   std::vector<std::uint32_t> found;
@@ -72,7 +127,7 @@ TEST(SharpEdges, SearchFindsTheNearest) {
 // differences of the nodes' positions, W = dd/dr_k . n.
 // A search visits at most as many buckets as there are entries: a box of 1e18 m holds 1e60 buckets.
 TEST(SharpEdges, SearchInABoxOfAnySizeFindsWhatLiesInIt) {
-  const SharpFeatures features = sharp_features_make(surface_of(box(0.3, 0.2, 0.1)), kSharpSine, 0.02);
+  const SharpFeatures features = sharp_features_make(surface_of(box(0.3, 0.2, 0.1)), {}, 0.02);
   std::vector<std::uint32_t> all(features.feature.size()), upper, found;
   for (std::uint32_t k = 0; k < all.size(); ++k) {
     all[k] = k;
@@ -92,8 +147,8 @@ TEST(SharpEdges, SearchInABoxOfAnySizeFindsWhatLiesInIt) {
 }
 
 TEST(SharpEdges, WeightsAreTheGradientOfTheDistance) {
-  const SharpFeatures edges = sharp_features_make(surface_of(roof(0.7)), kSharpSine, 0.1),
-                      tips = sharp_features_make(surface_of(pyramid(0.7)), kSharpSine, 0.1);
+  const SharpFeatures edges = sharp_features_make(surface_of(roof(0.7)), {}, 0.1),
+                      tips = sharp_features_make(surface_of(pyramid(0.7)), {}, 0.1);
   const SharpFeature *edge = nullptr, *tip = nullptr;
   for (const SharpFeature& r : edges.feature)
     if (!r.tip && r.from[2] == 0 && r.to[2] == 0) edge = &r;
