@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "dynamics/advance.h"
+#include "dynamics/agreement.h"
 #include "forces/irregular_elements.h"
 #include "forces/seam_closing.h"
 #include "math/vector3.h"
@@ -54,12 +55,13 @@ struct StepContext {
   Motion& motion;
   State& state;
   const model::Scheme& scheme;
-  double h;           // s, of the whole step
-  double share;       // of the interval: where the stage leads
-  bool near_body;     // a particle is near a body, or a link near a sharp edge
-  bool self_contact;  // cloth touches cloth in this scene
-  bool pulled;        // a pair of a seam is closing
-  bool turned;        // a clamp turns
+  double h;                   // s, of the whole step
+  double share;               // of the interval: where the stage leads
+  bool near_body;             // a particle is near a body, or a link near a sharp edge
+  bool self_contact;          // cloth touches cloth in this scene
+  bool pulled;                // a pair of a seam is closing
+  bool turned;                // a clamp turns
+  double contact_change = 0;  // m/s, the largest change of a velocity by contact with bodies
 };
 
 void store_velocities(StepContext& c) {
@@ -105,7 +107,9 @@ void apply_self_contact(StepContext& c) {
 }
 
 void apply_contact(StepContext& c) {
-  if (c.near_body) contact::apply(c.system, c.motion.kernel->contact, c.motion.contact, c.scheme, c.state);
+  if (c.near_body)
+    c.contact_change =
+        contact::apply(c.system, c.motion.kernel->contact, c.motion.contact, c.scheme, false, c.state);
 }
 
 // What contact has changed is projected again. Self-contact does not note where it acted.
@@ -115,6 +119,17 @@ void project_again(StepContext& c) {
   const bool known = !c.self_contact && !touched.empty();
   constraints_project_again(c.system, c.motion.constraints, c.scheme, known ? touched.data() : nullptr,
                             c.motion.held, c.state);
+}
+
+// Where contact acts on particles that constraints or several surfaces share, they respond in turns.
+void agree_contact(StepContext& c) {
+  if (!c.near_body || !contact::couples(c.system, c.motion.contact, c.state)) return;
+  agree(
+      c.system.fit ? kAgreeInFit : kAgreeInMotion, c.contact_change,
+      [&] {
+        return contact::apply(c.system, c.motion.kernel->contact, c.motion.contact, c.scheme, true, c.state);
+      },
+      [&] { project_again(c); });
 }
 
 // Contact has done its work at the velocities that the last projection has left.
@@ -163,9 +178,10 @@ enum Fact : unsigned {
   kSelfContact = 1 << 6,     // cloth has responded to cloth
   kContact = 1 << 7,         // cloth has responded to bodies
   kHeld = 1 << 8,            // constraints hold after contact
-  kEnded = 1 << 9,           // the targets of t_{n+1} are those of the next t_n
-  kBodiesMoved = 1 << 10,    // bodies are at t_{n+1}
-  kContactBooked = 1 << 11   // the energy that contact has dissipated and brought in
+  kAgreed = 1 << 9,          // and contact has responded to what they have changed
+  kEnded = 1 << 10,          // the targets of t_{n+1} are those of the next t_n
+  kBodiesMoved = 1 << 11,    // bodies are at t_{n+1}
+  kContactBooked = 1 << 12   // the energy that contact has dissipated and brought in
 };
 struct Phase {
   void (*run)(StepContext&);
@@ -181,11 +197,12 @@ constexpr Phase kPhases[] = {
     {apply_self_contact, kProjected, kSelfContact},
     {apply_contact, kSelfContact, kContact},
     {project_again, kContact, kHeld},
-    {balance_contact, kHeld, kContactBooked},
-    {end_projection, kHeld, kEnded},
-    {move_bodies, kContact, kBodiesMoved},
+    {agree_contact, kHeld, kAgreed},
+    {balance_contact, kAgreed, kContactBooked},
+    {end_projection, kAgreed, kEnded},
+    {move_bodies, kAgreed, kBodiesMoved},
     {update_proximity, kContactBooked | kBodiesMoved, 0},
-    {update_seams, kHeld, 0},
+    {update_seams, kAgreed, 0},
     {balance_energy, kEnded, 0},
 };
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "dynamics/advance.h"
+#include "dynamics/agreement.h"
 #include "forces/irregular_elements.h"
 #include "math/vector3.h"
 
@@ -60,10 +61,19 @@ void project_synchronous(const System& system, Motion& motion, const State& s, c
   contact::warm_start_synchronous(system, motion.contact, s, {scheme, f});
   constraints_project(system, motion.constraints, motion.held, f, load);
   if (self_contact) contact::self_synchronous(system, motion.self, s, {scheme, f});
+  double first = 0;
   if (!s.body.empty())
-    contact::apply_synchronous(system, motion.kernel->contact, motion.contact, s, {scheme, f});
+    first = contact::apply_synchronous(system, motion.kernel->contact, motion.contact, s, {scheme, f}, false);
   if (contact::any_near(s) || (self_contact && contact::self_any_touching(motion.self)))
     constraints_project(system, motion.constraints, motion.held, f, load);
+  if (s.body.empty() || !contact::couples(system, motion.contact, s)) return;
+  agree(
+      scheme.pass == model::Pass::kAcceleration ? kAgreeAtRest : kAgreeInMotion, first,
+      [&] {
+        return contact::apply_synchronous(system, motion.kernel->contact, motion.contact, s, {scheme, f},
+                                          true);
+      },
+      [&] { constraints_project(system, motion.constraints, motion.held, f, load); });
 }
 
 model::Scheme scheme_of_last_kick(const System& system, const State& s) {

@@ -3,6 +3,8 @@
 // A row has `n` doubles (a multiple of kRowUnit) for each coordinate, with kRowUnit readable doubles before
 // and after them. Cells outside the outline have share 0, so their links have width 0 and exert no force.
 #pragma once
+#include <algorithm>
+
 #include "simd/lane.h"
 
 namespace drape::simd {
@@ -92,6 +94,20 @@ DRAPE_INLINE Vec<L> packed_load(PackedRow r, int i) {
 template <class L>
 DRAPE_INLINE void packed_store(PackedRow r, int i, Vec<L> v) {
   for (int k = 0; k < 3; ++k) L::store(r.at<L>(i, k), coordinate(v, k));
+}
+
+// Largest and smallest over the lanes.
+template <class L>
+double largest_of(L a) {
+  alignas(math::kLine) double lane[L::kWidth];
+  L::store(lane, a);
+  return *std::max_element(lane, lane + L::kWidth);
+}
+template <class L>
+double smallest_of(L a) {
+  alignas(math::kLine) double lane[L::kWidth];
+  L::store(lane, a);
+  return *std::min_element(lane, lane + L::kWidth);
 }
 
 }  // namespace

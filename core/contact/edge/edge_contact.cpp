@@ -185,6 +185,8 @@ struct Given {
   double stored = 0;      // the part of it along n that the potential of the penalty gives
   double stop = 0;        // likewise, of the stop
   double sticking = 0;
+  double stuck = 0;        // sticking in the last step
+  Vec3 reported{0, 0, 0};  // the part of the impulse that the loads already have
 };
 }  // namespace
 
@@ -214,43 +216,49 @@ double pair_respond(const State& s, const EdgeContactPair& t, const PairLaw& law
   const Vec3 free = gap_velocity(t, f.v), old = c.old_time > 0 || c.new_time > 0 ? t.old : free;
   const ContactHit<Lane> hit =
       contact_hit(law.lanes, lanes(t.gap.n), Lane(std::max(t.gap.distance, 0.0)), Lane(0.0),
-                  lanes(free - t.body_velocity), lanes(old - t.body_velocity),
-                  Lane(s.body[t.body].edges.pair[t.pair].sticking), Lane(1.0));
+                  lanes(free - t.body_velocity), lanes(old - t.body_velocity), Lane(given.stuck), Lane(1.0));
   const Vec3 impulse = (1 / k) * vector(hit.dv);
   const double change = k * norm(impulse - given.impulse);
-  given = {impulse, hit.stored.v / k, hit.stop.v / k, hit.sticking.v};
+  given.impulse = impulse;
+  given.stored = hit.stored.v / k, given.stop = hit.stop.v / k, given.sticking = hit.sticking.v;
   push(t, law.over, c, f, impulse);
   return change;
 }
 
 void load_add(const State& s, const EdgeContactPair& t, const ContactCoefficients& c, const Given& given,
               std::vector<math::Wrench>& load) {
-  const Vec3 impulse = -c.impulse * given.impulse;
+  const Vec3 impulse = -c.impulse * (given.impulse - given.reported);
   load[t.body].force += impulse;
   load[t.body].torque += cross(t.at - s.body[t.body].motion.position, impulse);
 }
 
 }  // namespace
 
-void edge_respond(const System& system, const State& s, const EdgePass& pass, EdgeScratch& scratch,
-                  EdgeSums& sums) {
-  const auto& [touches, c, f, moves] = pass;
+double edge_respond(const System& system, const State& s, const EdgePass& pass, EdgeScratch& scratch,
+                    EdgeSums& sums) {
+  const auto& [touches, c, f, moves, on] = pass;
   std::vector<Given>& given = scratch.response->given;
   std::vector<PairLaw>& laws = scratch.response->laws;
   sums.load.assign(s.body.size(), math::Wrench{});
   scratch.response->factor = c.impulse;
-  given.assign(touches.size(), Given{});
-  laws.clear();
-  for (const EdgeContactPair& t : touches) laws.push_back(pair_law(system, s, t, c, f));
-  for (std::size_t k = 0; k < touches.size(); ++k)
-    given[k].impulse = c.kick * s.body[touches[k].body].edges.pair[touches[k].pair].warm_start;
-  double first = 0;
+  if (!on) {
+    given.assign(touches.size(), Given{});
+    laws.clear();
+    for (std::size_t k = 0; k < touches.size(); ++k) {
+      laws.push_back(pair_law(system, s, touches[k], c, f));
+      const model::EdgePair& pair = s.body[touches[k].body].edges.pair[touches[k].pair];
+      given[k].impulse = c.kick * pair.warm_start;
+      given[k].stuck = pair.sticking;
+    }
+  }
+  double first = 0, change = 0;
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     double largest = 0;
     for (std::size_t k = 0; k < touches.size(); ++k) {
       largest = std::max(largest, pair_respond(s, touches[k], laws[k], c, f, given[k]));
       if (sweep == 0) first = std::max(first, laws[k].inverse_effective_mass * norm(given[k].impulse));
     }
+    change = std::max(change, on ? largest : first);
     if (!(largest > kConverged * first)) break;
   }
   sums.stop.assign(touches.size(), 0.0);
@@ -258,11 +266,13 @@ void edge_respond(const System& system, const State& s, const EdgePass& pass, Ed
     const EdgeContactPair& t = touches[k];
     sums.stop[k] = given[k].stop;
     load_add(s, t, c, given[k], sums.load);
+    given[k].reported = given[k].impulse;
     if (!moves) continue;
     model::EdgePair& to = moves->body[t.body].edges.pair[t.pair];
     to.sticking = given[k].sticking;
-    to.warm_start = 1 / c.kick * (given[k].impulse - given[k].stop * t.gap.n);  // stops would oscillate
+    to.warm_start = 1 / c.kick * (given[k].impulse - (1 - c.warm_stop) * given[k].stop * t.gap.n);
   }
+  return change;
 }
 
 ContactWork edge_work(const std::vector<EdgeContactPair>& touches, const EdgeScratch& scratch,

@@ -93,6 +93,7 @@ struct EdgePass {
   ContactCoefficients c;
   EdgeField field;
   State* moves = nullptr;  // the state that receives sticking and warm starts; null: none does
+  bool on = false;         // again in the same step: goes on from the impulses of the last pass
 };
 
 // Warm start: gives pairs their impulse of the last step.
@@ -105,9 +106,9 @@ struct EdgeSums {
 };
 
 // Adds contact to a free motion; needs the warm start. Gauss-Seidel sweeps over the pairs, until velocities
-// change no more.
-void edge_respond(const System& system, const State& state, const EdgePass& pass, EdgeScratch& scratch,
-                  EdgeSums& sums);
+// change no more. Returns the largest change of a velocity, m/s: of the first sweep, if not `on`, the whole.
+double edge_respond(const System& system, const State& state, const EdgePass& pass, EdgeScratch& scratch,
+                    EdgeSums& sums);
 
 // Energy (J) that contact has dissipated, and that moving bodies have brought in.
 struct ContactWork {

@@ -15,7 +15,7 @@ namespace {
 using namespace math::vector3;
 
 ContactPass contact_pass_of(const System& system, ContactWorkspace& workspace, const State& s, std::size_t b,
-                            double* sum) {
+                            double* sum, bool on = false) {
   ContactPass pass{};
   workspace.law.clear();
   for (const model::Lattice& l : system.lattices)
@@ -28,10 +28,13 @@ ContactPass contact_pass_of(const System& system, ContactWorkspace& workspace, c
   pass.law = workspace.law.data();
   pass.damping = system.bodies[b].damping;
   pass.sum = sum;
-  if (system.energy) {
+  if (system.energy && !on) {
     workspace.given[b].assign(kGivenRows * math::kRowUnit * s.body[b].blocks.order.size(), 0.0);
-    pass.given = workspace.given[b].data();
   }
+  if (system.energy) pass.given = workspace.given[b].data();
+  workspace.response[b].resize(kResponseRows * math::kRowUnit * s.body[b].blocks.order.size());
+  pass.response = workspace.response[b].data();
+  pass.on = on;
   return pass;
 }
 
@@ -97,15 +100,11 @@ ContactCoefficients acceleration_coefficients(const System& system, const State&
 }  // namespace
 
 ContactCoefficients coefficients_of(const System& system, const State& s, const model::Scheme& scheme) {
-  switch (scheme.pass) {
-    case model::Pass::kStep:
-      return step_coefficients(scheme);
-    case model::Pass::kSynchronous:
-      return last_kick_coefficients(scheme);
-    case model::Pass::kAcceleration:
-      break;
-  }
-  return acceleration_coefficients(system, s);
+  ContactCoefficients c = scheme.pass == model::Pass::kStep          ? step_coefficients(scheme)
+                          : scheme.pass == model::Pass::kSynchronous ? last_kick_coefficients(scheme)
+                                                                     : acceleration_coefficients(system, s);
+  c.warm_stop = system.fit ? 1 : 0;
+  return c;
 }
 
 ContactWorkspace workspace_make(const System& system) {
@@ -117,6 +116,7 @@ ContactWorkspace workspace_make(const System& system) {
                                  search_reach(body.mesh.surface, contact_distance)));
   workspace.old.resize(system.bodies.size());
   workspace.given.resize(system.bodies.size());
+  workspace.response.resize(system.bodies.size());
   workspace.load.resize(system.bodies.size());
   workspace.edge_scratch = edge_scratch_make();
   if (!system.bodies.empty()) workspace.stale.resize(system.nodes / math::kRowUnit);
@@ -216,48 +216,67 @@ void warm_start_synchronous(const System& system, ContactWorkspace& workspace, c
   edge_warm_start(system, s, pass);
 }
 
-void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
-           const model::Scheme& scheme, State& s) {
+double apply(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
+             const model::Scheme& scheme, bool on, State& s) {
   const ContactCoefficients c = coefficients_of(system, s, scheme);
+  double change = 0;
   std::fill(workspace.touched.begin(), workspace.touched.end(), char(0));
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     model::BodyContact& body = s.body[b];
     if (body.blocks.order.empty()) continue;
     double sum[6]{};
-    ContactPass pass = contact_pass_of(system, workspace, s, b, sum);
+    ContactPass pass = contact_pass_of(system, workspace, s, b, sum, on);
+    pass.change = &change;
     const ContactMoves moves{body.blocks.pool.data(), {s.x.data(), s.y.data(), s.z.data()}};
     pass.moves = &moves;
     pass.v[0] = s.vx.data(), pass.v[1] = s.vy.data(), pass.v[2] = s.vz.data();
     if (!s.inverse_mass_scale.empty()) pass.inverse_mass_scale = s.inverse_mass_scale.data();
     pass.c = c;
     pass.reported = last_kick_coefficients(scheme);
-    pass.begins = scheme.begins_advance && !workspace.half_kick_reported && scheme.half > 0;
+    pass.begins = scheme.begins_advance && !workspace.half_kick_reported && scheme.half > 0 && !on;
     kernel.run[system.bodies[b].moves](pass);
     body.impulse.force += load_of(sum).force;
     body.impulse.torque += load_of(sum).torque;
   }
-  if (workspace.edge_pairs.empty()) return;
+  if (workspace.edge_pairs.empty()) return change;
   for (const EdgeContactPair& t : workspace.edge_pairs)
     for (int k = 0; !workspace.touched.empty() && k < t.element->weights(); ++k)
       workspace.touched[t.element->node[k] / math::kRowUnit] = 1;
-  edge_respond(system, s, {workspace.edge_pairs, c, field_of(s), &s}, workspace.edge_scratch,
-               workspace.edge_sums);
+  EdgePass pass{workspace.edge_pairs, c, field_of(s), &s};
+  pass.on = on;
+  change = std::max(change, edge_respond(system, s, pass, workspace.edge_scratch, workspace.edge_sums));
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     s.body[b].impulse.force += workspace.edge_sums.load[b].force;
     s.body[b].impulse.torque += workspace.edge_sums.load[b].torque;
   }
+  return change;
 }
 
-void apply_synchronous(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
-                       const State& s, const SynchronousPass& of) {
+bool couples(const System& system, const ContactWorkspace& workspace, const State& s) {
+  const auto& touched = workspace.touched;  // empty: not known
+  if (touched.empty() ? !workspace.tied.empty()
+                      : std::find(touched.begin(), touched.end(), char(1)) != touched.end())
+    return true;
+  if (!system.fit) return false;
+  if (!workspace.edge_pairs.empty()) return true;
+  for (const model::BodyContact& body : s.body)
+    for (const model::ContactPlace& place : body.blocks.order)
+      if (body.blocks.pool[place.block].shares) return true;
+  return false;
+}
+
+double apply_synchronous(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
+                         const State& s, const SynchronousPass& of, bool on) {
   const bool kicks = of.scheme.pass == model::Pass::kSynchronous;
   const ContactCoefficients c = coefficients_of(system, s, of.scheme);
-  if (kicks) particle_store_velocities(workspace, s);
+  double change = 0;
+  if (kicks && !on) particle_store_velocities(workspace, s);
   for (std::size_t b = 0; b < s.body.size(); ++b) {
-    workspace.load[b] = math::Wrench{};
+    if (!on) workspace.load[b] = math::Wrench{};
     if (s.body[b].blocks.order.empty()) continue;
     double sum[6]{};
-    ContactPass pass = contact_pass_of(system, workspace, s, b, sum);
+    ContactPass pass = contact_pass_of(system, workspace, s, b, sum, on);
+    pass.change = &change;
     pass.v[0] = of.field.x, pass.v[1] = of.field.y, pass.v[2] = of.field.z;
     pass.c = c;
     if (!kicks) {
@@ -266,15 +285,18 @@ void apply_synchronous(const System& system, const ContactKernel& kernel, Contac
       pass.given = nullptr;
     }
     kernel.run[system.bodies[b].moves](pass);
-    workspace.load[b] = load_of(sum);
+    workspace.load[b].force += load_of(sum).force;
+    workspace.load[b].torque += load_of(sum).torque;
   }
-  if (workspace.edge_pairs.empty()) return;
-  edge_respond(system, s, {workspace.edge_pairs, c, field_of(of)}, workspace.edge_scratch,
-               workspace.edge_sums);
+  if (workspace.edge_pairs.empty()) return change;
+  EdgePass pass{workspace.edge_pairs, c, field_of(of)};
+  pass.on = on;
+  change = std::max(change, edge_respond(system, s, pass, workspace.edge_scratch, workspace.edge_sums));
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     workspace.load[b].force += workspace.edge_sums.load[b].force;
     workspace.load[b].torque += workspace.edge_sums.load[b].torque;
   }
+  return change;
 }
 
 // J less its stored part works on v_mid - v_b, all of J on v_b.

@@ -16,6 +16,7 @@ struct ContactWorkspace {
   std::vector<body::DistanceGrid> distance_grids;  // [bodies]
   std::vector<Array> old;                          // [bodies][blocks x 3 x kRowUnit] m/s, v_{n-1/2}
   std::vector<Array> given;                        // [bodies] as in ContactPass; only with System::energy
+  std::vector<Array> response;                     // [bodies] as in ContactPass
   std::vector<std::size_t>
       stale;                  // [nodes / kRowUnit] first nodes of blocks whose neighbours are out of date
   Array tied;                 // [nodes] 1 where pins and welds tie a particle to others; empty: nowhere
@@ -71,9 +72,16 @@ void warm_start(const System& system, const ContactWorkspace& workspace, const m
 void warm_start_synchronous(const System& system, ContactWorkspace& workspace, const State& state,
                             const SynchronousPass& of);
 
-// Adds the contact of bodies to a free step. Needs store_velocities.
-void apply(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
-           const model::Scheme& scheme, State& state);
+// Adds the contact of bodies to a free step. Needs store_velocities. Returns the largest change of a
+// velocity, m/s. `on`: again in the same step, after other constraints have changed velocities: what shares
+// particles with them responds anew.
+double apply(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
+             const model::Scheme& scheme, bool on, State& state);
+
+// Whether the last apply acted on particles that pins or welds tie to others; in a fit, also whether links,
+// cells or several surfaces share particles. (In a motion the next steps bring those into agreement: in an
+// impact that crumples a cell round a thin body, the stops of its two sides may contradict each other.)
+bool couples(const System& system, const ContactWorkspace& workspace, const State& state);
 
 // After particles and bodies have moved, or velocities have jumped: updates the neighbours of particles that
 // may touch something else by the end of the next step. `drift`: s, how long they have moved since the last
@@ -87,8 +95,8 @@ void invalidate_proximity(State& state);
 
 // Adds contact to the field of a pass. workspace.load is then that of this half kick, as impulses; for
 // accelerations, it is a force.
-void apply_synchronous(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
-                       const State& state, const SynchronousPass& of);
+double apply_synchronous(const System& system, const ContactKernel& kernel, ContactWorkspace& workspace,
+                         const State& state, const SynchronousPass& of, bool on);
 
 // The energy (J) that the contact of the last pass has dissipated and brought in, of the velocities `v`
 // [nodes] that pins and welds have left after it. Only with System::energy.

@@ -20,6 +20,7 @@ struct ContactCoefficients {
   double reach_time = 0;  // s, for which a particle is extrapolated to see whether it may touch
   double impulse = 1;     // factor from a change of velocity to an impulse, besides the mass
   double decay = 1;       // v <- decay v + kick a
+  double warm_stop = 0;   // share of the impulse of a stop in the warm start: 1 in a fit, else 0
   double reported_share = 0,
          reported_centred = 1;  // v_n = (v_{n-1/2} + reported_share (v - decay v_{n-1/2}))/reported_centred
 };
@@ -46,14 +47,21 @@ struct ContactPass {
   const model::ContactLaw* law;  // [lattices]
   double damping;                // of the body, over the critical one
   ContactCoefficients c, reported;
-  bool begins;    // first step of an advance: subtracts the half kick that the advance before has reported
-  double* sum;    // [6] force and torque on the body, as impulses, N s and N m s
-  double* given;  // [blocks in order x kGivenRows x kRowUnit] for the energy balance; or null
+  bool begins;  // first step of an advance: subtracts the half kick that the advance before has reported
+  // Of particles that pins, welds or several surfaces share: the change of velocity that the last pass of the
+  // step gave, x y z, m/s, and whether the particle stuck before the step.
+  double* response;  // [blocks in order x kResponseRows x kRowUnit]
+  bool on;           // goes on from the last pass: only such particles respond, and loads are what it adds
+  double* change;    // m/s, raised to the largest change of a velocity by the pass
+  double* sum;       // [6] force and torque on the body, as impulses, N s and N m s
+  double* given;     // [blocks in order x kGivenRows x kRowUnit] for the energy balance; or null
 };
 
 // What the energy balance needs of a pass: the impulse on the body, the part of the impulse on the particle
 // that the potential of the penalty gives (N s), and the velocity of the body there (m/s); x y z each.
 inline constexpr std::size_t kGivenRows = 9;
+
+inline constexpr std::size_t kResponseRows = 4;
 
 inline constexpr std::size_t kProximityGroup = 64;  // nodes that share one group clearance
 

@@ -10,10 +10,11 @@
 // The lattice kernel has moved the particles without contact: v is the free v_{n+1/2}, r = r_n + drift v.
 //
 // Pins and welds spread the impulse on one particle over all that they tie together, and several surfaces act
-// on a particle one after the other. A single pass therefore leaves a residual. Such particles get a warm
-// start: the impulse of the last step, before pins and welds act. The pass then replaces it by the present
-// impulse; at rest the two are equal. Stop impulses are not warm-started: unbounded and one step late, they
-// would oscillate.
+// on a particle one after the other. Such particles get a warm start: the impulse of the last step, before
+// pins and welds act. The pass then replaces it by the present impulse; at rest the two are equal. Contact
+// and constraints respond in turns until they agree (dynamics/agreement.h): a pass that goes on takes the
+// impulse of the pass before out of the velocity and computes it anew. The impulse of a stop is warm-started
+// in a fit, which comes to rest; in a motion, where it ends an impact, it would be a blow one step late.
 #pragma once
 #include <algorithm>
 
@@ -152,11 +153,11 @@ DRAPE_INLINE Gap<L> contact_gap(const model::ContactBlock& b, int i, const simd:
        select(off_surface, u.z * inverse, at(b.side[2]))}};
 }
 
-// The warm start of the next step (m/s^2), of particles that several constraints act on: all but the stop.
+// The warm start of the next step (m/s^2), of particles that several constraints act on.
 template <class L>
 DRAPE_INLINE simd::Vec<L> warm_start_of(const ContactCoefficients& c, const simd::Vec<L>& n,
                                         const ContactHit<L>& hit, L shares, L inverse_scale) {
-  return (hit.dv - n * hit.stop) *
+  return (hit.dv - n * (L(1 - c.warm_stop) * hit.stop)) *
          select(gt(inverse_scale, L(0.0)), shares / (L(c.kick) * inverse_scale), L(0.0));
 }
 template <class L>
@@ -191,10 +192,20 @@ struct ContactSums {
 };
 
 template <class L>
-DRAPE_INLINE void given_store(double* rows, const simd::Vec<L>& v) {
+DRAPE_INLINE void vector_store(double* rows, const simd::Vec<L>& v) {
   L::store(rows, v.x);
   L::store(rows + math::kRowUnit, v.y);
   L::store(rows + 2 * math::kRowUnit, v.z);
+}
+template <class L>
+DRAPE_INLINE simd::Vec<L> vector_load(const double* rows) {
+  return {L::load(rows), L::load(rows + math::kRowUnit), L::load(rows + 2 * math::kRowUnit)};
+}
+
+// a in the lanes of the mask, else b.
+template <class L, class Mask>
+DRAPE_INLINE simd::Vec<L> select_vector(const Mask& mask, const simd::Vec<L>& a, const simd::Vec<L>& b) {
+  return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
 }
 
 // Prefetches what a pass reads of every block.
@@ -227,18 +238,27 @@ void contact_run(const ContactPass& pass) {
       law = ContactLanes<L>(pass.law[lattice], c, pass.damping);
       reported = ContactLanes<L>(pass.law[lattice], pass.reported, pass.damping);
     }
-    const bool warm_started = b.has_warm_start;
-    if (to) to->has_warm_start = false;
+    const bool warm_started = b.has_warm_start && !pass.on, shares = pass.tied || b.shares;
+    double* const response = shares ? pass.response + kResponseRows * math::kRowUnit * k : nullptr;
+    if (pass.on && !shares) continue;
+    if (to && !pass.on) to->has_warm_start = false;
     for (int i = 0, part = 0; i < math::kRowUnit; i += L::kWidth, ++part) {
       const std::size_t n = b.node + std::size_t(i);
       const simd::ConstRow r{pass.r[0] + n, pass.r[1] + n, pass.r[2] + n};
       const simd::Row v{pass.v[0] + n, pass.v[1] + n, pass.v[2] + n};
       const L inverse_scale = pass.inverse_mass_scale ? L::load(pass.inverse_mass_scale + n) : L(1.0);
-      simd::Vec<L> free = simd::vec_load<L>(v, 0), moved = simd::vec_load<L>(r, 0);
-      if (warm_started) {
-        const simd::Vec<L> given = simd::Vec<L>{L::load(b.warm_start[0] + i), L::load(b.warm_start[1] + i),
-                                                L::load(b.warm_start[2] + i)} *
-                                   (L(c.kick) * inverse_scale);
+      const simd::Vec<L> v_before = simd::vec_load<L>(v, 0), r_before = simd::vec_load<L>(r, 0);
+      simd::Vec<L> free = v_before, moved = r_before;
+      const L tied = pass.tied ? L::load(pass.tied + n) : L(0.0),
+              shared = shares ? max(tied, L::load(b.shared + i)) : L(0.0);
+      const auto responds = gt(pass.on ? shared : L(1.0), L(0.0));  // other lanes stay as they are
+      if (!any(responds)) continue;
+      simd::Vec<L> given{L(0.0), L(0.0), L(0.0)};  // what the particle has got of it already
+      if (warm_started || pass.on) {
+        given = pass.on ? vector_load<L>(response + i)
+                        : simd::Vec<L>{L::load(b.warm_start[0] + i), L::load(b.warm_start[1] + i),
+                                       L::load(b.warm_start[2] + i)} *
+                              (L(c.kick) * inverse_scale);
         free = free - given;
         moved = moved - given * L(c.drift);
       }
@@ -249,7 +269,11 @@ void contact_run(const ContactPass& pass) {
           fma(L::load(b.side[0] + i), x.x,
               fma(L::load(b.side[1] + i), x.y, fms(L::load(b.side[2] + i), x.z, L::load(b.offset + i))));
       const L nearer = L(c.reach_time) * (abs(w.x) + abs(w.y) + abs(w.z));
-      if (!any(gt(law.contact_distance, s - nearer))) {
+      if (!pass.on && !any(gt(law.contact_distance, s - nearer))) {
+        if (response) {
+          vector_store(response + i, simd::Vec<L>{L(0.0), L(0.0), L(0.0)});
+          L::store(response + i + 3 * math::kRowUnit, L(0.0));
+        }
         if (to) L::store(to->sticking + i, L(0.0));
         if (warm_started) {
           simd::vec_store(v, 0, free);
@@ -261,7 +285,8 @@ void contact_run(const ContactPass& pass) {
       }
       const Gap<L> gap = contact_gap(b, i, x, s);
       const simd::Vec<L> normal = pose.outward(gap.n);
-      const L sticking = L::load(b.sticking + i), sink = L::load(b.sink + i);
+      const L sticking = pass.on ? L::load(response + i + 3 * math::kRowUnit) : L::load(b.sticking + i),
+              sink = L::load(b.sink + i);
       const L penalty_scale = pass.inverse_penalty_scale
                                   ? L(1.0) / max(L::load(pass.inverse_penalty_scale + n), L(1e-300))
                                   : L(1.0);
@@ -273,24 +298,34 @@ void contact_run(const ContactPass& pass) {
           contact_hit(law, normal, gap.distance, sink, w, old - body_velocity, sticking, penalty_scale);
       const L inertia =
           select(gt(inverse_scale, L(0.0)), L::load(pass.mass + n) / inverse_scale, L(0.0)) * L(c.impulse);
-      simd::Vec<L> impulse = hit.dv * (L(0.0) - inertia);
-      if (to) L::store(to->sticking + i, hit.sticking);
-      const simd::Vec<L> now = free + hit.dv;
-      simd::vec_store(v, 0, now);
-      if (to) simd::vec_store(row_of(*moves, n), 0, moved + hit.dv * L(c.drift));
-      if (to && (warm_started || pass.tied || b.shares)) {
-        const L tied = pass.tied ? L::load(pass.tied + n) : L(0.0);
+      const simd::Vec<L> zero{L(0.0), L(0.0), L(0.0)}, more = select_vector(responds, hit.dv - given, zero);
+      if (pass.change) {
+        const simd::Vec<L>& by = pass.on ? more : hit.dv;
+        *pass.change = std::max(*pass.change, simd::largest_of(max(max(abs(by.x), abs(by.y)), abs(by.z))));
+      }
+      if (response) {
+        vector_store(response + i, select_vector(responds, hit.dv, given));
+        L::store(response + i + 3 * math::kRowUnit, sticking);
+      }
+      simd::Vec<L> impulse = (pass.on ? more : hit.dv) * (L(0.0) - inertia);
+      if (to) L::store(to->sticking + i, select(responds, hit.sticking, L::load(to->sticking + i)));
+      simd::vec_store(v, 0, select_vector(responds, free + hit.dv, v_before));
+      if (to)
+        simd::vec_store(row_of(*moves, n), 0, select_vector(responds, moved + hit.dv * L(c.drift), r_before));
+      if (to && (warm_started || shares)) {
         if (pass.touched &&
             (warm_started || any(gt(tied * (abs(hit.dv.x) + abs(hit.dv.y) + abs(hit.dv.z)), L(0.0)))))
           pass.touched[b.node / math::kRowUnit] = 1;
-        warm_start_store(*to, i,
-                         warm_start_of(c, normal, hit, max(tied, L::load(b.shared + i)), inverse_scale));
+        warm_start_store(*to, i, warm_start_of(c, normal, hit, shared, inverse_scale));
       }
       if (pass.given) {
-        double* const given = pass.given + kGivenRows * math::kRowUnit * k + std::size_t(i);
-        given_store(given, impulse);
-        given_store(given + 3 * math::kRowUnit, normal * (inertia * hit.stored));
-        given_store(given + 6 * math::kRowUnit, body_velocity);
+        double* const of = pass.given + kGivenRows * math::kRowUnit * k + std::size_t(i);
+        const auto keep = [&](double* rows, const simd::Vec<L>& value) DRAPE_INLINE_LAMBDA {
+          vector_store(rows, select_vector(responds, value, vector_load<L>(rows)));
+        };
+        keep(of, hit.dv * (L(0.0) - inertia));
+        keep(of + 3 * math::kRowUnit, normal * (inertia * hit.stored));
+        keep(of + 6 * math::kRowUnit, body_velocity);
       }
       if (pass.begins) {
         // the advance before has reported the impulse of its last half kick, which gave v_n
@@ -307,20 +342,6 @@ void contact_run(const ContactPass& pass) {
   sums.add_to(pass.sum);
 }
 
-// Largest and smallest over the lanes.
-template <class L>
-double largest_of(L a) {
-  alignas(math::kLine) double lane[L::kWidth];
-  L::store(lane, a);
-  return *std::max_element(lane, lane + L::kWidth);
-}
-template <class L>
-double smallest_of(L a) {
-  alignas(math::kLine) double lane[L::kWidth];
-  L::store(lane, a);
-  return *std::min_element(lane, lane + L::kWidth);
-}
-
 // The largest speed (m/s) of the nodes begin .. end - 1.
 template <class L>
 DRAPE_INLINE double contact_speed(const ProximityPass& pass, std::size_t begin, std::size_t end) {
@@ -329,7 +350,7 @@ DRAPE_INLINE double contact_speed(const ProximityPass& pass, std::size_t begin, 
     const L x = L::load(pass.v[0] + i), y = L::load(pass.v[1] + i), z = L::load(pass.v[2] + i);
     largest = max(largest, fma(x, x, fma(y, y, z * z)));
   }
-  return __builtin_sqrt(largest_of(largest));
+  return __builtin_sqrt(simd::largest_of(largest));
 }
 
 // Collects the blocks in which a node has moved by its free distance, or will in the next step. Against a
@@ -363,7 +384,7 @@ std::size_t update_proximity_lanes(const ProximityPass& pass, std::size_t* stale
       }
       if (moved) stale[count++] = n, left = L(0.0);
     }
-    if constexpr (!kMoves) b.group_clearance[begin / math::kRowUnit] = kRounding * smallest_of(left);
+    if constexpr (!kMoves) b.group_clearance[begin / math::kRowUnit] = kRounding * simd::smallest_of(left);
   }
   return count;
 }
