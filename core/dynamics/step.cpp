@@ -75,7 +75,9 @@ void store_velocities(StepContext& c) {
     if (c.pulled) pull_begin(system, c.motion.balance, c.state, c.scheme.extrapolation);
   }
   if (c.near_body) contact::store_velocities(system, c.motion.contact, c.state);
-  if (c.self_contact) contact::self_store_velocities(system, c.motion.self, c.state, c.h);
+  if (!c.self_contact) return;
+  contact::self_store_velocities(system, c.motion.self, c.state, c.h);
+  if (system.energy) c.state.input += contact::self_parting_work(c.motion.self, c.state, c.h);
 }
 
 // The torques of clamps pass to the pins beside the forces on held points.

@@ -44,11 +44,13 @@ struct SelfMesh {
   std::vector<NodeIndex> own_node;
   std::vector<SelfEdge> edge;
   std::vector<NearSeam> near_seam;
-  std::vector<NodeSpan> span;        // runs of particles in the arrays of nodes
-  std::vector<int> lattice_of;       // [nodes]
-  std::vector<char> fixed;           // [nodes] 1 where a pin holds it
-  Array max_contact_distance;        // [nodes] m: bound, where it starts within the thickness; else infinite
-  std::vector<int> exclusion_cells;  // [lattices] cells this near along the cloth are excluded from contact
+  std::vector<NodeSpan> span;         // runs of particles in the arrays of nodes
+  std::vector<int> lattice_of;        // [nodes]
+  std::vector<char> fixed;            // [nodes] 1 where a pin holds it
+  Array max_contact_distance;         // [nodes] m: bound, where it starts within the thickness; else infinite
+  std::vector<char> parts;            // [nodes] 1 where the bound grows to the thickness: it lies over cloth
+  std::vector<NodeIndex> same_place;  // particles that start in the very place of other cloth
+  std::vector<int> exclusion_cells;   // [lattices] cells this near along the cloth are excluded from contact
   std::vector<double> min_protrusion_sine;  // [lattices] sine from which an edge protrudes: narrow_phase.cpp
   double seam_exclusion_distance = 0;       // m, exclusion along the cloth across a seam
   double contact_distance = 0;              // m, the largest of all pairs
@@ -58,13 +60,14 @@ struct SelfMesh {
 // A pair of a particle and a triangle.
 struct SelfPoint {
   NodeIndex node[4];        // particle, corners of the triangle
-  double contact_distance;  // m: the mean thickness, or the distance at the start where that is smaller
+  double contact_distance;  // m: the mean thickness, or the distance at the start where that stays smaller
+  double start;             // m: the same at the start
 };
 // A pair of two edges.
 struct SelfCross {
   NodeIndex node[4];
-  NodeIndex edge[2];        // indices in SelfMesh::edge
-  double contact_distance;  // m
+  NodeIndex edge[2];               // indices in SelfMesh::edge
+  double contact_distance, start;  // m
 };
 struct SelfPairs {
   std::vector<SelfPoint> point;  // sorted by their nodes
@@ -84,6 +87,7 @@ inline constexpr std::size_t kPairsPerBlock = 32;  // pairs
 // The state of self contact. In each step, `travel` grows by an upper bound of how much nearer any two points
 // of the cloth have come.
 struct SelfState {
+  double age = 0;                          // s, since the start, while layers that started too near part
   double travel = 0;                       // m
   double speed = 0;                        // m/s, upper bound of the relative speed of any two particles
   double searched = 0;                     // m, travel at the last search for pairs

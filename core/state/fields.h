@@ -112,7 +112,7 @@ template <>
 struct Table<model::SelfPoint> {
   static auto of(auto& s) {
     return std::tuple{Field{"node", s.node, Length::kAny, index_of(Length::kNodes)},
-                      Field{"contact_distance", s.contact_distance}};
+                      Field{"contact_distance", s.contact_distance}, Field{"start", s.start}};
   }
 };
 static_assert(kListsAll<model::SelfPoint>);
@@ -122,7 +122,7 @@ struct Table<model::SelfCross> {
   static auto of(auto& s) {
     return std::tuple{Field{"node", s.node, Length::kAny, index_of(Length::kNodes)},
                       Field{"edge", s.edge, Length::kAny, index_of(Length::kSelfEdges)},
-                      Field{"contact_distance", s.contact_distance}};
+                      Field{"contact_distance", s.contact_distance}, Field{"start", s.start}};
   }
 };
 static_assert(kListsAll<model::SelfCross>);
@@ -146,6 +146,7 @@ template <>
 struct Table<model::SelfState> {
   static auto of(auto& s) {
     return std::tuple{
+        Field{"age", s.age},
         Field{"travel", s.travel},
         Field{"speed", s.speed},
         Field{"searched", s.searched},

@@ -16,6 +16,7 @@ constexpr int kExclusionCells = 1;         // minimum, in cells along the cloth
 constexpr double kExclusionThickness = 2;  // minimum, in thicknesses along the cloth
 constexpr double kSamePlace = 1e-3;        // of a cell: sewn points nearer than that are one
 constexpr double kTooNear = 1e-3;          // of the thickness: what starts nearer never touches
+constexpr double kOnIt = 1e-6;             // weight of a node, above which a foot is on it
 
 void cells_add(const System& system, model::SelfMesh& mesh) {
   for (const model::Lattice& l : system.lattices)
@@ -114,10 +115,21 @@ void seams_near(const System& system, model::SelfMesh& mesh) {
   }
 }
 
+// [nodes] 1 on the border of the cloth
+std::vector<char> border_of(const System& system, const model::SelfMesh& mesh) {
+  std::vector<char> border(system.nodes, 0);
+  for (const model::SelfEdge& e : mesh.edge)
+    if (e.across[1] == model::kNoNode) border[e.node[0]] = border[e.node[1]] = 1;
+  return border;
+}
+
 // Where layers start nearer to each other than their contact distance, that start is their largest contact
-// distance.
+// distance. It grows where a particle lies over cloth. Beside a border it stays: cloth side by side in one
+// plane, as on both sides of a slit, does not part.
 void contact_distances_relax(const System& system, const State& start, model::SelfMesh& mesh) {
   mesh.max_contact_distance.assign(system.nodes, INFINITY);
+  mesh.parts.assign(system.nodes, 0);
+  const std::vector<char> border = border_of(system, mesh);
   const model::SelfPairs pairs = self_search(system, mesh, start, 0);
   Array largest = mesh.max_contact_distance;
   const auto limit = [&](model::NodeIndex n, double distance, double contact_distance) {
@@ -125,11 +137,15 @@ void contact_distances_relax(const System& system, const State& start, model::Se
   };
   const auto at = [&](model::NodeIndex n) { return Vec3{start.x[n], start.y[n], start.z[n]}; };
   for (const model::SelfPoint& p : pairs.point) {
-    const double d = std::sqrt(
-        math::triangle_closest(at(p.node[0]), at(p.node[1]), at(p.node[2]), at(p.node[3])).distance2);
+    const math::TriangleClosest closest =
+        math::triangle_closest(at(p.node[0]), at(p.node[1]), at(p.node[2]), at(p.node[3]));
+    const double d = std::sqrt(closest.distance2);
     const double contact_distance =
         self_contact_distance(system, mesh.lattice_of[p.node[0]], mesh.lattice_of[p.node[1]]);
-    if (d < contact_distance) limit(p.node[0], d, contact_distance);
+    if (d >= contact_distance) continue;
+    limit(p.node[0], d, contact_distance);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (closest.weight[k] > kOnIt && !border[p.node[k + 1]]) mesh.parts[p.node[0]] = 1;
   }
   for (const model::SelfCross& c : pairs.cross) {
     const math::EdgesClosest closest =
@@ -140,6 +156,10 @@ void contact_distances_relax(const System& system, const State& start, model::Se
       for (model::NodeIndex n : c.node) limit(n, std::sqrt(closest.distance2), contact_distance);
   }
   mesh.max_contact_distance = largest;
+  for (std::size_t n = 0; n < system.nodes; ++n) {
+    if (!mesh.parts[n]) mesh.parts[n] = largest[n] == INFINITY;
+    else if (largest[n] == 0) mesh.same_place.push_back(model::NodeIndex(n));
+  }
 }
 
 }  // namespace

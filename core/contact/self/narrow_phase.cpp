@@ -20,14 +20,15 @@ namespace {
 using namespace math::vector3;
 
 SelfContactPair pair_of(const model::NodeIndex* node, bool cross, const Vec3& arm, double distance,
-                        double contact_distance) {
+                        const std::array<double, 2>& contact_distance, double age) {
   SelfContactPair t{};
   std::copy(node, node + 4, t.node.begin());
   t.cross = cross;
   t.arm = arm;
   t.distance = distance;
   t.n = (1 / distance) * arm;
-  t.contact_distance = contact_distance;
+  t.start = contact_distance[0], t.final_distance = contact_distance[1];
+  t.contact_distance = self_contact_distance_at(t.start, t.final_distance, age);
   t.share = 1;
   return t;
 }
@@ -58,7 +59,7 @@ void minima_select(std::vector<SelfContactPair>& contact, std::size_t first) {
 struct NarrowPhase {
   const System& system;
   const Vec3* place;
-  double reach;
+  double reach, age;
   SelfContactPairs& pairs;
 };
 
@@ -110,7 +111,7 @@ double point_narrow_phase(const NarrowPhase& l, const model::SelfPoint& p) {
   const double distance = std::sqrt(closest.distance2);
   if (distance - p.contact_distance > l.reach) return distance - p.contact_distance;
   if (!(p.contact_distance > 0) || !(distance > 0)) return 0;
-  SelfContactPair t = pair_of(p.node, false, closest.arm, distance, p.contact_distance);
+  SelfContactPair t = pair_of(p.node, false, closest.arm, distance, {p.start, p.contact_distance}, l.age);
   t.weight[0] = 1;
   for (int k = 0; k < 3; ++k) t.weight[k + 1] = -closest.weight[k], t.turn[k + 1] = 1;
   l.pairs.pair.push_back(t);
@@ -124,7 +125,7 @@ double cross_narrow_phase(const NarrowPhase& l, const model::SelfCross& p) {
   const double distance = std::sqrt(closest.distance2);
   if (distance - p.contact_distance > l.reach) return distance - p.contact_distance;
   if (!closest.crosses || !(p.contact_distance > 0) || !(distance > 0)) return 0;
-  SelfContactPair t = pair_of(p.node, true, closest.arm, distance, p.contact_distance);
+  SelfContactPair t = pair_of(p.node, true, closest.arm, distance, {p.start, p.contact_distance}, l.age);
   const double out = std::min(protrusion(l, p.edge[0], t.n), protrusion(l, p.edge[1], -1.0 * t.n));
   if (!(out > 1)) return 0;
   const double rise = std::min(out - 1, 1.0);
@@ -153,7 +154,7 @@ void self_narrow_phase(const System& system, const State& s, double reach, SelfC
   const std::size_t points = candidates.point.size(), size = candidates.size();
   places_copy(system.self, s, pairs.place);
   pairs.protrudes.assign(system.self.edge.size(), 0);
-  const NarrowPhase narrow_phase{system, pairs.place.data(), reach, pairs};
+  const NarrowPhase narrow_phase{system, pairs.place.data(), reach, s.self.age, pairs};
   std::size_t first = 0;  // pair of the present particle
   model::NodeIndex particle = model::kNoNode;
   for (std::size_t begin = 0, block = 0; begin < size; begin += model::kPairsPerBlock, ++block) {

@@ -11,6 +11,8 @@
 // edges. An impulse J on w is f_k = W_k J - u_k [I^-1 (D x J)] x p_k on the nodes. For any J, sum f_k = 0 and
 // sum r_k x f_k = 0. (For J along n, f_k = W_k J.)
 #pragma once
+#include <algorithm>
+
 #include "contact/particle/contact_pass.h"
 #include "model/self_contact.h"
 #include "model/system.h"
@@ -31,6 +33,7 @@ struct SelfContactPair {
   bool cross, drop = false;
   double weight[4], turn[4];          // W, u
   double distance, contact_distance;  // m
+  double start, final_distance;       // m, of the contact distance: at the start; after layers have parted
   Vec3 arm, n;
   double share;                             // of the penalty: 1, less for edges that hardly protrude
   double stiffness, drag;                   // N/m, N s/m: k and 2 zeta sqrt(k mu)
@@ -71,6 +74,16 @@ void self_respond(const ContactCoefficients& c, double tolerance, int sweeps, Se
 
 // Energy (J, over ContactCoefficients::impulse) that damping, stops and friction have dissipated.
 double self_dissipated(SelfContactPairs& pairs);
+
+// Layers that start nearer than their contact distance part within this time: the distance that counts grows.
+inline constexpr double kParting = 0.1;  // s
+
+// The contact distance (m) of a pair at an age (s) of the state.
+inline double self_contact_distance_at(double start, double final_distance, double age) {
+  if (start == final_distance || age >= kParting) return final_distance;
+  const double t = std::max(age, 0.0) / kParting;
+  return start + (final_distance - start) * t * t * t * (10 + t * (6 * t - 15));
+}
 
 // Of the contact distance, which in self-contact is that of two layers.
 inline constexpr double kSelfBlend = kContactBlend / 2;

@@ -109,8 +109,9 @@ void points_find(const Search& s, const model::SelfCell& of, const model::SelfCe
     const Vec3 at = place(s.state, n);
     for (const auto& t :
          {std::array{on.node[0], on.node[1], on.node[3]}, std::array{on.node[0], on.node[3], on.node[2]}}) {
-      const model::SelfPoint pair{{n, t[0], t[1], t[2]},
-                                  std::min(contact_distance_of(s, n, t[0]), s.mesh.max_contact_distance[n])};
+      model::SelfPoint pair{{n, t[0], t[1], t[2]}, contact_distance_of(s, n, t[0]), 0};
+      pair.start = std::min(pair.contact_distance, s.mesh.max_contact_distance[n]);
+      if (!s.mesh.parts[n]) pair.contact_distance = pair.start;
       const double reach = pair.contact_distance + s.margin;
       const math::TriangleClosest closest =
           math::triangle_closest(at, place(s.state, t[0]), place(s.state, t[1]), place(s.state, t[2]));
@@ -126,9 +127,14 @@ void crosses_find(const Search& s, const model::SelfCell& a, const model::SelfCe
       model::NodeIndex e = model::NodeIndex(i), f = model::NodeIndex(j);
       if (s.mesh.edge[f].node[0] < s.mesh.edge[e].node[0]) std::swap(e, f);
       const model::NodeIndex *from = s.mesh.edge[e].node, *to = s.mesh.edge[f].node;
-      model::SelfCross pair{{from[0], from[1], to[0], to[1]}, {e, f}, contact_distance_of(s, from[0], to[0])};
-      for (model::NodeIndex n : pair.node)
-        pair.contact_distance = std::min(pair.contact_distance, s.mesh.max_contact_distance[n]);
+      model::SelfCross pair{
+          {from[0], from[1], to[0], to[1]}, {e, f}, contact_distance_of(s, from[0], to[0]), 0};
+      pair.start = pair.contact_distance;
+      for (model::NodeIndex n : pair.node) {
+        pair.start = std::min(pair.start, s.mesh.max_contact_distance[n]);
+        if (!s.mesh.parts[n])
+          pair.contact_distance = std::min(pair.contact_distance, s.mesh.max_contact_distance[n]);
+      }
       const double reach = pair.contact_distance + s.margin;
       const Vec3 a0 = place(s.state, pair.node[0]), a1 = place(s.state, pair.node[1]),
                  b0 = place(s.state, pair.node[2]), b1 = place(s.state, pair.node[3]);

@@ -77,8 +77,36 @@ void self_begin(const System& system, State& s) {
   search(system, s, model::step_next(system, s));
 }
 
+namespace {
+
+// The energy of the penalty of a pair over its stiffness (m^2), at an age of the state.
+double penalty_integral(const SelfContactPair& t, double age) {
+  const double contact_distance = self_contact_distance_at(t.start, t.final_distance, age);
+  return math::smooth_ramp_integral(kSelfBlend * contact_distance, contact_distance - t.distance);
+}
+
+// Cloth in the very place of other cloth has no side on which it could part from it.
+void same_place_check(const System& system, const Scene& scene, const State& s,
+                      std::vector<Problem>& problems) {
+  std::map<int, std::vector<model::NodeIndex>> found;
+  for (model::NodeIndex n : system.self.same_place) found[system.self.lattice_of[n]].push_back(n);
+  for (const auto& [piece, nodes] : found) {
+    if (piece == system.self.lattice_of[system.self.same_place[0]] && found.size() > 1) continue;
+    const std::size_t n = nodes[0];
+    problems.push_back({"piece." + scene.pieces[std::size_t(piece)].name + ".place",
+                        "puts it into other cloth with self_contact = true: " + std::to_string(nodes.size()) +
+                            " of its particles lie in cells of it, the first at (" +
+                            scene::number_text(s.x[n]) + ", " + scene::number_text(s.y[n]) + ", " +
+                            scene::number_text(s.z[n]) +
+                            "); allowed: layers apart by at least a thousandth of their thickness"});
+  }
+}
+
+}  // namespace
+
 void self_check_start(const System& system, const Scene& scene, const State& s,
                       std::vector<Problem>& problems) {
+  same_place_check(system, scene, s, problems);
   std::map<std::array<int, 2>, std::vector<Vec3>> found;
   for (const SelfCut& cut : self_cuts(system.self, s))
     found[{std::min(cut.lattice[0], cut.lattice[1]), std::max(cut.lattice[0], cut.lattice[1])}].push_back(
@@ -129,6 +157,14 @@ void self_apply(const System& system, SelfContactWorkspace& workspace, const mod
   holds_set(c, all, s.self);
 }
 
+double self_parting_work(const SelfContactWorkspace& workspace, const State& s, double h) {
+  if (s.self.age - h / 2 >= kParting) return 0;
+  double sum = 0;
+  for (const SelfContactPair& t : workspace.touches.pair)
+    sum += t.stiffness * (penalty_integral(t, s.self.age + h / 2) - penalty_integral(t, s.self.age - h / 2));
+  return sum;
+}
+
 double self_work(SelfContactWorkspace& workspace, const double* const v[3]) {
   for (SelfNode& n : workspace.touches.node) n.v = {v[0][n.node], v[1][n.node], v[2][n.node]};
   return workspace.factor * self_dissipated(workspace.touches);
@@ -137,6 +173,7 @@ double self_work(SelfContactWorkspace& workspace, const double* const v[3]) {
 void self_update_proximity(const System& system, State& s, double drift) {
   s.self.speed = speed_of(system, s);
   s.self.travel += s.self.speed * std::abs(drift);
+  if (s.self.age < 2 * kParting) s.self.age += drift;
 }
 
 void self_synchronous(const System& system, SelfContactWorkspace& workspace, const State& s,
@@ -187,9 +224,7 @@ model::ContactSummary self_summary(const System& system, const State& s) {
 
 double self_energy(const System& system, const State& s) {
   double sum = 0;
-  for (const SelfContactPair& t : touching(system, s))
-    sum += t.stiffness *
-           math::smooth_ramp_integral(kSelfBlend * t.contact_distance, t.contact_distance - t.distance);
+  for (const SelfContactPair& t : touching(system, s)) sum += t.stiffness * penalty_integral(t, s.self.age);
   return sum;
 }
 

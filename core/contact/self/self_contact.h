@@ -36,6 +36,10 @@ void self_store_velocities(const System& system, SelfContactWorkspace& workspace
 void self_apply(const System& system, SelfContactWorkspace& workspace, const model::Scheme& scheme,
                 State& state);
 
+// After self_store_velocities: the energy (J) that contact distances bring in as they grow, half a step of h
+// (s) before t_n and after it.
+double self_parting_work(const SelfContactWorkspace& workspace, const State& state, double h);
+
 // The energy (J) that the pairs of the last pass have dissipated, of the velocities `v` [nodes] that pins and
 // welds have left after it.
 double self_work(SelfContactWorkspace& workspace, const double* const v[3]);
