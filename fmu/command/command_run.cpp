@@ -9,7 +9,6 @@
 #include <limits>
 #include <optional>
 
-#include "command/balance_watch.h"
 #include "command/command.h"
 #include "command/files/csv.h"
 #include "command/files/frames.h"
@@ -19,6 +18,7 @@
 #include "command/progress.h"
 #include "command/status_line.h"
 #include "decimal.h"
+#include "instance/balance_watch.h"
 #include "instance/unfinished.h"
 
 namespace drape::command {
@@ -107,7 +107,7 @@ struct Recorder {
   bool with_frames;
   Frames frames;
   Stages& stages;
-  BalanceWatch balance;
+  instance::BalanceWatch balance;
   bool frames_written = true;
 };
 
@@ -119,7 +119,8 @@ struct Driven {
 };
 
 bool record(Recorder& r, double time) {
-  balance_update(r.balance, *drape_get_outputs(r.cloth, r.nodes ? DRAPE_OUT_ALL : DRAPE_OUT_SCALARS), time);
+  instance::balance_update(r.balance,
+                           *drape_get_outputs(r.cloth, r.nodes ? DRAPE_OUT_ALL : DRAPE_OUT_SCALARS), time);
   std::vector<double> row{time};
   for (const double* value : r.columns) row.push_back(*value);
   csv_row(r.csv, row);
@@ -262,7 +263,7 @@ int run_and_end(const Options& options, Recorder& r, const Driven& driven, const
   std::string problem;
   if (!csv_close(r.csv, problem)) return fail(kFailedRun, problem);
   if (code == kDone) code = ends_check(r.cloth, times.until >= times.duration * (1 - 1e-9));
-  problem = balance_problem(r.balance);
+  problem = instance::balance_problem(r.balance);
   if (problem.empty()) problem = instance::energy_missing(drape_energy_unaccounted(r.cloth));
   if (!problem.empty()) code = fail(kFailedRun, problem);
   if (options.report) {

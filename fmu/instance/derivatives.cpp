@@ -41,7 +41,7 @@ History history_take(Instance& instance) {
   now.read = (instance.read | instance.read_before_saving | instance.derivatives_asked) & DRAPE_OUT_SCALARS;
   instance.read_before_saving = 0;
   if (now.read == 0) return now;
-  if (const int missing = now.read & ~instance.read) drape_get_outputs(instance.cloth, missing);
+  instance_read_outputs(instance, now.read);
   for (const std::size_t row : instance.recorded)
     now.value.push_back(instance.table[row].needs & ~now.read ? 0 : *instance.table[row].value);
   return now;
@@ -55,8 +55,7 @@ drape_status instance_get_derivatives(Instance& instance, const std::uint32_t* r
       return instance_refuse(instance, DRAPE_DISCARD, problem);
     needs |= needs_of(instance.table[references[i] - 1]);
   }
-  if (const int missing = needs & ~instance.read) drape_get_outputs(instance.cloth, missing);
-  instance.read |= needs;
+  instance_read_outputs(instance, needs);
   for (std::size_t i = 0; i < count; ++i) {
     const description::Variable& v = instance.table[references[i] - 1];
     if (!v.derivative) instance.derivatives_asked |= needs_of(v);

@@ -95,6 +95,8 @@ Instance* instance_open(const std::string& scene_file, const std::string& guid, 
         v.variability == description::Variability::kContinuous && !v.derivative &&
         !(v.needs & ~DRAPE_OUT_SCALARS))
       instance->recorded.push_back(row);
+  instance->has_energy = std::any_of(instance->table.begin(), instance->table.end(),
+                                     [](const auto& v) { return (v.needs & DRAPE_OUT_ENERGY) != 0; });
   instance->initial = instance_save(*instance, nullptr);
   return instance.release();
 }
@@ -136,6 +138,7 @@ drape_status instance_exit_initialization(Instance& instance) {
   if (status != DRAPE_OK) return status;
   instance.surprised = drape_surprised(instance.cloth);
   instance.phase = Phase::kStepComplete;
+  if (instance.has_energy) instance_read_outputs(instance, DRAPE_OUT_ENERGY);
   if (instance.filter.stability) {
     const char* set_by = "";
     const double limit = drape_step_limit(instance.cloth, &set_by);
@@ -157,13 +160,23 @@ drape_status instance_step(Instance& instance, double time, double length) {
   before.length = length;
   instance.history = std::move(before);
   instance.surprised = drape_surprised(instance.cloth);
+  if (instance.has_energy) instance_read_outputs(instance, DRAPE_OUT_ENERGY);
   return status;
+}
+
+void instance_read_outputs(Instance& instance, int needs) {
+  const int missing = needs & ~instance.read;
+  if (missing == 0) return;
+  const drape_outputs& outputs = *drape_get_outputs(instance.cloth, missing);
+  instance.read |= missing;
+  if (missing & DRAPE_OUT_ENERGY) balance_update(instance.balance, outputs, drape_time(instance.cloth));
 }
 
 void instance_terminate(Instance& instance) {
   for (const std::string& sentence : unfinished(instance.cloth))
     log_write(instance, DRAPE_OK, DRAPE_LOG_WARNING, sentence);
-  const std::string missing = energy_missing(drape_energy_unaccounted(instance.cloth));
+  std::string missing = balance_problem(instance.balance);
+  if (missing.empty()) missing = energy_missing(drape_energy_unaccounted(instance.cloth));
   if (!missing.empty()) log_write(instance, DRAPE_OK, DRAPE_LOG_WARNING, missing);
   instance.phase = Phase::kTerminated;
 }

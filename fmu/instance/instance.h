@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "drape/drape.h"
+#include "instance/balance_watch.h"
 #include "variables.h"
 
 namespace drape::instance {
@@ -38,6 +39,7 @@ struct Saved {
   std::int64_t steps = 0;  // this and the rest as in Instance
   int read = 0, derivatives_asked = 0;
   History history;
+  BalanceWatch balance;
 };
 
 struct Instance {
@@ -52,6 +54,8 @@ struct Instance {
   int read_before_saving = 0;         // the same, when the state was saved that the present one has come from
   std::vector<std::size_t> recorded;  // rows of the outputs whose derivative is a slope
   History history;
+  bool has_energy = false;    // the scene asks for energies
+  BalanceWatch balance;       // with energies: at every communication point
   int derivatives_asked = 0;  // groups of outputs of which a derivative has been asked
   bool surprised = false;     // the last call took a value that may surprise: it has been logged
   LogFn* log = nullptr;
@@ -69,6 +73,9 @@ void instance_close(Instance* instance);
 // Logs a sentence and returns the status.
 drape_status instance_refuse(Instance& instance, drape_status status, const std::string& sentence);
 
+// Computes groups of outputs at the present time: bits as in drape_get_outputs.
+void instance_read_outputs(Instance& instance, int needs);
+
 // Logs the messages that the core sent during a call that returned `status`.
 drape_status instance_flush(Instance& instance, drape_status status);
 
@@ -76,7 +83,8 @@ drape_status instance_flush(Instance& instance, drape_status status);
 drape_status instance_setup(Instance& instance, double start_time, double stop_time);
 drape_status instance_exit_initialization(Instance& instance);
 drape_status instance_step(Instance& instance, double time, double length);
-void instance_terminate(Instance& instance);  // warns of a fit without rest and of seams that have not closed
+// Warns of a fit without rest, of seams that have not closed, and of energy that is missing.
+void instance_terminate(Instance& instance);
 void instance_reset(Instance& instance);
 
 // Values by reference, of one type of FMI. As Real, any variable is a number: masters may read all in one

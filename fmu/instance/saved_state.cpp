@@ -12,6 +12,7 @@ constexpr double kMaxSteps = 9e15;  // of a master; whole numbers are exact up t
 // What an instance attaches to the bytes of a cloth.
 struct Attached {
   double phase, stop_time, steps, read, derivatives_asked, history_read, history_length;
+  double balance_begun, balance_gravity, balance_largest, balance_error, balance_time;
 };
 
 void save_into(Instance& instance, Saved& saved) {
@@ -22,6 +23,7 @@ void save_into(Instance& instance, Saved& saved) {
   saved.read = instance.read | instance.read_before_saving;
   saved.derivatives_asked = instance.derivatives_asked;
   saved.history = instance.history;
+  saved.balance = instance.balance;
 }
 
 // Before a saved state becomes bytes.
@@ -32,7 +34,12 @@ void attach(const Saved& saved) {
                           double(saved.read),
                           double(saved.derivatives_asked),
                           double(saved.history.read),
-                          saved.history.length};
+                          saved.history.length,
+                          double(saved.balance.begun),
+                          saved.balance.gravity,
+                          saved.balance.largest,
+                          saved.balance.error,
+                          saved.balance.time};
   const std::size_t history = saved.history.value.size() * sizeof(double);
   std::vector<unsigned char> bytes(sizeof attached + history);
   std::memcpy(bytes.data(), &attached, sizeof attached);
@@ -47,6 +54,7 @@ void restore_from(Instance& instance, const Saved& saved) {
   instance.steps = saved.steps;
   instance.derivatives_asked = saved.derivatives_asked;
   instance.history = saved.history;
+  instance.balance = saved.balance;
   instance.read_before_saving = saved.read;
   instance.read = 0;
 }
@@ -59,7 +67,18 @@ bool is_whole(double value, double max) { return value >= 0 && value <= max && v
 bool attached_read(const Instance& instance, Saved& saved) {
   std::size_t size = 0;
   const auto* bytes = static_cast<const unsigned char*>(drape_snapshot_attached(saved.cloth, &size));
-  Attached a{double(unsigned(Phase::kStepComplete)), std::numeric_limits<double>::infinity(), 0, 0, 0, 0, 0};
+  Attached a{double(unsigned(Phase::kStepComplete)),
+             std::numeric_limits<double>::infinity(),
+             0,
+             0,
+             0,
+             0,
+             0,
+             0,
+             0,
+             0,
+             0,
+             0};
   if (size != 0 && size < sizeof a) return false;
   if (size != 0) std::memcpy(&a, bytes, sizeof a);
   const std::size_t rows = a.history_read != 0 ? instance.recorded.size() : 0;
@@ -71,7 +90,9 @@ bool attached_read(const Instance& instance, Saved& saved) {
   if (!finite || !is_whole(a.phase, double(unsigned(Phase::kError))) || std::isnan(a.stop_time) ||
       !is_whole(a.steps, kMaxSteps) || !is_whole(a.read, DRAPE_OUT_ALL) ||
       !is_whole(a.derivatives_asked, DRAPE_OUT_ALL) || !is_whole(a.history_read, DRAPE_OUT_SCALARS) ||
-      !(a.history_length >= 0 && std::isfinite(a.history_length)))
+      !(a.history_length >= 0 && std::isfinite(a.history_length)) || !is_whole(a.balance_begun, 1) ||
+      !std::isfinite(a.balance_gravity) || !(a.balance_largest >= 0 && std::isfinite(a.balance_largest)) ||
+      !std::isfinite(a.balance_error) || !std::isfinite(a.balance_time))
     return false;
   saved.phase = Phase(unsigned(a.phase));
   saved.stop_time = a.stop_time;
@@ -80,6 +101,8 @@ bool attached_read(const Instance& instance, Saved& saved) {
   saved.derivatives_asked = int(a.derivatives_asked);
   saved.history.read = int(a.history_read);
   saved.history.length = a.history_length;
+  saved.balance = {a.balance_begun != 0, a.balance_gravity, a.balance_largest, a.balance_error,
+                   a.balance_time};
   return true;
 }
 

@@ -65,8 +65,7 @@ drape_status instance_get(Instance& instance, As as, const std::uint32_t* refere
     if (!v) return instance_refuse(instance, DRAPE_DISCARD, no_row(instance, as, references[i]));
     needs |= v->needs;
   }
-  if (const int missing = needs & ~instance.read) drape_get_outputs(instance.cloth, missing);
-  instance.read |= needs;
+  instance_read_outputs(instance, needs);
   for (std::size_t i = 0; i < count; ++i) values[i] = *instance.table[references[i] - 1].value;
   return DRAPE_OK;
 }

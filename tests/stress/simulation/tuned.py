@@ -6,7 +6,7 @@ FOLDER holds scene.toml and tuning.json: {"changes": [{"at", "group", "high", "r
 one diagram; its number from 0 to 1 picks one of all that the FMU has. Rows go to OUT/outputs.csv, as `drape run` writes them;
 what is tuned goes to stderr.
 The run ends at the scene's duration, or once it has taken about "steps" steps; 0: no limit. The exit code is 0, or 2 with
-the last message.
+the last message, or with what the FMU warns of at its end.
 """
 import csv
 import json
@@ -115,12 +115,16 @@ def main():
             cloth.initialize(**settings)
             record(0.0)
             taken, count = go(cloth, plan, count, interval, record)
+            before = len(cloth.log)
+            cloth.status(cloth.slave.terminate)
+            warned = [text for _, _, text in cloth.log[before:]]
         except Stopped:
             told = [text for status, _, text in cloth.log if status not in (OK, WARNING)]
             print(f"error: {told[-1] if told else ''}", file=sys.stderr)
             return 2
     (out / "taken.json").write_text(json.dumps({"at": taken, "count": count, "interval": interval}))
-    return 0
+    print(*(f"error: {text}" for text in warned), sep="\n", end="\n" if warned else "", file=sys.stderr)
+    return 2 if warned else 0
 
 
 if __name__ == "__main__":

@@ -1,11 +1,11 @@
-#include "command/balance_watch.h"
+#include "instance/balance_watch.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "instance/unfinished.h"
 
-namespace drape::command {
+namespace drape::instance {
 
 void balance_update(BalanceWatch& watch, const drape_outputs& outputs, double time) {
   if (!outputs.has_energy || !outputs.has_balance) return;
@@ -21,7 +21,7 @@ void balance_update(BalanceWatch& watch, const drape_outputs& outputs, double ti
 
 std::string balance_problem(const BalanceWatch& watch) {
   constexpr double kAllowed = 0.01;
-  return instance::energy_missing({watch.error, watch.largest, watch.time, kAllowed});
+  return energy_missing({watch.error, watch.largest, watch.time, kAllowed});
 }
 
-}  // namespace drape::command
+}  // namespace drape::instance

@@ -1,9 +1,9 @@
 // A run that has gained or lost more than 1 % of its largest energy is told of.
-#include "command/balance_watch.h"
+#include "instance/balance_watch.h"
 
 #include <gtest/gtest.h>
 
-namespace drape::command {
+namespace drape::instance {
 namespace {
 
 drape_outputs outputs_of(double kinetic, double gravity, double balance_error) {
@@ -42,4 +42,4 @@ TEST(BalanceWatch, IsSilentWithoutABalance) {
 }
 
 }  // namespace
-}  // namespace drape::command
+}  // namespace drape::instance

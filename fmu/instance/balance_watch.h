@@ -4,7 +4,7 @@
 
 #include "drape/drape.h"
 
-namespace drape::command {
+namespace drape::instance {
 
 struct BalanceWatch {
   bool begun = false;
@@ -19,4 +19,4 @@ void balance_update(BalanceWatch& watch, const drape_outputs& outputs, double ti
 // A sentence where more than 1 % of the largest energy is unaccounted for; empty if not.
 std::string balance_problem(const BalanceWatch& watch);
 
-}  // namespace drape::command
+}  // namespace drape::instance
