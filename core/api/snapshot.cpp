@@ -126,17 +126,17 @@ size_t drape_snapshot_size(const drape_snapshot* s) {
   return counter.bytes.size;
 }
 
-void drape_snapshot_write(drape_cloth* c, const drape_snapshot* s, void* to) {
-  auto* bytes = static_cast<unsigned char*>(to);
-  state::Encoder<state::Written> writer{{bytes + state::kHeaderSize}};
+void drape_snapshot_write(drape_cloth* c, const drape_snapshot* s, void* bytes) {
+  auto* begin = static_cast<unsigned char*>(bytes);
+  state::Encoder<state::Written> writer{{begin + state::kHeaderSize}};
   writer.value(*s);
-  state::seal_write(bytes, std::size_t(writer.bytes.at - bytes), seal_of(*c));
+  state::seal_write(begin, std::size_t(writer.bytes.at - begin), seal_of(*c));
 }
 
-drape_snapshot* drape_snapshot_read(drape_cloth* c, const void* from, size_t size) {
+drape_snapshot* drape_snapshot_read(drape_cloth* c, const void* bytes, size_t size) {
   const math::PlainEnvironment plain;
-  const auto* bytes = static_cast<const unsigned char*>(from);
-  std::string problem = state::seal_problem(bytes, size, seal_of(*c), c->scene.name);
+  const auto* begin = static_cast<const unsigned char*>(bytes);
+  std::string problem = state::seal_problem(begin, size, seal_of(*c), c->scene.name);
   if (problem.empty()) {
     auto read = std::make_unique<drape_snapshot>();
     try {
@@ -146,7 +146,7 @@ drape_snapshot* drape_snapshot_read(drape_cloth* c, const void* from, size_t siz
       shape[state::Length::kParameters] = parameters_read(c->parameters).value.size();
       shape[state::Length::kDrivenPins] = c->pin_inputs.size();
       shape[state::Length::kMovingBodies] = c->body_inputs.size();
-      state::Reader reader{bytes + state::kHeaderSize, bytes + size, shape, {}};
+      state::Reader reader{begin + state::kHeaderSize, begin + size, shape, {}};
       reader.value(*read, state::Length::kAny, state::kFinite);
       problem = reader.problem;
       if (problem.empty() && reader.at != reader.end) problem = "has more bytes than fields";

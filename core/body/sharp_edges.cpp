@@ -41,11 +41,10 @@ void out_improve(SharpFeature& r) {
   constexpr int kSteps = 64;
   SharpFeature best = r;
   for (int k = 1; k <= kSteps; ++k) {
-    const Vec3* least = nullptr;
-    double falls = INFINITY;
-    for (const Vec3& f : r.fall)
-      if (-dot(r.out, f) < falls) falls = -dot(r.out, f), least = &f;
-    r.out = unit(r.out - (1.0 / (k + 1)) * (*least + falls * r.out));
+    const Vec3& least = *std::max_element(r.fall.begin(), r.fall.end(), [&](const Vec3& a, const Vec3& b) {
+      return dot(r.out, a) < dot(r.out, b);
+    });
+    r.out = unit(r.out - (1.0 / (k + 1)) * (least - dot(r.out, least) * r.out));
     sharp_set(r);
     if (r.sharp > best.sharp) best.out = r.out, best.sharp = r.sharp;
   }

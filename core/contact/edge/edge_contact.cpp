@@ -209,8 +209,8 @@ namespace {
 // Updates J of a pair, with the impulses of all others fixed. Returns the change of the gap's velocity, m/s.
 // An element past the feature is pushed as if it were at the feature itself, by 1/50 of the contact distance
 // a step: faster, it would be thrown off.
-double pair_respond(const State& s, const EdgeContactPair& t, const PairLaw& law,
-                    const ContactCoefficients& c, const EdgeField& f, Given& given) {
+double pair_respond(const EdgeContactPair& t, const PairLaw& law, const ContactCoefficients& c,
+                    const EdgeField& f, Given& given) {
   const double k = law.inverse_effective_mass;
   push(t, law.over, c, f, -1.0 * given.impulse);
   const Vec3 free = gap_velocity(t, f.v), old = c.old_time > 0 || c.new_time > 0 ? t.old : free;
@@ -255,7 +255,7 @@ double edge_respond(const System& system, const State& s, const EdgePass& pass, 
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     double largest = 0;
     for (std::size_t k = 0; k < touches.size(); ++k) {
-      largest = std::max(largest, pair_respond(s, touches[k], laws[k], c, f, given[k]));
+      largest = std::max(largest, pair_respond(touches[k], laws[k], c, f, given[k]));
       if (sweep == 0) first = std::max(first, laws[k].inverse_effective_mass * norm(given[k].impulse));
     }
     change = std::max(change, on ? largest : first);

@@ -79,11 +79,17 @@ void block_insert(model::ContactBlocks& blocks, std::size_t at, std::uint32_t no
   blocks.order.insert(blocks.order.begin() + std::ptrdiff_t(at), {node, k});
 }
 
-// Puts what one particle may touch into the blocks of its node. `shared`: its links may touch sharp features
-// as well. `sink`: [triangles] m, or empty.
+// What one particle may touch.
+struct Listed {
+  const std::vector<body::ClosestFeature>& contact;
+  const std::vector<double>& sink;  // [triangles] m, or empty
+  bool shared;                      // its links may touch sharp features as well
+};
+
+// Puts it into the blocks of the particle's node.
 void lane_write(model::ContactBlocks& blocks, std::uint32_t node, int lattice, std::size_t lane,
-                const std::vector<body::ClosestFeature>& contact, const std::vector<double>& sink,
-                bool shared) {
+                const Listed& listed) {
+  const auto& [contact, sink, shared] = listed;
   const std::size_t first = place_first(blocks, node), count = places_of(blocks, first, node);
   const double sticking = count > 0 ? blocks.pool[blocks.order[first].block].sticking[lane] : 0;
   for (std::size_t k = contact.size(); k < count; ++k)
@@ -180,8 +186,8 @@ void update_neighbours(const NeighbourBody& body, const NeighbourNodes& nodes, N
     const double free_distance = std::max(std::min(found.free_distance, edge_free), kMin * contact_distance);
     c.x[n] = x[i][0], c.y[n] = x[i][1], c.z[n] = x[i][2];
     c.free_distance2[n] = free_distance * free_distance;
-    lane_write(c.blocks, name, lattice, i, found.feature, features.sharp.sink,
-               !c.edges.near.empty() && c.edges.near[n]);
+    const bool shared = !c.edges.near.empty() && c.edges.near[n];
+    lane_write(c.blocks, name, lattice, i, {found.feature, features.sharp.sink, shared});
   }
   blocks_prune(c.blocks, name);
 }
