@@ -13,7 +13,8 @@ contact::ContactStops leapfrog_stops(const System& system, Motion& motion, const
   held_rates(motion.constraints, s, model::Pass::kAcceleration, motion.held);
   contact::warm_start_synchronous(system, motion.contact, s, {scheme, f});
   constraints_project(system, motion.constraints, motion.held, f, nullptr);
-  if (contact::self_enabled(system)) contact::self_synchronous(system, motion.self, s, {scheme, f});
+  if (contact::self_enabled(system))
+    contact::self_synchronous(system, motion.kernel->self_contact, motion.self, s, {scheme, f});
   const contact::ContactStops stops =
       contact::stop_forces(system, motion.contact.edge_scratch, s, motion.contact.edge_pairs, f);
   held_rates(motion.constraints, s, model::Pass::kSynchronous, motion.held);

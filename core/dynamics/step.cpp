@@ -76,8 +76,8 @@ void store_velocities(StepContext& c) {
   }
   if (c.near_body) contact::store_velocities(system, c.motion.contact, c.state);
   if (!c.self_contact) return;
-  contact::self_store_velocities(system, c.motion.self, c.state, c.h);
-  if (system.energy) c.state.input += contact::self_parting_work(c.motion.self, c.state, c.h);
+  contact::self_store_velocities(system, c.motion.kernel->self_contact, c.motion.self, c.state, c.h);
+  if (system.energy) c.state.input += contact::self_parting_work(system, c.motion.self, c.state, c.h);
 }
 
 // The torques of clamps pass to the pins beside the forces on held points.
@@ -105,7 +105,8 @@ void project_constraints(StepContext& c) {
 }
 
 void apply_self_contact(StepContext& c) {
-  if (c.self_contact) contact::self_apply(c.system, c.motion.self, c.scheme, c.state);
+  if (c.self_contact)
+    contact::self_apply(c.system, c.motion.kernel->self_contact, c.motion.self, c.scheme, c.state);
 }
 
 void apply_contact(StepContext& c) {
@@ -143,7 +144,8 @@ void balance_contact(StepContext& c) {
     c.state.dissipated += work.dissipated;
     c.state.input += work.input;
   }
-  if (c.self_contact) c.state.dissipated += contact::self_work(c.motion.self, v);
+  if (c.self_contact)
+    c.state.dissipated += contact::self_work(c.motion.kernel->self_contact, c.motion.self, v);
 }
 
 void end_projection(StepContext& c) { constraints_end_step(c.motion.constraints, c.state, c.motion.held); }

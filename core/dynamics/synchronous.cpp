@@ -60,7 +60,8 @@ void project_synchronous(const System& system, Motion& motion, const State& s, c
   held_rates(motion.constraints, s, scheme.pass, motion.held);
   contact::warm_start_synchronous(system, motion.contact, s, {scheme, f});
   constraints_project(system, motion.constraints, motion.held, f, load);
-  if (self_contact) contact::self_synchronous(system, motion.self, s, {scheme, f});
+  if (self_contact)
+    contact::self_synchronous(system, motion.kernel->self_contact, motion.self, s, {scheme, f});
   double first = 0;
   if (!s.body.empty())
     first = contact::apply_synchronous(system, motion.kernel->contact, motion.contact, s, {scheme, f}, false);
@@ -94,7 +95,8 @@ HalfKick contact_half_kick(const System& system, Motion& motion, const State& s,
     done.dissipated = motion.contact.edge_lost + work.dissipated;
     done.work_of_bodies = work.input;
   }
-  if (contact::self_enabled(system)) done.dissipated += contact::self_work(motion.self, v);
+  if (contact::self_enabled(system))
+    done.dissipated += contact::self_work(motion.kernel->self_contact, motion.self, v);
   return done;
 }
 

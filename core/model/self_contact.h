@@ -14,10 +14,16 @@ namespace drape::model {
 using NodeIndex = std::uint32_t;
 inline constexpr NodeIndex kNoNode = 0xffffffff;
 
+// Columns and rows of a lattice: low[0] .. high[0] and low[1] .. high[1].
+struct SelfBox {
+  int low[2], high[2];
+};
+
 // An edge, and the corners opposite to it in its one or two triangles.
 struct SelfEdge {
   NodeIndex node[2];
   NodeIndex across[2];  // kNoNode where there is no triangle
+  SelfBox box;
 };
 
 // A cell of the cloth as the triangles a b d and a d c.
@@ -50,7 +56,8 @@ struct SelfMesh {
   Array max_contact_distance;         // [nodes] m: bound, where it starts within the thickness; else infinite
   std::vector<char> parts;            // [nodes] 1 where the bound grows to the thickness: it lies over cloth
   std::vector<NodeIndex> same_place;  // particles that start in the very place of other cloth
-  std::vector<int> exclusion_cells;   // [lattices] cells this near along the cloth are excluded from contact
+  std::vector<SelfBox> box;           // [nodes]
+  std::vector<int> exclusion_cells;   // [lattices] what is fewer cells apart along the cloth does not touch
   std::vector<double> min_protrusion_sine;  // [lattices] sine from which an edge protrudes: narrow_phase.cpp
   double seam_exclusion_distance = 0;       // m, exclusion along the cloth across a seam
   double contact_distance = 0;              // m, the largest of all pairs

@@ -10,6 +10,9 @@
 //   bits_and bits_xor           bitwise, on the representation of the numbers
 //   shifted(a,b)                the last of a, then all of b but its last: the numbers one to the left
 //   ahead(a,b)                  all of a but its first, then the first of b: the numbers one to the right
+//   gather(p,i)                 p[i[0]], p[i[1]], ...
+//   gather4(p,i,a,b,c,d)        columns of the rows of four p[4 i[0]], ..., each 32 bytes, aligned
+//   scatter4(p,i,a,b,c,d)       writes such rows; where two i are equal, their rows must be too
 //   truncate(to, a)             to[i] = a_i without its fraction
 //   columns(rows, c0 ... c5)    ck_i = rows[i][k]; each row 64 bytes, aligned
 //   kept(a)                     a, forced into a register, so that it is not loaded twice

@@ -24,6 +24,19 @@ struct ScalarLane {
   static DRAPE_INLINE ScalarLane load(const double* p) { return *p; }
   static DRAPE_INLINE ScalarLane loadu(const double* p) { return *p; }
   static DRAPE_INLINE void store(double* p, ScalarLane a) { *p = a.v; }
+  static DRAPE_INLINE ScalarLane gather(const double* p, const int* i) { return p[*i]; }
+  // NOLINTBEGIN(readability-function-size): four columns
+  static DRAPE_INLINE void gather4(const double* p, const int* i, ScalarLane& a, ScalarLane& b, ScalarLane& c,
+                                   ScalarLane& d) {
+    const double* row = p + 4 * *i;
+    a = row[0], b = row[1], c = row[2], d = row[3];
+  }
+  static DRAPE_INLINE void scatter4(double* p, const int* i, ScalarLane a, ScalarLane b, ScalarLane c,
+                                    ScalarLane d) {
+    double* row = p + 4 * *i;
+    row[0] = a.v, row[1] = b.v, row[2] = c.v, row[3] = d.v;
+  }
+  // NOLINTEND(readability-function-size)
   static DRAPE_INLINE void truncate(int* to, ScalarLane a) { *to = int(a.v); }
   // NOLINTNEXTLINE(readability-function-size): six columns
   static DRAPE_INLINE void columns(const double* const* rows, ScalarLane& c0, ScalarLane& c1, ScalarLane& c2,

@@ -49,8 +49,11 @@ void owners_assign(const System& system, model::SelfMesh& mesh) {
         mesh.edge[at->second].across[1] = across;
         continue;
       }
+      const model::SelfBox &p = mesh.box[a], &q = mesh.box[b];
       mesh.edge.push_back({{std::min(a, b), std::max(a, b)},
-                           {across, kAcross[k][1] < 0 ? model::kNoNode : cell.node[kAcross[k][1]]}});
+                           {across, kAcross[k][1] < 0 ? model::kNoNode : cell.node[kAcross[k][1]]},
+                           {{std::min(p.low[0], q.low[0]), std::min(p.low[1], q.low[1])},
+                            {std::max(p.high[0], q.high[0]), std::max(p.high[1], q.high[1])}}});
     }
     cell.edge_end = int(mesh.edge.size());
   }
@@ -166,11 +169,17 @@ void contact_distances_relax(const System& system, const State& start, model::Se
 
 model::SelfMesh self_mesh_make(const System& system, const State& start) {
   model::SelfMesh mesh;
+  mesh.lattice_of.assign(system.nodes, 0);
+  mesh.box.assign(system.nodes, {});
+  for (std::size_t n : system.particle) {
+    const model::Lattice& l = model::system_lattice_of(system, n);
+    const auto [i, j] = l.place_of(n);
+    mesh.lattice_of[n] = l.piece;
+    mesh.box[n] = {{i, j}, {i, j}};
+  }
   cells_add(system, mesh);
   owners_assign(system, mesh);
   spans_add(system, mesh);
-  mesh.lattice_of.assign(system.nodes, 0);
-  for (std::size_t n : system.particle) mesh.lattice_of[n] = model::system_lattice_of(system, n).piece;
   mesh.fixed.assign(system.nodes, 0);
   for (const constraint::FixedNode& f : system.constraints.fixed) mesh.fixed[f.node] = 1;
   mesh.min_cell = INFINITY;
@@ -186,10 +195,13 @@ model::SelfMesh self_mesh_make(const System& system, const State& start) {
   return mesh;
 }
 
-bool self_cells_adjoin(const model::SelfMesh& mesh, const model::SelfCell& a, const model::SelfCell& b) {
-  const int exclusion = mesh.exclusion_cells[std::size_t(a.lattice)];
-  if (a.lattice == b.lattice && std::abs(a.i - b.i) <= exclusion && std::abs(a.j - b.j) <= exclusion)
-    return true;
+bool self_apart(const model::SelfMesh& mesh, int lattice, const model::SelfBox& a, const model::SelfBox& b) {
+  int gap = 0;
+  for (int k = 0; k < 2; ++k) gap = std::max({gap, b.low[k] - a.high[k], a.low[k] - b.high[k]});
+  return gap >= mesh.exclusion_cells[std::size_t(lattice)];
+}
+
+bool self_cells_sewn(const model::SelfMesh& mesh, const model::SelfCell& a, const model::SelfCell& b) {
   for (int s = a.seam_first; s < a.seam_end; ++s)
     for (int t = b.seam_first; t < b.seam_end; ++t) {
       const model::NearSeam &from = mesh.near_seam[std::size_t(s)], &to = mesh.near_seam[std::size_t(t)];

@@ -9,8 +9,11 @@ namespace drape::contact {
 // as their contact distance.
 model::SelfMesh self_mesh_make(const System& system, const State& start);
 
-// True for two cells so near along the cloth, across seams too, that they are excluded from contact.
-bool self_cells_adjoin(const model::SelfMesh& mesh, const model::SelfCell& a, const model::SelfCell& b);
+// True for two cells so near along the cloth across a seam that they are excluded from contact.
+bool self_cells_sewn(const model::SelfMesh& mesh, const model::SelfCell& a, const model::SelfCell& b);
+
+// False for two elements of one lattice so near along the cloth that they are excluded from contact.
+bool self_apart(const model::SelfMesh& mesh, int lattice, const model::SelfBox& a, const model::SelfBox& b);
 
 // The distance (m) of the middle surfaces at which two layers of cloth touch.
 inline double self_contact_distance(const System& system, int lattice_a, int lattice_b) {

@@ -4,9 +4,12 @@
 //
 //   D.m >= s |D| |m| on the first edge, -D.m likewise on the second, s = thickness/(8 b):
 //
-// the middle of an edge of length b is then at most thickness/16 above particles at its ends.
+// the middle of an edge of length b is then at most thickness/16 above particles at its ends. But an edge may
+// lie along a triangle without a particle over it. So edges within kDeepCross of the contact distance that
+// are level with a triangle, to +-s, count for the stop alone.
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "contact/self/mesh.h"
 #include "contact/self/narrow_phase.h"
@@ -19,15 +22,20 @@ namespace {
 
 using namespace math::vector3;
 
-SelfContactPair pair_of(const model::NodeIndex* node, bool cross, const Vec3& arm, double distance,
-                        const std::array<double, 2>& contact_distance, double age) {
+constexpr double kDeepCross = 0.5;     // of the contact distance
+constexpr double kLevelWorth = 0.005;  // of the contact distance, in two steps
+
+// A pair of candidates, points or crosses.
+template <class Candidate>
+SelfContactPair pair_of(const Candidate& p, std::uint32_t number, const Vec3& arm, double distance,
+                        double age) {
   SelfContactPair t{};
-  std::copy(node, node + 4, t.node.begin());
-  t.cross = cross;
-  t.arm = arm;
+  std::copy(p.node, p.node + 4, t.node.begin());
+  t.candidate = number;
+  t.cross = std::is_same_v<Candidate, model::SelfCross>;
   t.distance = distance;
   t.n = (1 / distance) * arm;
-  t.start = contact_distance[0], t.final_distance = contact_distance[1];
+  t.start = p.start, t.final_distance = p.contact_distance;
   t.contact_distance = self_contact_distance_at(t.start, t.final_distance, age);
   t.share = 1;
   return t;
@@ -81,17 +89,40 @@ double sine_of(const NarrowPhase& l, model::NodeIndex edge) {
 }
 
 // Whether an edge can protrude at all. Its smallest sine is largest along the bisector of both directions,
-// where sine^2 = (1 + m_1.m_2)/2.
+// where sine^2 = (1 + m_1.m_2)/2. With a_k = |a_k| m_k, m_1.m_2 > c means a_1.a_2 > c |a_1| |a_2|.
 bool may_protrude(const NarrowPhase& l, model::NodeIndex edge) {
   enum : char { kUnknown, kYes, kNo };
   char& known = l.pairs.protrudes[edge];
-  if (known == kUnknown) {
-    Vec3 into[2];
-    const double sine = sine_of(l, edge);
-    const bool rim = into_set(l, l.system.self.edge[edge], into) < 2;
-    known = rim || (1 + dot(into[0], into[1])) / 2 > sine * sine ? kYes : kNo;
-  }
+  if (known != kUnknown) return known == kYes;
+  const model::SelfEdge& e = l.system.self.edge[edge];
+  known = kYes;
+  if (e.across[1] == model::kNoNode) return true;
+  const Vec3 base = l.place[e.node[0]], along = l.place[e.node[1]] - base;
+  const Vec3 r = l.place[e.across[0]] - base, q = l.place[e.across[1]] - base;
+  const double sine = sine_of(l, edge), c = 2 * sine * sine - 1;
+  const double ee = dot(along, along), re = dot(r, along), qe = dot(q, along);  // a_k.a_m is these over ee
+  const double rq = dot(r, q) * ee - re * qe, rr = dot(r, r) * ee - re * re, qq = dot(q, q) * ee - qe * qe;
+  if (c < 0 ? rq < 0 && rq * rq >= c * c * rr * qq : !(rq > 0 && rq * rq > c * c * rr * qq)) known = kNo;
   return known == kYes;
+}
+
+// The travel (m) before which an edge that cannot protrude now cannot do so either. |m_1 + m_2|/2 is its
+// largest sine. While the corners come nearer to each other by at most `travel`, the component a_k = |a_k|
+// m_k normal to the edge turns by at most 2 travel (1 + 2 |r_k|/|e|)/|a_k|, to first order: half of what that
+// allows.
+double level_travel(const NarrowPhase& l, model::NodeIndex edge) {
+  const model::SelfEdge& e = l.system.self.edge[edge];
+  const Vec3 base = l.place[e.node[0]], along = l.place[e.node[1]] - base;
+  const double length2 = dot(along, along);
+  Vec3 both{0, 0, 0};
+  double turns = 0;  // 1/m
+  for (model::NodeIndex n : e.across) {
+    const Vec3 r = l.place[n] - base, a = r - (dot(r, along) / length2) * along;
+    const double over = 1 / norm(a);
+    both += over * a;
+    turns += 2 * (1 + 2 * std::sqrt(dot(r, r) / length2)) * over;
+  }
+  return std::max(0.0, sine_of(l, edge) - norm(both) / 2) / turns;
 }
 
 // How far an edge protrudes along the unit vector `out`: its smallest sine over the minimum of protrusion.
@@ -103,35 +134,79 @@ double protrusion(const NarrowPhase& l, model::NodeIndex edge, const Vec3& out) 
   return smallest / sine_of(l, edge);
 }
 
+// Puts the points that are due into blocks. `due`: the travel by which they are.
+void points_collect(const model::SelfState& self, double due, SelfContactPairs& pairs) {
+  const std::vector<model::SelfPoint>& point = self.pairs->point;
+  pairs.point.clear();
+  for (std::size_t begin = 0, block = 0; begin < point.size(); begin += model::kPairsPerBlock, ++block) {
+    if (self.block_active_after_travel[block] > due) continue;
+    const std::size_t end = std::min(begin + model::kPairsPerBlock, point.size());
+    for (std::size_t k = begin; k < end; ++k)
+      if (self.active_after_travel[k] <= due) pairs.point.push_back(std::uint32_t(k));
+  }
+  constexpr std::size_t kLanes = math::kRowUnit;
+  pairs.block.resize((pairs.point.size() + kLanes - 1) / kLanes);
+  for (std::size_t p = 0; p < kLanes * pairs.block.size(); ++p) {
+    const model::SelfPoint& of = point[pairs.point[std::min(p, pairs.point.size() - 1)]];
+    for (int k = 0; k < 4; ++k) pairs.block[p / kLanes].node[k][p % kLanes] = int(of.node[k]);
+  }
+}
+
 // The travel (m) left until the pair can touch. It is 0 where the pair is within reach, and then the pair may
-// be added to those that touch.
-double point_narrow_phase(const NarrowPhase& l, const model::SelfPoint& p) {
-  const math::TriangleClosest closest =
-      math::triangle_closest(l.place[p.node[0]], l.place[p.node[1]], l.place[p.node[2]], l.place[p.node[3]]);
-  const double distance = std::sqrt(closest.distance2);
-  if (distance - p.contact_distance > l.reach) return distance - p.contact_distance;
-  if (!(p.contact_distance > 0) || !(distance > 0)) return 0;
-  SelfContactPair t = pair_of(p.node, false, closest.arm, distance, {p.start, p.contact_distance}, l.age);
+// be added to those that touch. `p`: number among those that are examined.
+double point_narrow_phase(const NarrowPhase& l, const model::SelfPoint& point, std::size_t p) {
+  const SelfPointBlock& b = l.pairs.block[p / math::kRowUnit];
+  const std::size_t lane = p % math::kRowUnit;
+  const double distance = b.distance[lane];
+  if (distance - point.contact_distance > l.reach) return distance - point.contact_distance;
+  if (!(point.contact_distance > 0) || !(distance > 0)) return 0;
+  const Vec3 arm{b.arm[0][lane], b.arm[1][lane], b.arm[2][lane]};
+  SelfContactPair t = pair_of(point, l.pairs.point[p], arm, distance, l.age);
   t.weight[0] = 1;
-  for (int k = 0; k < 3; ++k) t.weight[k + 1] = -closest.weight[k], t.turn[k + 1] = 1;
+  for (int k = 0; k < 3; ++k) t.weight[k + 1] = -b.weight[k][lane];
   l.pairs.pair.push_back(t);
   return 0;
 }
 
-double cross_narrow_phase(const NarrowPhase& l, const model::SelfCross& p) {
-  if (!may_protrude(l, p.edge[0]) || !may_protrude(l, p.edge[1])) return 0;
+// Whether two edges may be nearer than kDeepCross of the contact distance: their lines may.
+bool may_be_deep(const NarrowPhase& l, const model::SelfCross& p) {
+  constexpr double kParallel = 1e-4;  // sin^2 of the angle, as for the closest points of lines
+  const Vec3 e = l.place[p.node[1]] - l.place[p.node[0]], f = l.place[p.node[3]] - l.place[p.node[2]];
+  const Vec3 n = cross(e, f);
+  const double n2 = dot(n, n), apart = dot(l.place[p.node[0]] - l.place[p.node[2]], n);
+  const double near = l.reach + kDeepCross * p.contact_distance;
+  return n2 > kParallel * dot(e, e) * dot(f, f) && apart * apart <= near * near * n2;
+}
+
+// The travel (m) before which two edges, one of which cannot protrude, need not be examined again. It is
+// worth its time where it lasts for steps.
+double level_travel_of(const NarrowPhase& l, const model::SelfCross& p) {
+  const double still = self_still_reach(l.system);
+  if (l.reach - still > kLevelWorth * l.system.self.contact_distance) return 0;
+  double level = 0;
+  for (model::NodeIndex e : p.edge)
+    if (!may_protrude(l, e)) level = std::max(level, level_travel(l, e));
+  const math::EdgesClosest closest =
+      math::edges_closest(l.place[p.node[0]], l.place[p.node[1]], l.place[p.node[2]], l.place[p.node[3]]);
+  return std::max(0.0,
+                  std::min(level + still, std::sqrt(closest.distance2) - kDeepCross * p.contact_distance));
+}
+
+double cross_narrow_phase(const NarrowPhase& l, const model::SelfCross& p, std::uint32_t number) {
+  if (!(may_protrude(l, p.edge[0]) && may_protrude(l, p.edge[1])) && !may_be_deep(l, p))
+    return level_travel_of(l, p);
   const math::EdgesClosest closest =
       math::edges_closest(l.place[p.node[0]], l.place[p.node[1]], l.place[p.node[2]], l.place[p.node[3]]);
   const double distance = std::sqrt(closest.distance2);
   if (distance - p.contact_distance > l.reach) return distance - p.contact_distance;
   if (!closest.crosses || !(p.contact_distance > 0) || !(distance > 0)) return 0;
-  SelfContactPair t = pair_of(p.node, true, closest.arm, distance, {p.start, p.contact_distance}, l.age);
+  SelfContactPair t = pair_of(p, number, closest.arm, distance, l.age);
   const double out = std::min(protrusion(l, p.edge[0], t.n), protrusion(l, p.edge[1], -1.0 * t.n));
-  if (!(out > 1)) return 0;
-  const double rise = std::min(out - 1, 1.0);
+  if (!(out > 1) && !(out > -1 && distance <= l.reach + kDeepCross * p.contact_distance)) return 0;
+  const double rise = std::clamp(out - 1, 0.0, 1.0);
   t.share = rise * rise * (3 - 2 * rise);
   const double weight[4] = {1 - closest.share[0], closest.share[0], closest.share[1] - 1, -closest.share[1]};
-  for (int k = 0; k < 4; ++k) t.weight[k] = weight[k], t.turn[k] = 1;
+  std::copy(weight, weight + 4, t.weight);
   l.pairs.pair.push_back(t);
   return 0;
 }
@@ -142,44 +217,74 @@ void places_copy(const model::SelfMesh& mesh, const State& s, std::vector<Vec3>&
     for (std::size_t n = span.begin; n < span.end; ++n) place[n] = {s.x[n], s.y[n], s.z[n]};
 }
 
+// Writes the new times (as travel) at which candidates are examined, and the first of each block.
+void reschedule(const std::vector<std::pair<std::size_t, double>>& left, model::SelfState& self) {
+  std::vector<double>& active = self.active_after_travel;
+  for (std::size_t p = 0; p < left.size();) {
+    const std::size_t block = left[p].first / model::kPairsPerBlock;
+    for (; p < left.size() && left[p].first / model::kPairsPerBlock == block; ++p)
+      active[left[p].first] = left[p].second;
+    const auto begin = active.begin() + std::ptrdiff_t(block * model::kPairsPerBlock);
+    const auto end =
+        active.begin() + std::ptrdiff_t(std::min((block + 1) * model::kPairsPerBlock, active.size()));
+    self.block_active_after_travel[block] = *std::min_element(begin, end);
+  }
+}
+
+// Examines the points in `pairs.point`; calls set(number, travel left) for each.
+template <class Set>
+void points_examine(const NarrowPhase& l, const model::SelfPairs& candidates, Set set) {
+  std::size_t first = 0;  // pair of the present particle
+  model::NodeIndex particle = model::kNoNode;
+  for (std::size_t p = 0; p < l.pairs.point.size(); ++p) {
+    const model::SelfPoint& point = candidates.point[l.pairs.point[p]];
+    if (point.node[0] != particle) {
+      minima_select(l.pairs.pair, first);
+      first = l.pairs.pair.size();
+      particle = point.node[0];
+    }
+    set(l.pairs.point[p], point_narrow_phase(l, point, p));
+  }
+  minima_select(l.pairs.pair, first);
+}
+
+// The same for crosses that are due.
+template <class Set>
+void crosses_examine(const NarrowPhase& l, const model::SelfState& self, double due, Set set) {
+  const model::SelfPairs& candidates = *self.pairs;
+  const std::size_t points = candidates.point.size(), size = candidates.size();
+  for (std::size_t block = points / model::kPairsPerBlock; block < self.block_active_after_travel.size();
+       ++block) {
+    if (self.block_active_after_travel[block] > due) continue;
+    const std::size_t begin = block * model::kPairsPerBlock,
+                      end = std::min(begin + model::kPairsPerBlock, size);
+    for (std::size_t k = std::max(begin, points); k < end; ++k)
+      if (self.active_after_travel[k] <= due)
+        set(k, cross_narrow_phase(l, candidates.cross[k - points], std::uint32_t(k)));
+  }
+}
+
 }  // namespace
 
-void self_narrow_phase(const System& system, const State& s, double reach, SelfContactPairs& pairs,
-                       model::SelfState* schedule) {
+void self_narrow_phase(const System& system, const State& s, double reach, SelfPointsKernel points,
+                       SelfContactPairs& pairs, model::SelfState* schedule) {
   pairs.pair.clear();
   const std::vector<double>& blocks = s.self.block_active_after_travel;
-  const double now = s.self.travel;
-  if (std::none_of(blocks.begin(), blocks.end(), [&](double b) { return b <= now + reach; })) return;
-  const model::SelfPairs& candidates = *s.self.pairs;
-  const std::size_t points = candidates.point.size(), size = candidates.size();
+  const double now = s.self.travel, due = now + reach,
+               crosses_due = now + std::max(reach, self_still_reach(system));
+  if (std::none_of(blocks.begin(), blocks.end(), [&](double b) { return b <= crosses_due; })) return;
+  points_collect(s.self, due, pairs);
+  const double* const r[3] = {s.x.data(), s.y.data(), s.z.data()};
+  points(r, pairs.block.data(), pairs.block.data() + pairs.block.size());
   places_copy(system.self, s, pairs.place);
   pairs.protrudes.assign(system.self.edge.size(), 0);
   const NarrowPhase narrow_phase{system, pairs.place.data(), reach, s.self.age, pairs};
-  std::size_t first = 0;  // pair of the present particle
-  model::NodeIndex particle = model::kNoNode;
-  for (std::size_t begin = 0, block = 0; begin < size; begin += model::kPairsPerBlock, ++block) {
-    if (blocks[block] > now + reach) continue;
-    const std::size_t end = std::min(begin + model::kPairsPerBlock, size);
-    double soonest = INFINITY;
-    for (std::size_t k = begin; k < end; ++k) {
-      double until = s.self.active_after_travel[k];
-      if (until <= now + reach) {
-        const bool point = k < points;
-        if (const model::NodeIndex n = point ? candidates.point[k].node[0] : model::kNoNode; n != particle) {
-          minima_select(pairs.pair, first);
-          first = pairs.pair.size();
-          particle = n;
-        }
-        const double left = point ? point_narrow_phase(narrow_phase, candidates.point[k])
-                                  : cross_narrow_phase(narrow_phase, candidates.cross[k - points]);
-        until = now + left;
-        if (schedule) schedule->active_after_travel[k] = until;
-      }
-      soonest = std::min(soonest, until);
-    }
-    if (schedule) schedule->block_active_after_travel[block] = soonest;
-  }
-  if (particle != model::kNoNode) minima_select(pairs.pair, first);
+  std::vector<std::pair<std::size_t, double>>& left = pairs.left;
+  left.clear();
+  const auto set = [&](std::size_t k, double travel) { left.emplace_back(k, now + travel); };
+  points_examine(narrow_phase, *s.self.pairs, set);
+  crosses_examine(narrow_phase, s.self, crosses_due, set);
+  if (schedule) reschedule(left, *schedule);
 }
 
 }  // namespace drape::contact

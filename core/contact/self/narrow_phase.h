@@ -12,6 +12,10 @@
 // sum r_k x f_k = 0. (For J along n, f_k = W_k J.)
 #pragma once
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "contact/particle/contact_pass.h"
 #include "model/self_contact.h"
@@ -19,61 +23,49 @@
 
 namespace drape::contact {
 
-// A node of pairs that touch.
-struct SelfNode {
-  model::NodeIndex node;
-  bool fixed;             // a pin holds it
-  double inverse, mass;   // 1/kg, kg of its inertia; the inverse of a fixed node is 0
-  Vec3 old, v;            // m/s: v_{n-1/2}; free velocity, per what centred damping leaves
-  Vec3 impulse{0, 0, 0};  // N s
-};
-
 struct SelfContactPair {
   std::array<model::NodeIndex, 4> node;
+  std::uint32_t candidate;  // its number in SelfState::pairs, points first
   bool cross, drop = false;
-  double weight[4], turn[4];          // W, u
+  double weight[4];                   // W
   double distance, contact_distance;  // m
   double start, final_distance;       // m, of the contact distance: at the start; after layers have parted
-  Vec3 arm, n;
-  double share;                             // of the penalty: 1, less for edges that hardly protrude
-  double stiffness, drag;                   // N/m, N s/m: k and 2 zeta sqrt(k mu)
-  double stick, slide;                      // coefficients of friction, static and kinetic
-  bool stuck = false, slides = false;       // in the last step; now
-  Vec3 hold{0, 0, 0};                       // N, friction of the last step
-  int at[4];                                // index in SelfContactPairs::node
-  double inverse_effective_mass;            // sum W_k^2/m_k
-  Vec3 lever[4];                            // p_k
-  double inverse[6];                        // I^-1: xx xy xz yy yz zz
-  double normal = 0, stored = 0, stop = 0;  // N s
-  double resist, before;                    // 2 zeta sqrt(k K) phi', 1/s; w_n of v_{n-1/2}
-  Vec3 friction{0, 0, 0};                   // N s
+  Vec3 n;
+  double share;  // of the penalty: 1, less for edges that hardly protrude
 };
 
-// The pairs that touch, and scratch to find and solve them.
+// Particles and triangles, and where they are closest: lanes of as many pairs.
+struct alignas(math::kLine) SelfPointBlock {
+  int node[4][math::kRowUnit];       // particle, corners of the triangle
+  double weight[3][math::kRowUnit];  // of the corners in the closest point
+  double arm[3][math::kRowUnit];     // m, from that point to the particle
+  double distance[math::kRowUnit];   // m
+};
+
+// Sets all but the nodes of blocks, from the positions [nodes], m.
+using SelfPointsKernel = void (*)(const double* const r[3], SelfPointBlock* begin, SelfPointBlock* end);
+
+// The pairs that touch, and scratch to find them.
 struct SelfContactPairs {
-  std::vector<Vec3> place;      // [nodes] m, of particles
-  std::vector<char> protrudes;  // [edges] whether they may protrude; 0: not yet known
+  std::vector<Vec3> place;            // [nodes] m, of particles
+  std::vector<char> protrudes;        // [edges] whether they may protrude; 0: not yet known
+  std::vector<std::uint32_t> point;   // numbers of the candidates that are examined
+  std::vector<SelfPointBlock> block;  // of these
+  std::vector<std::pair<std::size_t, double>>
+      left;  // their numbers, and the travel at which they are due again, m
   std::vector<SelfContactPair> pair;
-  std::vector<SelfNode> node;
-  std::vector<int> index;  // [nodes] in `node`, or -1
 };
 
 // Finds the pairs of a state that are nearer than their contact distance and `reach` (m), each local minimum
 // of the distance once; points first, in the order of their nodes. With `schedule`, which is null or the
 // state's own, records there after what travel each pair is to be examined again.
-void self_narrow_phase(const System& system, const State& state, double reach, SelfContactPairs& pairs,
-                       model::SelfState* schedule);
+void self_narrow_phase(const System& system, const State& state, double reach, SelfPointsKernel points,
+                       SelfContactPairs& pairs, model::SelfState* schedule);
 
-// Collects the nodes of the pairs, and computes all that does not depend on velocities. Removes pairs that
-// pins hold on both sides. `inertia_of_fit`: with the inverse mass scales.
-void self_prepare(const System& system, const State& state, bool inertia_of_fit, SelfContactPairs& pairs);
-
-// Computes the impulses of all nodes in a kick. Needs old and v of the nodes. Sweeps over the pairs until the
-// velocities change by less than `tolerance` of the first change, at most `sweeps` times.
-void self_respond(const ContactCoefficients& c, double tolerance, int sweeps, SelfContactPairs& pairs);
-
-// Energy (J, over ContactCoefficients::impulse) that damping, stops and friction have dissipated.
-double self_dissipated(SelfContactPairs& pairs);
+// The reach (m) of a step of cloth that does not move: pairs as near are examined. An edge that cannot
+// protrude before a travel is examined when that is used up, without it.
+inline constexpr double kReachDistance = 0.1;  // of the largest contact distance
+inline double self_still_reach(const System& system) { return kReachDistance * system.self.contact_distance; }
 
 // Layers that start nearer than their contact distance part within this time: the distance that counts grows.
 inline constexpr double kParting = 0.1;  // s

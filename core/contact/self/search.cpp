@@ -97,6 +97,14 @@ struct Search {
   double margin;
 };
 
+// Whether two elements are far enough from each other along the cloth to touch.
+bool apart(const model::SelfMesh& mesh, const model::SelfCell& a, const model::SelfBox& of,
+           const model::SelfCell& b, const model::SelfBox& on) {
+  return a.lattice != b.lattice || self_apart(mesh, a.lattice, of, on);
+}
+
+model::SelfBox box_of(const model::SelfCell& cell) { return {{cell.i, cell.j}, {cell.i + 1, cell.j + 1}}; }
+
 double contact_distance_of(const Search& s, model::NodeIndex a, model::NodeIndex b) {
   return self_contact_distance(s.system, s.mesh.lattice_of[a], s.mesh.lattice_of[b]);
 }
@@ -106,6 +114,7 @@ void points_find(const Search& s, const model::SelfCell& of, const model::SelfCe
                  model::SelfPairs& found) {
   for (int k = of.node_first; k < of.node_end; ++k) {
     const model::NodeIndex n = s.mesh.own_node[std::size_t(k)];
+    if (!apart(s.mesh, of, s.mesh.box[n], on, box_of(on))) continue;
     const Vec3 at = place(s.state, n);
     for (const auto& t :
          {std::array{on.node[0], on.node[1], on.node[3]}, std::array{on.node[0], on.node[3], on.node[2]}}) {
@@ -125,6 +134,7 @@ void crosses_find(const Search& s, const model::SelfCell& a, const model::SelfCe
   for (int i = a.edge_first; i < a.edge_end; ++i)
     for (int j = b.edge_first; j < b.edge_end; ++j) {
       model::NodeIndex e = model::NodeIndex(i), f = model::NodeIndex(j);
+      if (!apart(s.mesh, a, s.mesh.edge[e].box, b, s.mesh.edge[f].box)) continue;
       if (s.mesh.edge[f].node[0] < s.mesh.edge[e].node[0]) std::swap(e, f);
       const model::NodeIndex *from = s.mesh.edge[e].node, *to = s.mesh.edge[f].node;
       model::SelfCross pair{
@@ -154,7 +164,7 @@ bool are_separated(const State& s, const model::SelfCell& a, const model::SelfCe
   return begin - end > reach * norm(between);
 }
 
-// Visits all pairs of cells that do not adjoin and may be nearer than `reach` (m).
+// Visits all pairs of cells that may be nearer than `reach` (m), but for those that a seam excludes.
 template <class Visit>
 void each_pair(const model::SelfMesh& mesh, const State& state, double reach, Visit visit) {
   std::vector<Ball> balls = balls_of(mesh, state);
@@ -172,7 +182,7 @@ void each_pair(const model::SelfMesh& mesh, const State& state, double reach, Vi
     const double far = balls[a].radius + balls[b].radius + reach;
     if (dot(between, between) > far * far || are_separated(state, mesh.cell[a], mesh.cell[b], between, reach))
       return;
-    if (!self_cells_adjoin(mesh, mesh.cell[a], mesh.cell[b])) visit(mesh.cell[a], mesh.cell[b]);
+    if (!self_cells_sewn(mesh, mesh.cell[a], mesh.cell[b])) visit(mesh.cell[a], mesh.cell[b]);
   });
 }
 
@@ -217,6 +227,7 @@ std::vector<SelfCut> self_cuts(const model::SelfMesh& mesh, const State& s) {
   const auto edges_through = [&](const model::SelfCell& of, const model::SelfCell& on) {
     for (int k = of.edge_first; k < of.edge_end; ++k) {
       const model::SelfEdge& e = mesh.edge[std::size_t(k)];
+      if (!apart(mesh, of, e.box, on, box_of(on))) continue;
       const Vec3 p = place(s, e.node[0]), q = place(s, e.node[1]), a = place(s, on.node[0]),
                  d = place(s, on.node[3]);
       if (goes_through(p, q, a, place(s, on.node[1]), d) || goes_through(p, q, a, d, place(s, on.node[2])))

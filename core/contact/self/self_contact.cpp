@@ -4,24 +4,25 @@
 #include <cmath>
 #include <map>
 
+#include "contact/self/closest_lanes.h"
 #include "contact/self/search.h"
 #include "math/smooth_ramp.h"
 #include "math/vector3.h"
 #include "scene/diagnostics.h"
+#include "simd/lane_scalar.h"
 
 namespace drape::contact {
 namespace {
 
 using namespace math::vector3;
 
-constexpr double kReachSteps = 2;       // steps at the present speed before contact: pairs are examined
-constexpr double kReachDistance = 0.1;  // of the contact distance, added to that
-constexpr double kSearchSteps = 48;     // steps at the present speed that a search is to last
+constexpr double kReachSteps = 2;    // steps at the present speed before contact: pairs are examined
+constexpr double kSearchSteps = 48;  // steps at the present speed that a search is to last
 constexpr double kMinMargin = 0.25, kMaxMargin = 0.5;  // cells, of a search
 constexpr double kMarginReach = 4;                     // minimum of the margin, in reaches
 // Sweeps end when velocities change by less than this share of the first change: of a step, of accelerations.
 constexpr double kConverged = 1e-3, kConvergedRest = 1e-9;
-constexpr int kSweeps = 10, kSweepsRest = 1000;  // maxima
+constexpr int kSweeps = 100, kSweepsRest = 1000;  // maxima
 
 // An upper bound (m/s) of the relative speed of any two particles: the diagonal of the box of all velocities.
 double speed_of(const System& system, const State& s) {
@@ -47,7 +48,7 @@ double speed_of(const System& system, const State& s) {
 }
 
 double reach_of(const System& system, const State& s, double h) {
-  return kReachSteps * s.self.speed * h + kReachDistance * system.self.contact_distance;
+  return kReachSteps * s.self.speed * h + self_still_reach(system);
 }
 
 void search(const System& system, State& s, double h) {
@@ -62,10 +63,49 @@ void search(const System& system, State& s, double h) {
       (self.pairs->size() + model::kPairsPerBlock - 1) / model::kPairsPerBlock, self.travel);
 }
 
-void holds_set(const ContactCoefficients& c, const SelfContactPairs& all, model::SelfState& self) {
+// Computes the impulses of all pairs. Sweeps over them until the velocities of the gaps change by less than
+// `tolerance` of the first change, at most `sweeps` times.
+void respond(const SelfContactKernel& kernel, const SelfContactPass& pass, double tolerance, int sweeps) {
+  double first = kernel.begin(pass);
+  for (int k = 0; k < sweeps; ++k) {
+    const double largest = kernel.sweep(pass);
+    if (k == 0) first = std::max(first, largest);
+    if (!(largest > tolerance * first)) break;
+  }
+}
+
+Vec3 lane3(const SelfGroup::Lanes (&of)[3], std::size_t lane) {
+  return {of[0][lane], of[1][lane], of[2][lane]};
+}
+
+void holds_set(double kick, const std::vector<SelfContactPair>& pairs, const SelfGroups& all,
+               model::SelfState& self) {
   self.hold.clear();
-  for (const SelfContactPair& t : all.pair)
-    if (t.normal + t.stop > 0) self.hold.push_back({t.node, t.cross, !t.slides, (1 / c.kick) * t.friction});
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    const SelfGroup& g = all.group[all.slot[p] / kGroupPairs];
+    const std::size_t lane = all.slot[p] % kGroupPairs;
+    if (g.normal[lane] + g.stop[lane] > 0)
+      self.hold.push_back(
+          {pairs[p].node, pairs[p].cross, g.slides[lane] == 0, (1 / kick) * lane3(g.friction, lane)});
+  }
+}
+
+// Gives fixed nodes the velocities of a field and what the pairs add to them: their pins report it.
+void fixed_nodes_push(const SelfContactKernel& kernel, const SelfContactPass& pass, const model::Field& from,
+                      SelfNodes& nodes) {
+  if (std::none_of(nodes.fixed.begin(), nodes.fixed.end(), [](char is) { return is; })) return;
+  const double* field[3] = {from.x, from.y, from.z};
+  for (std::size_t k = 0; k < nodes.node.size(); ++k)
+    for (std::size_t c = 0; nodes.fixed[k] && c < 3; ++c) nodes.v[4 * k + c] = field[c][nodes.node[k]];
+  kernel.push_fixed(pass);
+}
+
+// Sets the free velocities of the nodes from a field. Those of fixed nodes are `of_fixed`, or 0.
+void velocities_set(const model::Field& from, const double* of_fixed, SelfNodes& nodes) {
+  const double* field[3] = {from.x, from.y, from.z};
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t k = 0; k < nodes.node.size(); ++k)
+      nodes.v[4 * k + c] = !nodes.fixed[k] ? field[c][nodes.node[k]] : of_fixed ? of_fixed[4 * k + c] : 0;
 }
 
 }  // namespace
@@ -129,45 +169,53 @@ void self_invalidate_proximity(const System& system, State& s, double moved) {
   s.self.travel += 2 * moved;
 }
 
-void self_store_velocities(const System& system, SelfContactWorkspace& workspace, State& s, double h) {
+void self_store_velocities(const System& system, const SelfContactKernel& kernel,
+                           SelfContactWorkspace& workspace, State& s, double h) {
   const double reach = reach_of(system, s, h);
   if (s.self.travel + reach > s.self.searched + s.self.margin) search(system, s, h);
-  self_narrow_phase(system, s, reach, workspace.touches, &s.self);
-  self_prepare(system, s, true, workspace.touches);
+  self_narrow_phase(system, s, reach, kernel.points, workspace.touches, &s.self);
+  self_group(system, s, true, workspace.touches.pair, workspace.groups);
 }
 
-void self_apply(const System& system, SelfContactWorkspace& workspace, const model::Scheme& scheme,
-                State& s) {
-  SelfContactPairs& all = workspace.touches;
-  if (all.pair.empty()) {
+void self_apply(const System& system, const SelfContactKernel& kernel, SelfContactWorkspace& workspace,
+                const model::Scheme& scheme, State& s) {
+  if (workspace.touches.pair.empty()) {
     s.self.hold.clear();
     return;
   }
-  const ContactCoefficients c = coefficients_of(system, s, scheme);
-  for (SelfNode& n : all.node) n.v = n.fixed ? n.old : Vec3{s.vx[n.node], s.vy[n.node], s.vz[n.node]};
-  self_respond(c, kConverged, kSweeps, all);
-  for (const SelfNode& n : all.node) {
-    const double over = n.fixed ? 1 / n.mass : n.inverse;  // the pin of a fixed node reports it
-    const Vec3 dv = over * n.impulse;
-    s.vx[n.node] += dv[0], s.vy[n.node] += dv[1], s.vz[n.node] += dv[2];
-    s.x[n.node] += scheme.drift * dv[0], s.y[n.node] += scheme.drift * dv[1],
-        s.z[n.node] += scheme.drift * dv[2];
-  }
-  workspace.factor = c.impulse;
-  holds_set(c, all, s.self);
+  SelfGroups& all = workspace.groups;
+  const model::Field v{s.vx.data(), s.vy.data(), s.vz.data()};
+  workspace.c = coefficients_of(system, s, scheme);
+  velocities_set(v, all.node.old.data(), all.node);
+  const SelfContactPass pass = self_pass(workspace.c, all);
+  respond(kernel, pass, kConverged, kSweeps);
+  fixed_nodes_push(kernel, pass, v, all.node);
+  Array *x[3] = {&s.x, &s.y, &s.z}, *to[3] = {&s.vx, &s.vy, &s.vz};
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t k = 0; k < all.node.node.size(); ++k) {
+      double& velocity = (*to[c])[all.node.node[k]];
+      (*x[c])[all.node.node[k]] += scheme.drift * (all.node.v[4 * k + c] - velocity);
+      velocity = all.node.v[4 * k + c];
+    }
+  holds_set(workspace.c.kick, workspace.touches.pair, all, s.self);
 }
 
-double self_parting_work(const SelfContactWorkspace& workspace, const State& s, double h) {
+double self_parting_work(const System& system, const SelfContactWorkspace& workspace, const State& s,
+                         double h) {
   if (s.self.age - h / 2 >= kParting) return 0;
   double sum = 0;
   for (const SelfContactPair& t : workspace.touches.pair)
-    sum += t.stiffness * (penalty_integral(t, s.self.age + h / 2) - penalty_integral(t, s.self.age - h / 2));
+    sum += t.share * self_pair_law(system, t).stiffness *
+           (penalty_integral(t, s.self.age + h / 2) - penalty_integral(t, s.self.age - h / 2));
   return sum;
 }
 
-double self_work(SelfContactWorkspace& workspace, const double* const v[3]) {
-  for (SelfNode& n : workspace.touches.node) n.v = {v[0][n.node], v[1][n.node], v[2][n.node]};
-  return workspace.factor * self_dissipated(workspace.touches);
+double self_work(const SelfContactKernel& kernel, SelfContactWorkspace& workspace, const double* const v[3]) {
+  if (workspace.touches.pair.empty()) return 0;
+  SelfNodes& nodes = workspace.groups.node;
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t k = 0; k < nodes.node.size(); ++k) nodes.v[4 * k + c] = v[c][nodes.node[k]];
+  return workspace.c.impulse * kernel.dissipated(self_pass(workspace.c, workspace.groups));
 }
 
 void self_update_proximity(const System& system, State& s, double drift) {
@@ -176,33 +224,37 @@ void self_update_proximity(const System& system, State& s, double drift) {
   if (s.self.age < 2 * kParting) s.self.age += drift;
 }
 
-void self_synchronous(const System& system, SelfContactWorkspace& workspace, const State& s,
-                      const SynchronousPass& pass) {
-  const model::Field& field = pass.field;
-  SelfContactPairs& all = workspace.touches;
-  self_narrow_phase(system, s, 0, all, nullptr);
-  self_prepare(system, s, false, all);
-  const ContactCoefficients c = coefficients_of(system, s, pass.scheme);
+void self_synchronous(const System& system, const SelfContactKernel& kernel, SelfContactWorkspace& workspace,
+                      const State& s, const SynchronousPass& pass) {
+  self_narrow_phase(system, s, 0, kernel.points, workspace.touches, nullptr);
+  if (workspace.touches.pair.empty()) return;
+  SelfGroups& all = workspace.groups;
+  self_group(system, s, false, workspace.touches.pair, all);
+  workspace.c = coefficients_of(system, s, pass.scheme);
   const bool kicks = pass.scheme.pass == model::Pass::kSynchronous;
-  for (SelfNode& n : all.node) {
-    n.v = {field.x[n.node], field.y[n.node], field.z[n.node]};
-    if (n.fixed) n.v = kicks ? n.old : Vec3{0, 0, 0};
-  }
-  self_respond(c, kicks ? kConverged : kConvergedRest, kicks ? kSweeps : kSweepsRest, all);
-  for (const SelfNode& n : all.node) {
-    const Vec3 dv = (n.fixed ? 1 / n.mass : n.inverse) * n.impulse;
-    field.x[n.node] += dv[0], field.y[n.node] += dv[1], field.z[n.node] += dv[2];
-  }
-  workspace.factor = c.impulse;
+  velocities_set(pass.field, kicks ? all.node.old.data() : nullptr, all.node);
+  const SelfContactPass groups = self_pass(workspace.c, all);
+  respond(kernel, groups, kicks ? kConverged : kConvergedRest, kicks ? kSweeps : kSweepsRest);
+  fixed_nodes_push(kernel, groups, pass.field, all.node);
+  double* field[3] = {pass.field.x, pass.field.y, pass.field.z};
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t k = 0; k < all.node.node.size(); ++k) field[c][all.node.node[k]] = all.node.v[4 * k + c];
 }
 
 namespace {
 
+// Whether pins hold all that has weight in a pair.
+bool pins_hold(const System& system, const SelfContactPair& t) {
+  for (std::size_t k = 0; k < 4; ++k)
+    if (t.weight[k] != 0 && !system.self.fixed[t.node[k]]) return false;
+  return true;
+}
+
 std::vector<SelfContactPair> touching(const System& system, const State& s) {
   SelfContactPairs all;
   if (!self_any(s)) return {};
-  self_narrow_phase(system, s, 0, all, nullptr);
-  self_prepare(system, s, false, all);
+  self_narrow_phase(system, s, 0, self_points_lanes<simd::ScalarLane<false>>, all, nullptr);
+  std::erase_if(all.pair, [&](const SelfContactPair& t) { return pins_hold(system, t); });
   return all.pair;
 }
 
@@ -216,15 +268,17 @@ model::ContactSummary self_summary(const System& system, const State& s) {
     for (model::NodeIndex n : t.node) area = std::min(area, system.area[n]);
     ++sum.count;
     sum.penetration = std::max(sum.penetration, depth);
-    sum.pressure = std::max(sum.pressure,
-                            t.stiffness * math::smooth_ramp(kSelfBlend * t.contact_distance, depth) / area);
+    sum.pressure =
+        std::max(sum.pressure, t.share * self_pair_law(system, t).stiffness *
+                                   math::smooth_ramp(kSelfBlend * t.contact_distance, depth) / area);
   }
   return sum;
 }
 
 double self_energy(const System& system, const State& s) {
   double sum = 0;
-  for (const SelfContactPair& t : touching(system, s)) sum += t.stiffness * penalty_integral(t, s.self.age);
+  for (const SelfContactPair& t : touching(system, s))
+    sum += t.share * self_pair_law(system, t).stiffness * penalty_integral(t, s.self.age);
   return sum;
 }
 

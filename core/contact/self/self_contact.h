@@ -1,14 +1,15 @@
 // Self-contact, of cloth with cloth, within a step. core/README.md, section 8.
 #pragma once
 #include "contact/particle/contact.h"
-#include "contact/self/narrow_phase.h"
+#include "contact/self/groups.h"
 
 namespace drape::contact {
 
 // Workspace of self-contact; made once per System.
 struct SelfContactWorkspace {
   SelfContactPairs touches;
-  double factor = 1;  // ContactCoefficients::impulse of the last pass
+  SelfGroups groups;      // of these pairs
+  ContactCoefficients c;  // of the last pass
 };
 
 inline bool self_enabled(const System& system) { return !system.self.cell.empty(); }
@@ -30,26 +31,28 @@ void self_check_start(const System& system, const Scene& scene, const State& sta
 void self_invalidate_proximity(const System& system, State& state, double moved);
 
 // Before a step of h (s): finds the pairs that touch at t_n, and stores their velocities.
-void self_store_velocities(const System& system, SelfContactWorkspace& workspace, State& state, double h);
+void self_store_velocities(const System& system, const SelfContactKernel& kernel,
+                           SelfContactWorkspace& workspace, State& state, double h);
 
 // Adds self-contact to a free step. Needs self_store_velocities.
-void self_apply(const System& system, SelfContactWorkspace& workspace, const model::Scheme& scheme,
-                State& state);
+void self_apply(const System& system, const SelfContactKernel& kernel, SelfContactWorkspace& workspace,
+                const model::Scheme& scheme, State& state);
 
 // After self_store_velocities: the energy (J) that contact distances bring in as they grow, half a step of h
 // (s) before t_n and after it.
-double self_parting_work(const SelfContactWorkspace& workspace, const State& state, double h);
+double self_parting_work(const System& system, const SelfContactWorkspace& workspace, const State& state,
+                         double h);
 
 // The energy (J) that the pairs of the last pass have dissipated, of the velocities `v` [nodes] that pins and
 // welds have left after it.
-double self_work(SelfContactWorkspace& workspace, const double* const v[3]);
+double self_work(const SelfContactKernel& kernel, SelfContactWorkspace& workspace, const double* const v[3]);
 
 // After the particles have moved for `drift` s.
 void self_update_proximity(const System& system, State& state, double drift);
 
 // As apply_synchronous.
-void self_synchronous(const System& system, SelfContactWorkspace& workspace, const State& state,
-                      const SynchronousPass& pass);
+void self_synchronous(const System& system, const SelfContactKernel& kernel, SelfContactWorkspace& workspace,
+                      const State& state, const SynchronousPass& pass);
 
 // Count, largest depth (m) and largest pressure (Pa) of the present pairs; and the energy of the penalties,
 // J.

@@ -2,6 +2,7 @@
 // forces.
 #pragma once
 #include "contact/particle/contact_pass.h"
+#include "contact/self/groups.h"
 #include "dynamics/kernel/workers.h"
 #include "forces/hinge_batch.h"
 #include "model/field.h"
@@ -73,6 +74,7 @@ struct Kernel {
   // The elastic energy of row j of a lattice, without irregular elements.
   RowEnergy (*energy)(const System&, const model::Lattice&, const State&, int j);
   contact::ContactKernel contact;
+  contact::SelfContactKernel self_contact;
   forces::HingeKernel hinges;
 };
 

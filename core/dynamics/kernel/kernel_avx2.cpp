@@ -1,5 +1,6 @@
 // The kernel of AVX2 with FMA, four doubles.
 #include "contact/particle/response.h"
+#include "contact/self/response.h"
 #include "dynamics/kernel/lattice_pass.h"
 #include "dynamics/kernel/row_energy.h"
 #include "dynamics/step_size/cell_bound.h"
@@ -16,6 +17,7 @@ const Kernel kKernelAvx2{"avx2",
                          cells_defect<simd::Avx2Lane>,
                          row_energy<simd::Avx2Lane>,
                          contact::contact_kernel<simd::Avx2Lane>(),
+                         contact::self_contact_kernel<simd::Avx2Lane>(),
                          forces::hinges_bend<simd::Avx2Lane>};
 
 }  // namespace drape::dynamics

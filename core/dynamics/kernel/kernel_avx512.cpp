@@ -1,5 +1,6 @@
 // The kernel of AVX-512, eight doubles.
 #include "contact/particle/response.h"
+#include "contact/self/response.h"
 #include "dynamics/kernel/lattice_pass.h"
 #include "dynamics/kernel/row_energy.h"
 #include "dynamics/step_size/cell_bound.h"
@@ -16,6 +17,7 @@ const Kernel kKernelAvx512{"avx512",
                            cells_defect<simd::Avx512Lane>,
                            row_energy<simd::Avx512Lane>,
                            contact::contact_kernel<simd::Avx512Lane>(),
+                           contact::self_contact_kernel<simd::Avx512Lane>(),
                            forces::hinges_bend<simd::Avx512Lane>};
 
 }  // namespace drape::dynamics

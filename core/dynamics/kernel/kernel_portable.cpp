@@ -1,5 +1,6 @@
 // The kernel of the baseline instruction set.
 #include "contact/particle/response.h"
+#include "contact/self/response.h"
 #include "dynamics/kernel/lattice_pass.h"
 #include "dynamics/kernel/row_energy.h"
 #include "dynamics/step_size/cell_bound.h"
@@ -16,6 +17,7 @@ const Kernel kKernelPortable{"portable",
                              cells_defect<simd::ScalarLane<false>>,
                              row_energy<simd::ScalarLane<false>>,
                              contact::contact_kernel<simd::ScalarLane<false>>(),
+                             contact::self_contact_kernel<simd::ScalarLane<false>>(),
                              forces::hinges_bend<simd::ScalarLane<false>>};
 
 }  // namespace drape::dynamics

@@ -1,6 +1,7 @@
 // The kernel with the fused arithmetic of AVX2, one double at a time: a slow reference for benchmark and
 // tests.
 #include "contact/particle/response.h"
+#include "contact/self/response.h"
 #include "dynamics/kernel/lattice_pass.h"
 #include "dynamics/kernel/row_energy.h"
 #include "dynamics/step_size/cell_bound.h"
@@ -17,6 +18,7 @@ const Kernel kKernelScalar{"scalar",
                            cells_defect<simd::ScalarLane<true>>,
                            row_energy<simd::ScalarLane<true>>,
                            contact::contact_kernel<simd::ScalarLane<true>>(),
+                           contact::self_contact_kernel<simd::ScalarLane<true>>(),
                            forces::hinges_bend<simd::ScalarLane<true>>};
 
 }  // namespace drape::dynamics

@@ -306,7 +306,7 @@ TEST(SelfContact, OffCostsNothing) {
   advance(a, 0.01);
   EXPECT_TRUE(a.system.self.cell.empty() && a.system.self.lattice_of.empty());
   EXPECT_FALSE(a.state.self.pairs);
-  EXPECT_TRUE(a.motion.self.touches.index.empty());
+  EXPECT_TRUE(a.motion.self.groups.index.empty());
 }
 
 // A rolled sheet is sewn into a tube: its edges come together although they are cloth, and the seam closes.
@@ -331,7 +331,9 @@ TEST(SelfContact, SeamsCloseThroughIt) {
   for (model::Sewn s : a.state.sewn) EXPECT_EQ(s, model::Sewn::kWelded);
 }
 
-// A hanging sheet dropped on a held one crumples there: no edge of it passes through cloth.
+// A hanging sheet dropped on a held one crumples there: no edge of it passes through cloth. In some of these
+// seeds a particle comes upon an edge two cells away along the cloth, about a fold between them; others need
+// many sweeps.
 TEST(SelfContact, ACrumpledDropDoesNotTunnel) {
   Scene scene = reference::rectangle(linen(0.8e-3), 0.3, 0.3, 0.02);
   scene.self_contact = true;
@@ -343,16 +345,18 @@ TEST(SelfContact, ACrumpledDropDoesNotTunnel) {
   upper.place.axis_y = {-0.1 * std::sin(0.3), 0.1 * std::cos(0.3), std::sqrt(0.99)};
   upper.velocity = {0, 0, -2};
   scene.imperfection_amplitude = 1e-3;
-  scene.imperfection_seed = 5;
-  Assembled a = assemble(scene);
-  int worst = 0;
   std::size_t largest = 0;
-  for (int k = 0; k < 100; ++k) {
-    advance(a, 5e-3);
-    worst = std::max(worst, crossings(a));
-    largest = std::max(largest, self_summary(a.system, a.state).count);
+  for (const int seed : {1, 5, 8, 9, 11, 12}) {
+    scene.imperfection_seed = seed;
+    Assembled a = assemble(scene);
+    int now = 0;
+    for (int k = 0; k < 100 && now == 0; ++k) {
+      advance(a, 5e-3);
+      now = crossings(a);
+      largest = std::max(largest, self_summary(a.system, a.state).count);
+    }
+    EXPECT_EQ(now, 0) << "seed " << seed;
   }
-  EXPECT_EQ(worst, 0);
   EXPECT_GT(largest, 100u);
 }
 
