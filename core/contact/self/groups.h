@@ -62,9 +62,9 @@ struct SelfGroups {
 // friction of the last step. Old velocities of the nodes become the present ones. `inertia_of_fit`: with the
 // inverse mass scales.
 void self_group(const System& system, const State& state, bool inertia_of_fit,
-                const std::vector<SelfContactPair>& pairs, SelfGroups& groups);
+                const std::vector<SelfContactPair>& pairs, SelfGroups& all);
 
-SelfPairLaw self_pair_law(const System& system, const SelfContactPair& pair);
+SelfPairLaw self_pair_law(const System& system, const SelfContactPair& t);
 
 // What a kernel reads and writes.
 struct SelfContactPass {
@@ -73,7 +73,7 @@ struct SelfContactPass {
   double* v;
   ContactCoefficients c;
 };
-SelfContactPass self_pass(const ContactCoefficients& c, SelfGroups& groups);
+SelfContactPass self_pass(const ContactCoefficients& c, SelfGroups& all);
 
 // The kernels: each goes once over all groups.
 struct SelfContactKernel {
