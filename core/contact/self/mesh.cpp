@@ -195,12 +195,6 @@ model::SelfMesh self_mesh_make(const System& system, const State& start) {
   return mesh;
 }
 
-bool self_apart(const model::SelfMesh& mesh, int lattice, const model::SelfBox& a, const model::SelfBox& b) {
-  int gap = 0;
-  for (int k = 0; k < 2; ++k) gap = std::max({gap, b.low[k] - a.high[k], a.low[k] - b.high[k]});
-  return gap >= mesh.exclusion_cells[std::size_t(lattice)];
-}
-
 bool self_cells_sewn(const model::SelfMesh& mesh, const model::SelfCell& a, const model::SelfCell& b) {
   for (int s = a.seam_first; s < a.seam_end; ++s)
     for (int t = b.seam_first; t < b.seam_end; ++t) {

@@ -109,6 +109,21 @@ double contact_distance_of(const Search& s, model::NodeIndex a, model::NodeIndex
   return self_contact_distance(s.system, s.mesh.lattice_of[a], s.mesh.lattice_of[b]);
 }
 
+// Whether a slab normal to `between`, wider than `reach`, separates two things: from the middle of one to
+// that of the other, less the half width of both along it.
+bool slab_separates(const Vec3& between, double half_widths, double reach) {
+  const double length2 = dot(between, between), gap = length2 - half_widths;
+  return gap > 0 && gap * gap > reach * reach * length2;
+}
+
+// The same for a point and a cell.
+bool is_separated(const State& s, const Vec3& at, const model::SelfCell& cell, double reach) {
+  const Vec3 middle = 0.5 * (place(s, cell.node[0]) + place(s, cell.node[3])), between = at - middle;
+  double widest = -INFINITY;
+  for (model::NodeIndex n : cell.node) widest = std::max(widest, dot(place(s, n) - middle, between));
+  return slab_separates(between, widest, reach);
+}
+
 // Finds pairs of the particles of one cell and the triangles of another.
 void points_find(const Search& s, const model::SelfCell& of, const model::SelfCell& on,
                  model::SelfPairs& found) {
@@ -116,6 +131,7 @@ void points_find(const Search& s, const model::SelfCell& of, const model::SelfCe
     const model::NodeIndex n = s.mesh.own_node[std::size_t(k)];
     if (!apart(s.mesh, of, s.mesh.box[n], on, box_of(on))) continue;
     const Vec3 at = place(s.state, n);
+    if (is_separated(s.state, at, on, contact_distance_of(s, n, on.node[0]) + s.margin)) continue;
     for (const auto& t :
          {std::array{on.node[0], on.node[1], on.node[3]}, std::array{on.node[0], on.node[3], on.node[2]}}) {
       model::SelfPoint pair{{n, t[0], t[1], t[2]}, contact_distance_of(s, n, t[0]), 0};
@@ -148,9 +164,9 @@ void crosses_find(const Search& s, const model::SelfCell& a, const model::SelfCe
       const double reach = pair.contact_distance + s.margin;
       const Vec3 a0 = place(s.state, pair.node[0]), a1 = place(s.state, pair.node[1]),
                  b0 = place(s.state, pair.node[2]), b1 = place(s.state, pair.node[3]);
-      const double far = reach + 0.5 * (norm(a1 - a0) + norm(b1 - b0));
       const Vec3 between = 0.5 * ((a0 + a1) - (b0 + b1));
-      if (dot(between, between) > far * far) continue;
+      const double half_widths = 0.5 * (std::abs(dot(a1 - a0, between)) + std::abs(dot(b1 - b0, between)));
+      if (slab_separates(between, half_widths, reach)) continue;
       if (math::edges_closest(a0, a1, b0, b1).distance2 <= reach * reach) found.cross.push_back(pair);
     }
 }
