@@ -2,7 +2,7 @@
 // are equal and opposite. With K = sum W_k^2/m_k and the depth e = contact distance - d,
 //
 //   normal     P = [k phi(e) dt - 2 zeta sqrt(k/K) phi'(e) w_n dt]+,   the damping centred
-//   stop       d_{n+1} >= kMin x contact distance: removes the approach that is left
+//   stop       d_{n+1} >= kSelfMin x contact distance: removes the approach that is left
 //   friction   J on the tangential w, |J| <= mu P (Coulomb); a pair that sticks has no tangential w at all
 //
 // First come all penalties. Then damping, stops and friction act in turn, group by group, until nothing
@@ -20,7 +20,7 @@ constexpr double kSelfDamping = 1;                // zeta
 constexpr double kThin = 1e-12;                   // of the trace cubed: nodes on one line have no rotation
 constexpr double kSelfMin = 1 - kContactDeepest;  // of the contact distance: the smallest distance allowed
 
-// p_k, D and I^-1 of lanes. Of points, p_0 is not used: the particle has u = 0.
+// u_k p_k, D and I^-1 of lanes.
 template <class L>
 struct SelfLevers {
   simd::Vec<L> p[4], arm;
@@ -33,10 +33,9 @@ struct SelfLevers {
 };
 
 // The pairs i .. i + L::kWidth - 1 of a group.
-template <class L, bool kCross>
+template <class L>
 struct SelfLanes {
   using Vec = simd::Vec<L>;
-  static constexpr int kFirst = kCross ? 0 : 1;  // the first node with u = 1
 
   SelfGroup& g;
   const SelfContactPass& pass;
@@ -66,6 +65,8 @@ struct SelfLanes {
   DRAPE_INLINE void velocities_store() const {
     for (int k = 0; k < 4; ++k) L::scatter4(pass.v, g.at[k] + i, v[k].x, v[k].y, v[k].z, inverse[k]);
   }
+  // A vector of node k times u_k, which is 0 of a particle and 1 of all other nodes.
+  DRAPE_INLINE Vec turning(int k, const Vec& of) const { return k == 0 ? of * L(g.crosses ? 1.0 : 0.0) : of; }
   // sum W_k of vectors of the nodes
   DRAPE_INLINE Vec weighted(const Vec* of) const {
     Vec w = of[0] * get(g.weight[0]);
@@ -76,12 +77,12 @@ struct SelfLanes {
     SelfLevers<L> l;
     for (int k = 0; k < 4; ++k) l.p[k] = gathered(pass.r, k);
     l.arm = weighted(l.p);
-    Vec mean = l.p[kFirst];
-    for (int k = kFirst + 1; k < 4; ++k) mean = mean + l.p[k];
-    mean = mean * L(1.0 / (4 - kFirst));
+    Vec mean = turning(0, l.p[0]);
+    for (int k = 1; k < 4; ++k) mean = mean + l.p[k];
+    mean = mean * L(g.crosses ? 1.0 / 4 : 1.0 / 3);
     L xx(0.0), xy(0.0), xz(0.0), yy(0.0), yz(0.0), zz(0.0);
-    for (int k = kFirst; k < 4; ++k) {
-      const Vec p = l.p[k] = l.p[k] - mean;
+    for (int k = 0; k < 4; ++k) {
+      const Vec p = l.p[k] = turning(k, l.p[k] - mean);
       xx = xx + fma(p.y, p.y, p.z * p.z), xy = xy - p.x * p.y;
       yy = yy + fma(p.x, p.x, p.z * p.z), xz = xz - p.x * p.z;
       zz = zz + fma(p.x, p.x, p.y * p.y), yz = yz - p.y * p.z;
@@ -96,9 +97,9 @@ struct SelfLanes {
   }
   // The tangential w, of the gap's velocity.
   DRAPE_INLINE Vec slip(const SelfLevers<L>& l, const Vec& gap_velocity) const {
-    Vec turning = cross(l.p[kFirst], v[kFirst]);
-    for (int k = kFirst + 1; k < 4; ++k) turning = turning + cross(l.p[k], v[k]);
-    const Vec w = gap_velocity - cross(l.turned(turning), l.arm), n = get3(g.n);
+    Vec momentum = cross(l.p[0], v[0]);
+    for (int k = 1; k < 4; ++k) momentum = momentum + cross(l.p[k], v[k]);
+    const Vec w = gap_velocity - cross(l.turned(momentum), l.arm), n = get3(g.n);
     return w - n * dot(w, n);
   }
   DRAPE_INLINE void push_along(const Vec& n, L impulse) {
@@ -106,11 +107,7 @@ struct SelfLanes {
   }
   DRAPE_INLINE void push_across(const SelfLevers<L>& l, const Vec& j) {
     const Vec t = l.turned(cross(l.arm, j));
-    for (int k = 0; k < 4; ++k) {
-      Vec f = j * get(g.weight[k]);
-      if (k >= kFirst) f = f - cross(t, l.p[k]);
-      v[k] = v[k] + f * inverse[k];
-    }
+    for (int k = 0; k < 4; ++k) v[k] = v[k] + (j * get(g.weight[k]) - cross(t, l.p[k])) * inverse[k];
   }
   // Bounds J by Coulomb friction; `slides` notes where it does.
   DRAPE_INLINE Vec friction_bounded(const Vec& j) const {
@@ -127,19 +124,14 @@ struct SelfLanes {
 template <class L, class Act>
 DRAPE_INLINE void lanes_visit(SelfGroup& g, const SelfContactPass& pass, Act act) {
   for (std::size_t i = 0; i < kGroupPairs; i += L::kWidth) {
-    if (g.crosses) {
-      SelfLanes<L, true> of(g, pass, i);
-      act(of);
-    } else {
-      SelfLanes<L, false> of(g, pass, i);
-      act(of);
-    }
+    SelfLanes<L> of(g, pass, i);
+    act(of);
   }
 }
 
 // Sets what the sweeps need besides the penalty, for lanes on which nothing acts yet.
-template <class L, bool kCross>
-DRAPE_INLINE void lanes_begin(SelfLanes<L, kCross>& of) {
+template <class L>
+DRAPE_INLINE void lanes_begin(SelfLanes<L>& of) {
   SelfGroup& g = of.g;
   const ContactCoefficients& c = of.pass.c;
   const L zero(0.0), one(1.0);
@@ -157,8 +149,8 @@ DRAPE_INLINE void lanes_begin(SelfLanes<L, kCross>& of) {
 }
 
 // Applies the penalties of lanes; returns the change of w_n.
-template <class L, bool kCross>
-DRAPE_INLINE L normal_begin(SelfLanes<L, kCross>& of) {
+template <class L>
+DRAPE_INLINE L normal_begin(SelfLanes<L>& of) {
   SelfGroup& g = of.g;
   const ContactCoefficients& c = of.pass.c;
   const L contact_distance = of.get(g.contact_distance), depth = contact_distance - of.get(g.distance);
@@ -188,30 +180,28 @@ double self_begin_lanes(const SelfContactPass& pass) {
   L largest(0.0);
   for (SelfGroup* g = pass.begin; g != pass.end; ++g) {
     g->touches = g->presses = false;
-    lanes_visit<L>(*g, pass, [&](auto& of) {
+    lanes_visit<L>(*g, pass, [&](SelfLanes<L>& of) {
       lanes_begin(of);
       largest = max(largest, normal_begin(of));
     });
   }
   for (SelfGroup* g = pass.begin; g != pass.end; ++g) {
     if (g->touches)
-      lanes_visit<L>(*g, pass, [&](auto& of) {
+      lanes_visit<L>(*g, pass, [&](SelfLanes<L>& of) {
         const simd::Vec<L> j = of.friction_bounded(of.get3(g->friction) * L(pass.c.kick));
         of.set3(g->friction, j);
         of.velocities_load();
         of.push_across(of.levers(), j);
         of.velocities_store();
       });
-    else
-      for (auto& lanes : g->friction)
-        for (double& lane : lanes) lane = 0;
+    else lanes_visit<L>(*g, pass, [&](SelfLanes<L>& of) { of.set3(g->friction, {L(0.0), L(0.0), L(0.0)}); });
   }
   return simd::largest_of(largest);
 }
 
 // Updates lanes; returns the square of the change of the gap's velocity.
-template <class L, bool kCross>
-DRAPE_INLINE L lanes_sweep(SelfLanes<L, kCross>& of) {
+template <class L>
+DRAPE_INLINE L lanes_sweep(SelfLanes<L>& of) {
   SelfGroup& g = of.g;
   const L zero(0.0), mass = of.get(g.mass), over = L(1.0) / mass;
   const simd::Vec<L> n = of.get3(g.n);
@@ -242,7 +232,7 @@ template <class L>
 double self_sweep_lanes(const SelfContactPass& pass) {
   L largest(0.0);
   for (SelfGroup* g = pass.begin; g != pass.end; ++g)
-    lanes_visit<L>(*g, pass, [&](auto& of) { largest = max(largest, lanes_sweep(of)); });
+    lanes_visit<L>(*g, pass, [&](SelfLanes<L>& of) { largest = max(largest, lanes_sweep(of)); });
   return __builtin_sqrt(simd::largest_of(largest));
 }
 
@@ -251,7 +241,7 @@ double self_dissipated_lanes(const SelfContactPass& pass) {
   alignas(math::kLine) double sum[kGroupPairs] = {};
   for (SelfGroup* g = pass.begin; g != pass.end; ++g) {
     if (!g->presses) continue;
-    lanes_visit<L>(*g, pass, [&](auto& of) {
+    lanes_visit<L>(*g, pass, [&](SelfLanes<L>& of) {
       for (int k = 0; k < 4; ++k) of.v[k] = (of.gathered(pass.old, k) + of.gathered(pass.v, k)) * L(0.5);
       const simd::Vec<L> w = of.weighted(of.v);
       const L lost = (of.get(g->normal) + of.get(g->stop) - of.get(g->stored)) * dot(of.get3(g->n), w);
@@ -265,10 +255,10 @@ double self_dissipated_lanes(const SelfContactPass& pass) {
 }
 
 template <class L>
-void self_impulses_lanes(const SelfContactPass& pass) {
+void self_push_fixed_lanes(const SelfContactPass& pass) {
   for (SelfGroup* g = pass.begin; g != pass.end; ++g) {
     if (!g->presses) continue;
-    lanes_visit<L>(*g, pass, [&](auto& of) {
+    lanes_visit<L>(*g, pass, [&](SelfLanes<L>& of) {
       of.velocities_load();
       L inverse[4];
       for (int k = 0; k < 4; ++k)
@@ -284,7 +274,7 @@ void self_impulses_lanes(const SelfContactPass& pass) {
 template <class L>
 constexpr SelfContactKernel self_contact_kernel() {
   return {self_points_lanes<L>, self_begin_lanes<L>, self_sweep_lanes<L>, self_dissipated_lanes<L>,
-          self_impulses_lanes<L>};
+          self_push_fixed_lanes<L>};
 }
 
 }  // namespace
