@@ -56,6 +56,8 @@ inline TriangleClosest triangle_closest(const Vec3& p, const Vec3& a, const Vec3
   return best;
 }
 
+inline constexpr double kParallel = 1e-4;  // sin^2 of the angle below which lines are parallel
+
 // The closest points of two lines along e and f; r is the vector from the start of the second line to the
 // start of the first. The points are s e and t f from the starts. `skew` is false where the lines are
 // parallel; then s and t have no meaning.
@@ -65,7 +67,6 @@ struct LinesClosest {
 };
 inline LinesClosest lines_closest(const Vec3& e, const Vec3& f, const Vec3& r) {
   using namespace vector3;
-  constexpr double kParallel = 1e-4;  // sin^2 of the angle
   const double ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), er = dot(e, r), fr = dot(f, r);
   const double det = ee * ff - ef * ef;
   if (!(det > kParallel * ee * ff)) return {0, 0, false};

@@ -39,14 +39,12 @@ struct Avx2Lane {
   // NOLINTBEGIN(readability-function-size): four columns
   static DRAPE_INLINE void gather4(const double* p, const int* i, Avx2Lane& a, Avx2Lane& b, Avx2Lane& c,
                                    Avx2Lane& d) {
-    a.v = _mm256_load_pd(p + 4 * i[0]), b.v = _mm256_load_pd(p + 4 * i[1]);
-    c.v = _mm256_load_pd(p + 4 * i[2]), d.v = _mm256_load_pd(p + 4 * i[3]);
+    a = load(p + 4 * i[0]), b = load(p + 4 * i[1]), c = load(p + 4 * i[2]), d = load(p + 4 * i[3]);
     transpose(a.v, b.v, c.v, d.v);
   }
   static DRAPE_INLINE void scatter4(double* p, const int* i, Avx2Lane a, Avx2Lane b, Avx2Lane c, Avx2Lane d) {
     transpose(a.v, b.v, c.v, d.v);
-    _mm256_store_pd(p + 4 * i[0], a.v), _mm256_store_pd(p + 4 * i[1], b.v);
-    _mm256_store_pd(p + 4 * i[2], c.v), _mm256_store_pd(p + 4 * i[3], d.v);
+    store(p + 4 * i[0], a), store(p + 4 * i[1], b), store(p + 4 * i[2], c), store(p + 4 * i[3], d);
   }
   // NOLINTEND(readability-function-size)
   static DRAPE_INLINE void truncate(int* to, Avx2Lane a) {
@@ -55,14 +53,8 @@ struct Avx2Lane {
   // NOLINTNEXTLINE(readability-function-size): six columns
   static DRAPE_INLINE void columns(const double* const* rows, Avx2Lane& c0, Avx2Lane& c1, Avx2Lane& c2,
                                    Avx2Lane& c3, Avx2Lane& c4, Avx2Lane& c5) {
-    const __m256d r0 = _mm256_load_pd(rows[0]), r1 = _mm256_load_pd(rows[1]), r2 = _mm256_load_pd(rows[2]),
-                  r3 = _mm256_load_pd(rows[3]);
-    const __m256d c02 = _mm256_unpacklo_pd(r0, r1), c13 = _mm256_unpackhi_pd(r0, r1),
-                  c02_on = _mm256_unpacklo_pd(r2, r3), c13_on = _mm256_unpackhi_pd(r2, r3);
-    c0 = _mm256_permute2f128_pd(c02, c02_on, 0x20);
-    c1 = _mm256_permute2f128_pd(c13, c13_on, 0x20);
-    c2 = _mm256_permute2f128_pd(c02, c02_on, 0x31);
-    c3 = _mm256_permute2f128_pd(c13, c13_on, 0x31);
+    c0 = load(rows[0]), c1 = load(rows[1]), c2 = load(rows[2]), c3 = load(rows[3]);
+    transpose(c0.v, c1.v, c2.v, c3.v);
     const __m256d even = _mm256_set_m128d(_mm_load_pd(rows[2] + 4), _mm_load_pd(rows[0] + 4)),
                   odd = _mm256_set_m128d(_mm_load_pd(rows[3] + 4), _mm_load_pd(rows[1] + 4));
     c4 = _mm256_unpacklo_pd(even, odd);

@@ -263,8 +263,7 @@ int run_and_end(const Options& options, Recorder& r, const Driven& driven, const
   std::string problem;
   if (!csv_close(r.csv, problem)) return fail(kFailedRun, problem);
   if (code == kDone) code = ends_check(r.cloth, times.until >= times.duration * (1 - 1e-9));
-  problem = instance::balance_problem(r.balance);
-  if (problem.empty()) problem = instance::energy_missing(drape_energy_unaccounted(r.cloth));
+  problem = instance::energy_problem(r.balance, r.cloth);
   if (!problem.empty()) code = fail(kFailedRun, problem);
   if (options.report) {
     const double limit = options.limit ? *options.limit / 100 : -1;

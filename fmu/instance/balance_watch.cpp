@@ -24,4 +24,9 @@ std::string balance_problem(const BalanceWatch& watch) {
   return energy_missing({watch.error, watch.largest, watch.time, kAllowed});
 }
 
+std::string energy_problem(const BalanceWatch& watch, drape_cloth* cloth) {
+  const std::string problem = balance_problem(watch);
+  return problem.empty() ? energy_missing(drape_energy_unaccounted(cloth)) : problem;
+}
+
 }  // namespace drape::instance

@@ -19,4 +19,7 @@ void balance_update(BalanceWatch& watch, const drape_outputs& outputs, double ti
 // A sentence where more than 1 % of the largest energy is unaccounted for; empty if not.
 std::string balance_problem(const BalanceWatch& watch);
 
+// The same, or else what the energy guard of the cloth says.
+std::string energy_problem(const BalanceWatch& watch, drape_cloth* cloth);
+
 }  // namespace drape::instance

@@ -175,8 +175,7 @@ void instance_read_outputs(Instance& instance, int needs) {
 void instance_terminate(Instance& instance) {
   for (const std::string& sentence : unfinished(instance.cloth))
     log_write(instance, DRAPE_OK, DRAPE_LOG_WARNING, sentence);
-  std::string missing = balance_problem(instance.balance);
-  if (missing.empty()) missing = energy_missing(drape_energy_unaccounted(instance.cloth));
+  const std::string missing = energy_problem(instance.balance, instance.cloth);
   if (!missing.empty()) log_write(instance, DRAPE_OK, DRAPE_LOG_WARNING, missing);
   instance.phase = Phase::kTerminated;
 }

@@ -11,8 +11,10 @@ constexpr double kMaxSteps = 9e15;  // of a master; whole numbers are exact up t
 
 // What an instance attaches to the bytes of a cloth.
 struct Attached {
-  double phase, stop_time, steps, read, derivatives_asked, history_read, history_length;
-  double balance_begun, balance_gravity, balance_largest, balance_error, balance_time;
+  double phase = double(unsigned(Phase::kStepComplete));
+  double stop_time = std::numeric_limits<double>::infinity();
+  double steps = 0, read = 0, derivatives_asked = 0, history_read = 0, history_length = 0;
+  double balance_begun = 0, balance_gravity = 0, balance_largest = 0, balance_error = 0, balance_time = 0;
 };
 
 void save_into(Instance& instance, Saved& saved) {
@@ -67,18 +69,7 @@ bool is_whole(double value, double max) { return value >= 0 && value <= max && v
 bool attached_read(const Instance& instance, Saved& saved) {
   std::size_t size = 0;
   const auto* bytes = static_cast<const unsigned char*>(drape_snapshot_attached(saved.cloth, &size));
-  Attached a{double(unsigned(Phase::kStepComplete)),
-             std::numeric_limits<double>::infinity(),
-             0,
-             0,
-             0,
-             0,
-             0,
-             0,
-             0,
-             0,
-             0,
-             0};
+  Attached a;
   if (size != 0 && size < sizeof a) return false;
   if (size != 0) std::memcpy(&a, bytes, sizeof a);
   const std::size_t rows = a.history_read != 0 ? instance.recorded.size() : 0;

@@ -19,6 +19,7 @@
 #include <algorithm>
 
 #include "contact/particle/contact_pass.h"
+#include "contact/particle/law_lanes.h"
 #include "simd/vector_lanes.h"
 
 namespace drape::contact {
@@ -54,12 +55,10 @@ struct ContactLanes {
   // m, by which the stop keeps the particle farther away.
   DRAPE_INLINE Normal normal(L distance, L sink, L w, L before, L penalty_scale) const {
     const L depth = contact_distance - distance, t = min(max(depth * inverse_blend, L(0.0)), L(1.0));
-    const L t2 = t * t, slope = t2 * fma(L(-2.0), t, L(3.0));
-    const L phi = fma(blend, t2 * t * fma(L(-0.5), t, L(1.0)), max(depth - blend, L(0.0)));
-    const L stored = kick * penalty_scale * omega2 * phi, drag = nu * slope;
+    const RampLanes<L> ramp(blend, depth, t);
+    const L stored = kick * penalty_scale * omega2 * ramp.phi, drag = nu * ramp.slope;
     const L after = (w + stored - drag * old_time * before) / fma(drag, new_time, L(1.0));
-    const L clearance = distance - (min_distance + sink);
-    const L expected = L(0.0) - clearance * select(ge(clearance, L(0.0)), stop_rate, push_rate);
+    const L expected = stop_velocity(distance - (min_distance + sink), stop_rate, push_rate);
     const L soft = max(after - w, L(0.0)), all = max(soft, expected - w);
     return {all, all - soft, stored};
   }

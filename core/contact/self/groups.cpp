@@ -107,14 +107,16 @@ bool made_for(const SelfGroups& all, const model::SelfState& self,
 
 // The present state of the nodes.
 void nodes_update(const System& system, const State& s, bool inertia_of_fit, SelfNodes& nodes) {
-  const Array *r[3] = {&s.x, &s.y, &s.z}, *v[3] = {&s.vx, &s.vy, &s.vz};
+  const double* const r[3] = {s.x.data(), s.y.data(), s.z.data()};
+  const double* const v[3] = {s.vx.data(), s.vy.data(), s.vz.data()};
   const bool scaled = inertia_of_fit && !s.inverse_mass_scale.empty();
   for (std::size_t k = 0; k < nodes.node.size(); ++k) {
     const std::size_t n = nodes.node[k];
     const double inverse = (scaled ? s.inverse_mass_scale[n] : 1) * system.inverse_mass[n];
     nodes.v[4 * k + 3] = nodes.fixed[k] ? 0 : inverse;
     nodes.pushed[k] = nodes.fixed[k] ? inverse : 0;
-    for (std::size_t c = 0; c < 3; ++c) nodes.r[4 * k + c] = (*r[c])[n], nodes.old[4 * k + c] = (*v[c])[n];
+    row_set(nodes.r, k, r, n);
+    row_set(nodes.old, k, v, n);
   }
 }
 

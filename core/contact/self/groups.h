@@ -42,6 +42,11 @@ struct SelfNodes {
   Array r, old, v;          // [nodes + 1] rows of four
 };
 
+// Sets the vector of a row from the fields x, y, z at a node.
+inline void row_set(Array& rows, std::size_t row, const double* const field[3], std::size_t node) {
+  for (std::size_t c = 0; c < 3; ++c) rows[4 * row + c] = field[c][node];
+}
+
 // What the fabrics of a pair say.
 struct SelfPairLaw {
   double stiffness;     // N/m, without the share

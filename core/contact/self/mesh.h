@@ -1,7 +1,5 @@
 // The surface of all cloth, for self-contact. core/README.md, section 8.
 #pragma once
-#include <algorithm>
-
 #include "model/system.h"
 
 namespace drape::contact {
@@ -13,14 +11,6 @@ model::SelfMesh self_mesh_make(const System& system, const State& start);
 
 // True for two cells so near along the cloth across a seam that they are excluded from contact.
 bool self_cells_sewn(const model::SelfMesh& mesh, const model::SelfCell& a, const model::SelfCell& b);
-
-// False for two elements of one lattice so near along the cloth that they are excluded from contact.
-inline bool self_apart(const model::SelfMesh& mesh, int lattice, const model::SelfBox& a,
-                       const model::SelfBox& b) {
-  const int columns = std::max(b.low[0] - a.high[0], a.low[0] - b.high[0]);
-  const int rows = std::max(b.low[1] - a.high[1], a.low[1] - b.high[1]);
-  return std::max(columns, rows) >= mesh.exclusion_cells[std::size_t(lattice)];
-}
 
 // The distance (m) of the middle surfaces at which two layers of cloth touch.
 inline double self_contact_distance(const System& system, int lattice_a, int lattice_b) {

@@ -68,6 +68,7 @@ struct NarrowPhase {
   const System& system;
   const Vec3* place;
   double reach, age;
+  bool schedules;  // the travel until pairs are examined again is kept
   SelfContactPairs& pairs;
 };
 
@@ -170,19 +171,18 @@ double point_narrow_phase(const NarrowPhase& l, const model::SelfPoint& point, s
 
 // Whether two edges may be nearer than kDeepCross of the contact distance: their lines may.
 bool may_be_deep(const NarrowPhase& l, const model::SelfCross& p) {
-  constexpr double kParallel = 1e-4;  // sin^2 of the angle, as for the closest points of lines
   const Vec3 e = l.place[p.node[1]] - l.place[p.node[0]], f = l.place[p.node[3]] - l.place[p.node[2]];
   const Vec3 n = cross(e, f);
   const double n2 = dot(n, n), apart = dot(l.place[p.node[0]] - l.place[p.node[2]], n);
   const double near = l.reach + kDeepCross * p.contact_distance;
-  return n2 > kParallel * dot(e, e) * dot(f, f) && apart * apart <= near * near * n2;
+  return n2 > math::kParallel * dot(e, e) * dot(f, f) && apart * apart <= near * near * n2;
 }
 
 // The travel (m) before which two edges, one of which cannot protrude, need not be examined again. It is
 // worth its time where it lasts for steps.
 double level_travel_of(const NarrowPhase& l, const model::SelfCross& p) {
   const double still = self_still_reach(l.system);
-  if (l.reach - still > kLevelWorth * l.system.self.contact_distance) return 0;
+  if (!l.schedules || l.reach - still > kLevelWorth * l.system.self.contact_distance) return 0;
   double level = 0;
   for (model::NodeIndex e : p.edge)
     if (!may_protrude(l, e)) level = std::max(level, level_travel(l, e));
@@ -278,10 +278,12 @@ void self_narrow_phase(const System& system, const State& s, double reach, SelfP
   points(r, pairs.block.data(), pairs.block.data() + pairs.block.size());
   places_copy(system.self, s, pairs.place);
   pairs.protrudes.assign(system.self.edge.size(), 0);
-  const NarrowPhase narrow_phase{system, pairs.place.data(), reach, s.self.age, pairs};
+  const NarrowPhase narrow_phase{system, pairs.place.data(), reach, s.self.age, schedule != nullptr, pairs};
   std::vector<std::pair<std::size_t, double>>& left = pairs.left;
   left.clear();
-  const auto set = [&](std::size_t k, double travel) { left.emplace_back(k, now + travel); };
+  const auto set = [&](std::size_t k, double travel) {
+    if (schedule) left.emplace_back(k, now + travel);
+  };
   points_examine(narrow_phase, *s.self.pairs, set);
   crosses_examine(narrow_phase, s.self, crosses_due, set);
   if (schedule) reschedule(left, *schedule);

@@ -9,6 +9,7 @@
 // changes (projected Gauss-Seidel; Jourdan, Alart, Jean 1998). Friction is warm-started with that of the last
 // step, so that cloth at rest does not creep.
 #pragma once
+#include "contact/particle/law_lanes.h"
 #include "contact/self/closest_lanes.h"
 #include "contact/self/groups.h"
 #include "simd/vector_lanes.h"
@@ -143,7 +144,7 @@ DRAPE_INLINE void lanes_begin(SelfLanes<L>& of) {
   const L clearance = of.get(g.distance) - L(kSelfMin) * contact_distance;
   of.set(g.mass, one / select(free, over, one));
   of.set(g.contact_distance, contact_distance);
-  of.set(g.expected, zero - clearance * select(ge(clearance, zero), L(c.stop_rate), L(c.push_rate)));
+  of.set(g.expected, stop_velocity(clearance, L(c.stop_rate), L(c.push_rate)));
   for (SelfGroup::Lanes* result : {&g.normal, &g.stored, &g.stop, &g.slides, &g.given}) of.set(*result, zero);
   of.set(g.yield, one);
 }
@@ -158,11 +159,10 @@ DRAPE_INLINE L normal_begin(SelfLanes<L>& of) {
   if (!any(touches)) return L(0.0);
   g.touches = g.presses = true;
   const L blend = L(kSelfBlend) * max(contact_distance, L(1e-300));
-  const L t = min(max(depth / blend, L(0.0)), L(1.0)), t2 = t * t;
-  const L phi = fma(blend, t2 * t * fma(L(-0.5), t, L(1.0)), max(depth - blend, L(0.0)));
+  const RampLanes<L> ramp(blend, depth, min(max(depth / blend, L(0.0)), L(1.0)));
   const L over = L(1.0) / of.get(g.mass), stiffness = of.get(g.stiffness);
-  const L stored = select(touches, L(c.kick) * stiffness * phi, L(0.0));
-  const L resist = L(2 * kSelfDamping) * sqrt(stiffness * over) * t2 * fma(L(-2.0), t, L(3.0));
+  const L stored = select(touches, L(c.kick) * stiffness * ramp.phi, L(0.0));
+  const L resist = L(2 * kSelfDamping) * sqrt(stiffness * over) * ramp.slope;
   const simd::Vec<L> n = of.get3(g.n);
   simd::Vec<L> old[4];
   for (int k = 0; k < 4; ++k) old[k] = of.gathered(of.pass.old, k);

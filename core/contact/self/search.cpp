@@ -100,7 +100,10 @@ struct Search {
 // Whether two elements are far enough from each other along the cloth to touch.
 bool apart(const model::SelfMesh& mesh, const model::SelfCell& a, const model::SelfBox& of,
            const model::SelfCell& b, const model::SelfBox& on) {
-  return a.lattice != b.lattice || self_apart(mesh, a.lattice, of, on);
+  if (a.lattice != b.lattice) return true;
+  const int columns = std::max(on.low[0] - of.high[0], of.low[0] - on.high[0]);
+  const int rows = std::max(on.low[1] - of.high[1], of.low[1] - on.high[1]);
+  return std::max(columns, rows) >= mesh.exclusion_cells[std::size_t(a.lattice)];
 }
 
 model::SelfBox box_of(const model::SelfCell& cell) { return {{cell.i, cell.j}, {cell.i + 1, cell.j + 1}}; }
@@ -247,7 +250,7 @@ std::vector<SelfCut> self_cuts(const model::SelfMesh& mesh, const State& s) {
       const Vec3 p = place(s, e.node[0]), q = place(s, e.node[1]), a = place(s, on.node[0]),
                  d = place(s, on.node[3]);
       if (goes_through(p, q, a, place(s, on.node[1]), d) || goes_through(p, q, a, d, place(s, on.node[2])))
-        cuts.push_back({of.lattice, on.lattice, 0.5 * (p + q)});
+        cuts.push_back({{of.lattice, on.lattice}, 0.5 * (p + q)});
     }
   };
   each_pair(mesh, s, 0, [&](const model::SelfCell& a, const model::SelfCell& b) {

@@ -91,21 +91,20 @@ void holds_set(double kick, const std::vector<SelfContactPair>& pairs, const Sel
 }
 
 // Gives fixed nodes the velocities of a field and what the pairs add to them: their pins report it.
-void fixed_nodes_push(const SelfContactKernel& kernel, const SelfContactPass& pass, const model::Field& from,
-                      SelfNodes& nodes) {
+void fixed_nodes_push(const SelfContactKernel& kernel, const SelfContactPass& pass,
+                      const double* const field[3], SelfNodes& nodes) {
   if (std::none_of(nodes.fixed.begin(), nodes.fixed.end(), [](char is) { return is; })) return;
-  const double* field[3] = {from.x, from.y, from.z};
   for (std::size_t k = 0; k < nodes.node.size(); ++k)
-    for (std::size_t c = 0; nodes.fixed[k] && c < 3; ++c) nodes.v[4 * k + c] = field[c][nodes.node[k]];
+    if (nodes.fixed[k]) row_set(nodes.v, k, field, nodes.node[k]);
   kernel.push_fixed(pass);
 }
 
-// Sets the free velocities of the nodes from a field. Those of fixed nodes are `of_fixed`, or 0.
-void velocities_set(const model::Field& from, const double* of_fixed, SelfNodes& nodes) {
-  const double* field[3] = {from.x, from.y, from.z};
-  for (std::size_t c = 0; c < 3; ++c)
-    for (std::size_t k = 0; k < nodes.node.size(); ++k)
-      nodes.v[4 * k + c] = !nodes.fixed[k] ? field[c][nodes.node[k]] : of_fixed ? of_fixed[4 * k + c] : 0;
+// Sets the free velocities of the nodes from a field. Those of fixed nodes are the old ones, or 0.
+void velocities_set(const double* const field[3], bool fixed_keep, SelfNodes& nodes) {
+  for (std::size_t k = 0; k < nodes.node.size(); ++k)
+    if (!nodes.fixed[k]) row_set(nodes.v, k, field, nodes.node[k]);
+    else
+      for (std::size_t c = 4 * k; c < 4 * k + 3; ++c) nodes.v[c] = fixed_keep ? nodes.old[c] : 0;
 }
 
 }  // namespace
@@ -184,17 +183,17 @@ void self_apply(const System& system, const SelfContactKernel& kernel, SelfConta
     return;
   }
   SelfGroups& all = workspace.groups;
-  const model::Field v{s.vx.data(), s.vy.data(), s.vz.data()};
+  double* const v[3] = {s.vx.data(), s.vy.data(), s.vz.data()};
   workspace.c = coefficients_of(system, s, scheme);
-  velocities_set(v, all.node.old.data(), all.node);
+  velocities_set(v, true, all.node);
   const SelfContactPass pass = self_pass(workspace.c, all);
   respond(kernel, pass, kConverged, kSweeps);
   fixed_nodes_push(kernel, pass, v, all.node);
-  Array *x[3] = {&s.x, &s.y, &s.z}, *to[3] = {&s.vx, &s.vy, &s.vz};
-  for (std::size_t c = 0; c < 3; ++c)
-    for (std::size_t k = 0; k < all.node.node.size(); ++k) {
-      double& velocity = (*to[c])[all.node.node[k]];
-      (*x[c])[all.node.node[k]] += scheme.drift * (all.node.v[4 * k + c] - velocity);
+  double* const x[3] = {s.x.data(), s.y.data(), s.z.data()};
+  for (std::size_t k = 0; k < all.node.node.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c) {
+      double& velocity = v[c][all.node.node[k]];
+      x[c][all.node.node[k]] += scheme.drift * (all.node.v[4 * k + c] - velocity);
       velocity = all.node.v[4 * k + c];
     }
   holds_set(workspace.c.kick, workspace.touches.pair, all, s.self);
@@ -213,8 +212,7 @@ double self_parting_work(const System& system, const SelfContactWorkspace& works
 double self_work(const SelfContactKernel& kernel, SelfContactWorkspace& workspace, const double* const v[3]) {
   if (workspace.touches.pair.empty()) return 0;
   SelfNodes& nodes = workspace.groups.node;
-  for (std::size_t c = 0; c < 3; ++c)
-    for (std::size_t k = 0; k < nodes.node.size(); ++k) nodes.v[4 * k + c] = v[c][nodes.node[k]];
+  for (std::size_t k = 0; k < nodes.node.size(); ++k) row_set(nodes.v, k, v, nodes.node[k]);
   return workspace.c.impulse * kernel.dissipated(self_pass(workspace.c, workspace.groups));
 }
 
@@ -232,13 +230,13 @@ void self_synchronous(const System& system, const SelfContactKernel& kernel, Sel
   self_group(system, s, false, workspace.touches.pair, all);
   workspace.c = coefficients_of(system, s, pass.scheme);
   const bool kicks = pass.scheme.pass == model::Pass::kSynchronous;
-  velocities_set(pass.field, kicks ? all.node.old.data() : nullptr, all.node);
+  double* const field[3] = {pass.field.x, pass.field.y, pass.field.z};
+  velocities_set(field, kicks, all.node);
   const SelfContactPass groups = self_pass(workspace.c, all);
   respond(kernel, groups, kicks ? kConverged : kConvergedRest, kicks ? kSweeps : kSweepsRest);
-  fixed_nodes_push(kernel, groups, pass.field, all.node);
-  double* field[3] = {pass.field.x, pass.field.y, pass.field.z};
-  for (std::size_t c = 0; c < 3; ++c)
-    for (std::size_t k = 0; k < all.node.node.size(); ++k) field[c][all.node.node[k]] = all.node.v[4 * k + c];
+  fixed_nodes_push(kernel, groups, field, all.node);
+  for (std::size_t k = 0; k < all.node.node.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c) field[c][all.node.node[k]] = all.node.v[4 * k + c];
 }
 
 namespace {

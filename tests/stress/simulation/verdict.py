@@ -81,9 +81,9 @@ def judge(code, hung, text, rows):
     elif code == 2 and len(told) == 1 and UNACCOUNTED in told[0] and v.error > MISSING:
         v.outcome, v.sentence = MISSED, told[0]
     elif code != 0:
-        count = len(told) if code == 1 else 1  # a refused scene has a sentence for each problem
-        explained = code in (1, 2) and told and len(told) == count and all(len(line) > len("error: ") + 10 for line in told)
-        v.outcome = STOPPED if explained else UNEXPLAINED
+        expected = told if code == 1 else told[:1]  # a refused scene has a sentence for each problem
+        said = told and told == expected and all(len(line) > len("error: ") + 10 for line in told)
+        v.outcome = STOPPED if code in (1, 2) and said else UNEXPLAINED
         v.sentence = told[0] if told else f"exit code {code}: {text.strip()[-200:]}"
     elif len(rows) < 2:
         v.outcome, v.sentence = UNEXPLAINED, "exit code 0, but fewer than two rows"
