@@ -57,16 +57,18 @@ void cloth_assemble(drape_cloth& c, std::vector<Problem>& problems) {
 }
 
 // The first particle whose values are not finite.
+// "piece 'sheet', column 5, row 4"
+std::string node_place(const drape_cloth& c, std::size_t node) {
+  const model::Lattice& l = model::system_lattice_of(c.system, node);
+  const auto [column, row] = l.place_of(node);
+  return "piece '" + c.scene.pieces[std::size_t(l.piece)].name + "', column " + std::to_string(column + 1) +
+         ", row " + std::to_string(row + 1);
+}
+
 std::string failure_place(const drape_cloth& c) {
   const State& s = c.state;
-  for (const model::Lattice& l : c.system.lattices)
-    for (std::size_t n : c.system.particle) {
-      if (!l.owns(n)) continue;
-      if (std::isfinite(s.x[n] + s.y[n] + s.z[n]) && std::isfinite(s.vx[n] + s.vy[n] + s.vz[n])) continue;
-      const auto [column, row] = l.place_of(n);
-      return "piece '" + c.scene.pieces[std::size_t(l.piece)].name + "', column " +
-             std::to_string(column + 1) + ", row " + std::to_string(row + 1);
-    }
+  for (std::size_t n : c.system.particle)
+    if (!std::isfinite(s.x[n] + s.y[n] + s.z[n] + s.vx[n] + s.vy[n] + s.vz[n])) return node_place(c, n);
   return "no particle";
 }
 
@@ -97,11 +99,11 @@ void log_failure(const drape_cloth& c, dynamics::Advance how, double length) {
   }
   const double limit = dynamics::step_limit_of(c.system, c.state.omega2);
   if (how == dynamics::Advance::kTooManySteps) {
+    const bool contact = dynamics::step_set_by_contact(c.system, c.state);
     log_message(c, DRAPE_LOG_ERROR,
-                when + " the step limit fell to " + number(limit) + " s, more than " +
-                    number(double(dynamics::kMaxStepsPerInterval)) +
-                    " steps in a communication interval, set by the " +
-                    dynamics::step_limit_link(c.system, c.scene, c.state, c.state.h_old) +
+                when + " the largest step fell to " + number(contact ? c.state.max_contact_step : limit) +
+                    " s, more than " + number(double(dynamics::kMaxStepsPerInterval)) +
+                    " steps in a communication interval, set by the " + step_setter(c, c.state.h_old) +
                     "; loads or strains grew beyond what the fabric's laws can carry; the state is that of " +
                     number(from, 9) + " s");
     return;
@@ -114,6 +116,15 @@ void log_failure(const drape_cloth& c, dynamics::Advance how, double length) {
 }
 
 }  // namespace
+
+std::string step_setter(const drape_cloth& c, double ahead) {
+  if (!dynamics::step_set_by_contact(c.system, c.state))
+    return dynamics::step_limit_link(c.system, c.scene, c.state, ahead);
+  const contact::MaxStep least = contact::max_step_setter(c.system, c.state);
+  return "node of " + node_place(c, least.node) + ", which body '" + c.scene.bodies[least.body].name +
+         "' approaches at up to " + number(least.speed, 3) + " m/s";
+}
+
 }  // namespace drape::api
 
 using namespace drape;

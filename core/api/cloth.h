@@ -75,6 +75,10 @@ std::string number(double value, int digits = 6);
 // step is above it, or an interval takes more than kMaxStepsPerInterval steps.
 void step_check(const drape_cloth& cloth, std::vector<Problem>& problems);
 
+// What sets the automatic step, in words: a link, or a node that moves fast near a body. `ahead` as in
+// step_limit_link.
+std::string step_setter(const drape_cloth& cloth, double ahead);
+
 // Fills the pieces for drape_piece_at.
 void pieces_describe(drape_cloth& cloth);
 

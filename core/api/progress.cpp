@@ -1,6 +1,5 @@
 // How far an advance has come. What this reads are the state and constants, never the workspace of the step.
 #include "api/cloth.h"
-#include "dynamics/step_size/step_limit.h"
 #include "math/plain_environment.h"
 #include "math/vector3.h"
 #include "model/seam_rows.h"
@@ -30,7 +29,7 @@ void drape_on_interval(drape_cloth* c, drape_interval_fn* call, void* user) {
 
 drape_progress drape_progress_of(drape_cloth* c) {
   const math::PlainEnvironment plain;
-  c->limit_link = c->system.fit ? "" : dynamics::step_limit_link(c->system, c->scene, c->state);
+  c->limit_link = c->system.fit ? "" : step_setter(*c, 0);
   drape_progress now{};
   now.time = model::state_time(c->state, c->system.communication);
   now.step_size = c->system.communication / double(c->state.steps_per_interval);

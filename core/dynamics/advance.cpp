@@ -310,6 +310,10 @@ void interval_open(Motion& motion, State& s, double intervals, const IntervalBeg
 
 }  // namespace
 
+bool step_set_by_contact(const System& system, const State& s) {
+  return s.max_contact_step <= step_now(system, s);
+}
+
 double leapfrog_steps(const System& system, double omega2) {
   return system.communication / step_allowed(system, omega2, {});
 }

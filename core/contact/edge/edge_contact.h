@@ -2,6 +2,7 @@
 // section 7.
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -12,6 +13,15 @@
 #include "model/system.h"
 
 namespace drape::contact {
+
+// The longest step (s) that a node near a body may take, and how fast (m/s) they may approach each other.
+struct MaxStep {
+  double step = INFINITY, speed = 0;
+  std::size_t body = 0, node = 0;
+};
+inline void max_step_include(MaxStep& least, const MaxStep& other) {
+  if (other.step < least.step) least = other;
+}
 
 // A cloth element and a sharp feature of a body that touch, or may, at t_n.
 struct EdgeContactPair {
@@ -70,7 +80,7 @@ double edge_record_sides(const System& system, EdgeScratch& scratch, State& stat
 
 // The longest step (s) in which nodes near a sharp feature move by no more than a quarter of the contact
 // distance.
-double edge_max_step(const System& system, const State& state);
+MaxStep edge_max_step(const System& system, const State& state);
 
 // Before a step: finds the pairs at t_n and stores their velocities. Returns the energy (J) that penalties
 // have lost since the last step otherwise than by work: as their share fell, or as pairs opened.

@@ -234,13 +234,15 @@ void edge_stick(const System& system, State& s) {
   }
 }
 
-double edge_max_step(const System& system, const State& s) {
-  double longest = INFINITY;
+MaxStep edge_max_step(const System& system, const State& s) {
+  MaxStep least;
   for (std::size_t b = 0; b < s.body.size(); ++b)
-    for (std::uint32_t n : s.body[b].edges.node)
-      longest = std::min(longest, kMaxTravel * model::system_lattice_of(system, n).contact_law.distance /
-                                      speed_of(system, s, b, n));
-  return longest;
+    for (std::uint32_t n : s.body[b].edges.node) {
+      const double speed = speed_of(system, s, b, n);
+      max_step_include(least, {kMaxTravel * model::system_lattice_of(system, n).contact_law.distance / speed,
+                               speed, b, n});
+    }
+  return least;
 }
 
 }  // namespace drape::contact

@@ -105,6 +105,9 @@ ContactWork contact_work(const ContactWorkspace& workspace, const State& state, 
 // The longest step (s) in which no particle leaves the region that its neighbours were searched in.
 double max_step(const System& system, const State& state);
 
+// The same, with the node that it is for.
+MaxStep max_step_setter(const System& system, const State& state);
+
 bool any_near(const State& state);  // a particle is near a body, or a link near a sharp feature
 
 // What contact adds to omega^2 of a lattice, 1/s^2.

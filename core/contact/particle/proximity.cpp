@@ -123,7 +123,20 @@ double max_step(const System& system, const State& s) {
     }
     longest = std::min(longest, std::sqrt(smallest2));
   }
-  return std::min(longest, edge_max_step(system, s));
+  return std::min(longest, edge_max_step(system, s).step);
+}
+
+MaxStep max_step_setter(const System& system, const State& s) {
+  MaxStep least;
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const StepBound bound = step_bound(system, s, b);
+    for (std::size_t n : system.particle) {
+      const double speed = std::sqrt(speed2_of(s, n)) + bound.body_speed;
+      max_step_include(least, {std::sqrt(free_travel2_of(bound, s.body[b], n)) / speed, speed, b, n});
+    }
+  }
+  max_step_include(least, edge_max_step(system, s));
+  return least;
 }
 
 }  // namespace drape::contact

@@ -338,7 +338,7 @@ double drape_step_limit(drape_cloth*, const char** set_by);
 typedef struct drape_progress {
   double time;        /* s */
   double step_size;   /* s, present time step */
-  const char* set_by; /* the link that sets the step limit; "" in a fit, whose step stays */
+  const char* set_by; /* the link, or node near a body, that sets the step; "" in a fit, whose step stays */
   double residual;    /* 1, of a fit, as last computed; 0 before */
   int seams_open;     /* seams that have been told to close and have not closed */
 } drape_progress;

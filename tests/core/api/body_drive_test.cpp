@@ -18,7 +18,8 @@ double place_at(double t) { return t < kTime ? kSpeed * t * t / (2 * kTime) : kS
 double speed_at(double t) { return t < kTime ? kSpeed * t / kTime : kSpeed; }
 
 // Cloth of 0.1 m x 0.1 m lies on a belt with a coefficient of friction of 0.8; body_keys are the belt's.
-Cloth open_ride(const SceneFolder& folder, Logged& told, const std::string& body_keys) {
+Cloth open_ride(const SceneFolder& folder, Logged& told, const std::string& body_keys,
+                const std::string& scene_keys = "") {
   std::string mesh;
   for (const char* p : {"-0.2 -0.2 -0.05", "0.6 -0.2 -0.05", "0.6 0.2 -0.05", "-0.2 0.2 -0.05", "-0.2 -0.2 0",
                         "0.6 -0.2 0", "0.6 0.2 0", "-0.2 0.2 0"})
@@ -29,6 +30,7 @@ Cloth open_ride(const SceneFolder& folder, Logged& told, const std::string& body
                               .write("scene.toml", R"(
 [scene]
 name = "ride"
+)" + scene_keys + R"(
 [fabric.f]
 areal_density = 0.2
 thickness = 0.0005
@@ -106,6 +108,21 @@ TEST(BodyDrive, ReportsOnceThatPositionsAndVelocitiesContradictEachOther) {
   ASSERT_EQ(told.warnings.size(), 1u);
   EXPECT_NE(told.warnings[0].find("body.belt: its positions move it at"), std::string::npos);
   EXPECT_NE(told.warnings[0].find("its velocities at 0 m/s"), std::string::npos) << told.warnings[0];
+}
+
+// At 10 km/s a step of a second's millionth is too long; the error names what it is for.
+TEST(BodyDrive, ThatNoStepCanFollowIsNamed) {
+  const SceneFolder folder;
+  Logged told;
+  const Cloth c = open_ride(folder, told, "drive = \"velocity\"\n", "communication = 1");
+  drape_inputs_of(c.get())->body[0].velocity[0] = 1e4;
+  EXPECT_EQ(drape_advance(c.get(), 1), DRAPE_ERROR);
+  ASSERT_EQ(told.errors.size(), 1u);
+  EXPECT_NE(told.errors[0].find("steps in a communication interval, set by the node of piece 'p', column "),
+            std::string::npos)
+      << told.errors[0];
+  EXPECT_NE(told.errors[0].find(", which body 'belt' approaches at up to "), std::string::npos)
+      << told.errors[0];
 }
 
 // The belt turns about z by 0.02 rad in 10 ms: at 2 rad/s.

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "guard.h"
 #include "mutate.h"
 
 namespace drape::fuzz {
@@ -22,6 +23,7 @@ struct Reader {
   void (*run)(const std::filesystem::path& file, Outcome& outcome);
   // Makes further seeds; may be null.
   void (*seeds_make)(const std::filesystem::path& work, std::vector<std::string>& corpus) = nullptr;
+  int seconds = kFileSeconds;  // of processor time that a case may take
 };
 const std::vector<Reader>& readers();
 

@@ -4,7 +4,8 @@
 
 namespace drape::fuzz {
 
-// Processor time that one case may take, s. An interval of the FMI may take a million steps, by its contract.
+// Processor time that one case may take, s: where it reads only, and where it advances cloth. An interval may
+// take a million steps.
 inline constexpr int kFileSeconds = 10, kSequenceSeconds = 120;
 
 // Installs the limits. Once per process.

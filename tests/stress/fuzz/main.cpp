@@ -102,7 +102,7 @@ struct Clock {
 void file_replay(const Reader& reader, const Options& options) {
   const fs::path file = options.work / "files" / reader.file;
   fs::copy_file(options.file, file, fs::copy_options::overwrite_existing);
-  guard_case(options.file, kFileSeconds);
+  guard_case(options.file, reader.seconds);
   const Outcome outcome = outcome_of([&](Outcome& o) { reader.run(file, o); });
   guard_case("");
   for (const std::string& sentence : outcome.sentences) std::printf("%s\n", sentence.c_str());
@@ -128,7 +128,7 @@ Tally files_fuzz(const Reader& reader, const Options& options) {
                              std::to_string(tally.cases) + ", " + file.string();
     const std::string bytes = mutate(random, corpus, reader.form);
     std::ofstream(file, std::ios::binary) << bytes;
-    guard_case(name, kFileSeconds);
+    guard_case(name, reader.seconds);
     const Outcome outcome = outcome_of([&](Outcome& o) { reader.run(file, o); });
     if (tally.cases % 1000 == 999) leaks_check(name, tally);
     guard_case("");
@@ -209,7 +209,7 @@ Options options_read(int count, char** arguments) {
     if (kind == "all") kinds.push_back("fmi");
     if (kind != "all" && kind != "files") kinds.push_back(kind);
   }
-  options.kinds = kinds;
+  options.kinds = std::move(kinds);
   return options;
 }
 

@@ -193,7 +193,7 @@ const std::vector<Reader>& readers() {
        {"examples/imported", "tests/stress/fuzz/seeds/pattern"},
        pattern_run},
       {"inputs", Form::kText, "inputs.csv", {"tests/stress/fuzz/seeds/inputs"}, inputs_run},
-      {"state", Form::kBinary, "saved.state", {}, state_run, states_corpus},
+      {"state", Form::kBinary, "saved.state", {}, state_run, states_corpus, kSequenceSeconds},
   };
   return all;
 }
