@@ -43,12 +43,13 @@ double jaw_factor(double r) { return r * (r - 1.25) / ((r - 1) * (r - 1)); }
 //   g(L) + g(|e2|) l1/l2 = P(L),   l1 = 1 + L,   l2 = sqrt(2 - l1^2),   e2 = l2 - 1
 //
 // at every point L of the diagram. The unknowns are the values g at the points; between them g is the curve
-// through them. The fixed-point iteration adds half of the residual. Near 0 the left side is 2 g, so it
-// converges there in one sweep; at 7 % of elongation each sweep reduces the error to about 1/3.
+// through them. The fixed-point iteration adds a share of the residual. Near 0 the left side is 2 g, so it
+// converges there in one sweep with a half; at 7 % of elongation each sweep reduces the error to about 1/3.
+// Diagrams of many points may need a smaller share.
 //
 // A law never decreases. After a slack toe the short diagonal alone would exceed P; there g stays constant.
-math::Curve odd_law(std::vector<double> e, const std::vector<double>& p, bool& converged) {
-  e = below_locking(std::move(e));
+math::Curve odd_law_iterate(const std::vector<double>& e, const std::vector<double>& p, double share,
+                            bool& converged) {
   const std::size_t n = e.size();
   std::vector<double> g(n), next(n, 0.0);
   for (std::size_t i = 0; i < n; ++i) g[i] = p[i] / 2;
@@ -60,13 +61,24 @@ math::Curve odd_law(std::vector<double> e, const std::vector<double>& p, bool& c
     double change = 0;
     for (std::size_t i = 1; i < n; ++i) {
       const double l1 = 1 + e[i], l2 = std::sqrt(2 - l1 * l1);
-      next[i] = std::max(next[i - 1], g[i] + (p[i] - g[i] - math::curve_value(curve, 1 - l2) * l1 / l2) / 2);
+      next[i] =
+          std::max(next[i - 1], g[i] + share * (p[i] - g[i] - math::curve_value(curve, 1 - l2) * l1 / l2));
       change = std::max(change, std::abs(next[i] - g[i]));
     }
     g = next;
     curve = math::curve_make(e, g, odd);
     converged = change <= 1e-14 * p[n - 1];
   }
+  return curve;
+}
+
+constexpr double kSmallestShare = 1.0 / 32;
+
+math::Curve odd_law(std::vector<double> e, const std::vector<double>& p, bool& converged) {
+  e = below_locking(std::move(e));
+  math::Curve curve = odd_law_iterate(e, p, 0.5, converged);
+  for (double share = 0.25; !converged && share >= kSmallestShare; share /= 2)
+    curve = odd_law_iterate(e, p, share, converged);
   return curve;
 }
 

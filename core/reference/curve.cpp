@@ -19,6 +19,7 @@ namespace {
 constexpr double kLockingGap = 1e-6;       // smallest distance of a stretch from sqrt(2)
 constexpr double kSweepConverged = 1e-14;  // relative to the last force
 constexpr int kSweepLimit = 10000;
+constexpr double kSmallestWeight = 0.02;  // of the residual, in a sweep
 
 double secant(const Curve& c, std::size_t i) { return (c.f[i + 1] - c.f[i]) / (c.e[i + 1] - c.e[i]); }
 
@@ -128,20 +129,22 @@ Curve odd_law(const std::vector<double>& e, const std::vector<double>& P) {
   const std::size_t points = kept.size();
   if (points < 2)
     throw std::runtime_error("odd bias law: no point of the diagram lies below 41.4 % elongation");
-  std::vector<double> g(points);
-  for (std::size_t i = 0; i < points; ++i) g[i] = P[i] / 2;
-  for (int sweep = 0; sweep < kSweepLimit; ++sweep) {
-    const Curve old = curve_make(kept, g, Below::kOdd);
-    double change = 0;
-    for (std::size_t i = 1; i < points; ++i) {
-      const double l1 = 1 + kept[i], l2 = std::sqrt(2 - l1 * l1);
-      const double half = (P[i] - g[i] - curve_value(old, std::abs(l2 - 1)) * l1 / l2) / 2;
-      const double risen = std::max(g[i] + half, g[i - 1]);
-      change = std::max(change, std::abs(risen - g[i]));
-      g[i] = risen;
+  for (double weight = 0.5; weight > kSmallestWeight; weight /= 2) {
+    std::vector<double> g(points);
+    for (std::size_t i = 0; i < points; ++i) g[i] = P[i] / 2;
+    for (int sweep = 0; sweep < kSweepLimit; ++sweep) {
+      const Curve old = curve_make(kept, g, Below::kOdd);
+      double change = 0;
+      for (std::size_t i = 1; i < points; ++i) {
+        const double l1 = 1 + kept[i], l2 = std::sqrt(2 - l1 * l1);
+        const double rest = P[i] - g[i] - curve_value(old, std::abs(l2 - 1)) * l1 / l2;
+        const double risen = std::max(g[i] + weight * rest, g[i - 1]);
+        change = std::max(change, std::abs(risen - g[i]));
+        g[i] = risen;
+      }
+      if (change <= kSweepConverged * P[points - 1]) return curve_make(kept, g, Below::kOdd);
+      if (!std::isfinite(change)) break;
     }
-    if (change <= kSweepConverged * P[points - 1]) return curve_make(kept, g, Below::kOdd);
-    if (!std::isfinite(change)) break;
   }
   throw std::runtime_error("odd bias law: the sweep for g(L) + g(|e2|) l1/l2 = P(L) does not come to rest");
 }

@@ -177,6 +177,12 @@ TEST(ReferenceOddLaw, SolvesItsEquation) {
   }
 }
 
+// Near locking g(|e2|) l1/l2 exceeds g(L) several times. Adding half of the residual, the sweeps diverge.
+TEST(ReferenceOddLaw, SolvesItsEquationNearLocking) {
+  const std::vector<double> P{0, 10, 40};
+  EXPECT_LE(odd_residual(odd_law({0, 0.2, 0.4}, P), P), 1e-12);
+}
+
 // One point: g is straight, g(|e2|) = g |e2|/L, so g = P/(1 + |e2| l1/(L l2)).
 TEST(ReferenceOddLaw, StraightDiagramHasAClosedForm) {
   const double L = 0.1, P = 50, l1 = 1 + L, l2 = std::sqrt(2 - l1 * l1);
@@ -205,7 +211,6 @@ TEST(ReferenceOddLaw, DoesNotFallBehindASlackToe) {
 
 TEST(ReferenceOddLaw, ReportsWhenItHasNoAnswer) {
   EXPECT_THROW(odd_law({0, 0.5}, {0, 40}), std::runtime_error);
-  EXPECT_THROW(odd_law({0, 0.2, 0.4}, {0, 10, 40}), std::runtime_error);
 }
 
 }  // namespace
