@@ -7,7 +7,7 @@
 
 #include "dynamics/energy_guard.h"
 #include "dynamics/relaxation.h"
-#include "dynamics/step_size/step_limit.h"
+#include "dynamics/step_size/automatic_step.h"
 #include "math/plain_environment.h"
 #include "math/vector3.h"
 #include "model/kinetic_energy.h"
@@ -17,9 +17,6 @@ namespace {
 
 using namespace math::vector3;
 
-constexpr int kLimitCheckLongest = 32;  // steps between two checks of the step limit, at most
-constexpr double kMeanSteps = 256;      // over which the energy defect is averaged
-constexpr int kLimitCheckGiven = 8;     // where the scene gives the step
 // The step may grow where neither so many intervals nor so many steps needed it as it is; by a tenth or more.
 constexpr std::int64_t kIntervalsBeforeGrowth = 50, kStepsBeforeGrowth = 20000;
 constexpr double kLeastGrowth = 0.1;
@@ -35,82 +32,11 @@ void rates_begin(const System& system, State& s) {
   s.wz = rates ? s.vz : none;
 }
 
-std::int64_t steps_for(double length, double h_max) {
-  const double n = std::ceil(length / h_max * (1 - 1e-12));
-  constexpr double kMax = 1e16;  // more than 1e9 intervals of kMaxStepsPerInterval steps; also for NaN
-  return n < 1 ? 1 : std::int64_t(n < kMax ? n : kMax);
-}
-
-// The largest step allowed at an omega^2 and a motion.
-double step_allowed(const System& system, double omega2, const MotionBound& motion) {
-  if (system.step_given > 0) return std::min(system.step_given, system.step_max);
-  return std::min(step_automatic(system, omega2, motion), system.step_max);
-}
-
-MotionBound motion_bound(const State& s) {
-  return {s.mean_defect > 0 ? s.mean_defect / s.mean_kinetic : 0, s.flutter};
-}
-
-// The same with what is near the cloth at present.
-double step_near(const System& system, const State& s, double omega2, const MotionBound& motion) {
-  const double refined = system.step_given > 0 ? 1 : s.guard.refinement;
-  return std::min(step_allowed(system, omega2, motion) / refined, s.max_contact_step);
-}
-
-double step_now(const System& system, const State& s) {
-  return step_near(system, s, s.omega2, motion_bound(s));
-}
-
-// Updates how the motion bounds the step, by the last step (h > 0) or by the next (h < 0) at the present
-// velocities. `weight`: of the new values in the running means. Pins and bodies that move may jolt the cloth
-// at any time.
-void motion_update(const System& system, const Motion& motion, double h, double weight, State& s) {
-  const StepDefect defect = step_defect(system, *motion.kernel, s, h);
-  const double kinetic = model::kinetic_energy(system, s);
-  s.flutter = defect.omega2 / std::abs(h);
-  if (path_moves(motion.path)) s.flutter = std::max(s.flutter, flutter_unknown(system, s.omega2));
-  s.mean_defect += weight * (defect.energy / std::pow(std::abs(h), 3) - s.mean_defect);
-  s.mean_kinetic += weight * (kinetic - s.mean_kinetic);
-  if (h > 0) guard_damped(system, s, kinetic);
-}
-
-// The largest omega^2 and motion of all checks since the number of steps last changed; from the present ones.
-void largest_begin(State& s) {
-  s.max_omega2 = s.omega2;
-  s.max_drift = motion_bound(s).drift;
-  s.max_flutter = s.flutter;
-}
-void largest_update(State& s) {
-  s.max_omega2 = std::max(s.max_omega2, s.omega2);
-  s.max_drift = std::max(s.max_drift, motion_bound(s).drift);
-  s.max_flutter = std::max(s.max_flutter, s.flutter);
-}
-
 bool all_finite(const System& system, const State& s) {
   double sum = 0;
   for (std::size_t n : system.particle)
     sum += 0 * (s.x[n] + s.y[n] + s.z[n]) + 0 * (s.vx[n] + s.vy[n] + s.vz[n]);
   return sum == 0;
-}
-
-// Checks the step limit along the present velocities up to the next check. A check over many steps that finds
-// the step too large is repeated over fewer: in vibrating cloth velocities reverse long before.
-void check_step_limit(const System& system, const Motion& motion, State& s, double h) {
-  if (system.step_given > 0) {
-    if (system.damping > 0) guard_damped(system, s, model::kinetic_energy(system, s));
-    s.omega2 = step_limit_omega2(system, *motion.kernel, s);
-    s.steps_to_limit_check = kLimitCheckGiven;
-    return;
-  }
-  s.max_contact_step = contact::max_step(system, s);
-  motion_update(system, motion, h, std::min(1.0, s.limit_check_period / kMeanSteps), s);
-  for (;; s.limit_check_period = std::max(s.limit_check_period / 4, 1)) {
-    s.omega2 = step_limit_omega2(system, *motion.kernel, s, s.limit_check_period * h);
-    if (h <= step_now(system, s) || s.limit_check_period == 1) break;
-  }
-  largest_update(s);
-  s.steps_to_limit_check = s.limit_check_period;
-  s.limit_check_period = std::min(2 * s.limit_check_period, kLimitCheckLongest);
 }
 
 void describe_step(std::string& event, const char* verb, double time, double h, const State& s) {
@@ -127,8 +53,7 @@ void steps_relax(const System& system, State& s, std::string& event) {
       since >= kIntervalsBeforeGrowth || double(since) * double(s.steps_per_interval) >= kStepsBeforeGrowth;
   if (since == 0 || !long_enough || system.fit) return;
   const double q = system.communication;
-  const std::int64_t expected =
-      steps_for(q, step_near(system, s, s.max_omega2, {s.max_drift, s.max_flutter}));
+  const std::int64_t expected = steps_for(q, step_needed(system, s));
   s.intervals_since_change = 0;
   largest_begin(s);
   if (double(expected) > (1 - kLeastGrowth) * double(s.steps_per_interval)) return;
@@ -159,6 +84,7 @@ Advance limit_check(const System& system, Motion& motion, State& s, Interval& in
     if (interval.h() * double(kMaxStepsPerInterval) < system.communication) return Advance::kTooManySteps;
     interval.steps *= 2;
     interval.done *= 2;
+    s.guard.period = 1;
     s.steps_per_interval = std::min(
         2 * s.steps_per_interval,
         std::max(s.steps_per_interval + 1, steps_for(system.communication, kMargin * step_now(system, s))));
@@ -196,7 +122,7 @@ Advance interval_watched(const System& system, Motion& motion, State& s, double 
   };
   const bool repeats = guard_watches(system, s) && system.step_given == 0 && steps() >= s.guard.period;
   if (repeats) motion.before = s;
-  const double refinement = s.guard.refinement, known = guard_missing(s);  // before the interval
+  const double refinement = s.guard.refinement, known = guard_excess(s);  // before the interval
   const std::string told = event;
   bool again = false;
   for (double failed = INFINITY;; again = true) {
@@ -206,7 +132,7 @@ Advance interval_watched(const System& system, Motion& motion, State& s, double 
     const Guard guard = fell ? Guard::kRepeat : guard_check(system, motion, s, length);
     if (guard == Guard::kLost) return Advance::kEnergyLost;
     if (guard == Guard::kKept || system.step_given > 0) return Advance::kDone;
-    const double missing = fell ? INFINITY : guard_missing(s) - known;
+    const double missing = fell ? INFINITY : guard_excess(s) - known;
     if (missing > kGuardHelps * failed) {
       event = told;
       guard_accept(s, refinement);
@@ -281,6 +207,7 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
         system.bodies[b].moves &&
         body_drive(system.bodies[b], s.body[b], motion.inputs.body[b]) == scene::Drive::kBoth;
   if (system.fit && path_moves(motion.path)) relaxation_resume(s);
+  if (!motion.path.pins.empty()) guard_advance(system, motion.path, s);
   const bool jumps = pins_jump(motion.path) && system.integrator == scene::Integrator::kLeapfrog;
   if (jumps) leapfrog_complete(system, motion, s);
   edge_half_kick_report(system, motion, s);
@@ -309,14 +236,6 @@ void interval_open(Motion& motion, State& s, double intervals, const IntervalBeg
 }
 
 }  // namespace
-
-bool step_set_by_contact(const System& system, const State& s) {
-  return s.max_contact_step <= step_now(system, s);
-}
-
-double leapfrog_steps(const System& system, double omega2) {
-  return system.communication / step_allowed(system, omega2, {});
-}
 
 Motion motion_make(const System& system) {
   Motion m;

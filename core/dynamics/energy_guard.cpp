@@ -23,9 +23,14 @@
 #include "model/kinetic_energy.h"
 
 namespace drape::dynamics {
+
+using namespace math::vector3;
+
 namespace {
 
-constexpr double kUntouched = 0.003;  // of the largest energy: what may be missing without more steps
+constexpr double kUntouched = 0.002;  // of the largest energy: what may be missing without more steps
+constexpr double kRipple = 0.003;     // of the largest energy: the ripple of T + U without more steps
+constexpr double kRippleOfTwice = 4;  // the ripple at twice the step, over that at the step
 constexpr double kGrowth = 0.001;     // of the largest energy, more than at the last refinement
 constexpr double kSameStep = 1e-6;    // relative change of the step that counts as none
 constexpr double kLost = 10;          // kGuardAllowed, where the run stops
@@ -104,8 +109,9 @@ StepEnergy motion_energy(const System& system, Motion& motion, State& s, const s
   return energy;
 }
 
-// Forces that pull seams shut belong to no energy. Under them m v-.v+/2 + U changes by their work alone in
-// linear cloth, and H does not. Every weld begins a new balance.
+// Forces that pull seams shut belong to no energy, and H changes by more than their work. What can be refined
+// is compared by T + U, as outputs show it. At a given step that would be too strict: there it is
+// m v-.v+/2 + U, which changes by their work alone in linear cloth. Every weld begins a new balance.
 bool is_pulled(const State& s) {
   return std::find(s.sewn.begin(), s.sewn.end(), model::Sewn::kPulled) != s.sewn.end();
 }
@@ -133,7 +139,7 @@ Sight look(const System& system, Motion& motion, State& s) {
   sight.energy = potential_energy(system, *motion.kernel, s);
   sight.energy.kinetic = model::kinetic_energy(system, motion.now_x, motion.now_y, motion.now_z);
   if (!system.composition && is_pulled(s)) {
-    sight.step.second = -kick;
+    if (system.step_given > 0) sight.step.second = -kick;
   } else if (!system.composition) {
     sight.step = motion_energy(system, motion, s, {motion.now_x, motion.now_y, motion.now_z}, h);
     sight.step.second -= kick / 3;
@@ -152,8 +158,7 @@ double energy_size(const drape_energy& e, const State& s) {
 double size_floor(const System& system) {
   double mass = 0, area = 0;
   for (std::size_t n : system.particle) mass += system.mass[n], area += system.area[n];
-  return mass * std::sqrt(area) *
-         std::max(kFloor * math::vector3::norm(system.gravity), kFloorWithoutGravity);
+  return mass * std::sqrt(area) * std::max(kFloor * norm(system.gravity), kFloorWithoutGravity);
 }
 
 // J, of what damping takes.
@@ -179,6 +184,8 @@ void account(const System& system, const Sight& sight, State& s, double length) 
     g.balance += g.unaccounted;
     g.unaccounted = 0;
   }
+  g.ripple = g.step_energy - sight.step.sum();
+  g.ripple_largest = std::max(g.ripple_largest, std::abs(g.ripple));
   worst_update(g, guard_missing(s), guard_size(system, s),
                model::state_time(s, system.communication) + length);
 }
@@ -200,6 +207,8 @@ double guard_missing(const State& s) {
   return std::max(std::abs(s.guard.unaccounted) - unknown(s.guard), 0.0);
 }
 
+double guard_excess(const State& s) { return std::max(guard_missing(s), std::abs(s.guard.ripple)); }
+
 bool guard_lost(const System& system, const State& s) {
   return guard_missing(s) > kLost * kGuardAllowed * guard_size(system, s);
 }
@@ -211,7 +220,7 @@ double guard_size(const System& system, const State& s) {
 bool guard_watches(const System& system, const State& s) {
   if (system.fit || system.integrator == scene::Integrator::kPaper) return false;
   if (!system.bodies.empty() || contact::self_enabled(system) || !system.links.empty()) return false;
-  return !(model::system_has_air(system) && math::vector3::norm(s.wind) > 0);
+  return !(model::system_has_air(system) && norm(s.wind) > 0);
 }
 
 void guard_step(const System& system, Motion& motion, State& s, double h) {
@@ -225,14 +234,27 @@ void guard_step(const System& system, Motion& motion, State& s, double h) {
     g.since = 0;
     g.gravity += sight.energy.gravity;
     g.balance = sight.balance + g.damped - g.unaccounted;
+    g.step_energy = sight.step.sum() + g.ripple;
     g.largest = std::max(g.largest, energy_size(sight.energy, s));
   } else if (g.begun && std::abs(h - g.h) > kSameStep * h) {
     const StepEnergy step = look(system, motion, s).step;
     const double square = h * h / (g.h * g.h);
-    g.balance += (square - 1) * step.second + (square * square - 1) * step.fourth;
+    const double change = (square - 1) * step.second + (square * square - 1) * step.fourth;
+    g.balance += change;
+    g.step_energy += change;
     g.h = h;
   }
   g.since += h;
+}
+
+void guard_advance(const System& system, const Path& path, State& s) {
+  double mass = 0, jolt = 0;
+  for (std::size_t n : system.particle) mass += system.mass[n];
+  for (const PinPath& p : path.pins) {
+    const Vec3 change = p.to.velocity - p.from.velocity;
+    jolt = std::max(jolt, mass * dot(change, change) / 2);
+  }
+  if (jolt > guard_size(system, s)) s.guard.period = 1;
 }
 
 void guard_jump(const System& system, Motion& motion, State& s, const std::array<Array, 3>& before) {
@@ -244,8 +266,11 @@ void guard_jump(const System& system, Motion& motion, State& s, const std::array
     jolt += system.mass[n] * (x * x + y * y + z * z) / 2;
   }
   if (jolt <= kJolt * guard_size(system, s)) return;
-  g.balance += motion_energy(system, motion, s, {s.vx, s.vy, s.vz}, g.h).sum() -
-               motion_energy(system, motion, s, before, g.h).sum();
+  const double change = motion_energy(system, motion, s, {s.vx, s.vy, s.vz}, g.h).sum() -
+                        motion_energy(system, motion, s, before, g.h).sum();
+  g.balance += change;
+  g.step_energy += change;
+  g.period = 1;
 }
 
 void change_begin(const System& system, Motion& motion, State& s, Change change) {
@@ -261,13 +286,16 @@ void guard_accept(State& s, double refinement) {
   }
   g.refinement = refinement;
   g.missing_refined = guard_missing(s);
+  g.ripple_refined = std::abs(g.ripple);
 }
 
 bool guard_refine(State& s, bool again) {
   model::EnergyGuard& g = s.guard;
   if (g.refinement >= kMaxRefinement || 2 * s.steps_per_interval > kMaxStepsPerInterval) return false;
   g.refined = s.steps;
+  g.ripple_largest = 0;
   g.missing_refined = guard_missing(s);
+  g.ripple_refined = std::abs(g.ripple);
   if (!again) g.refinements = std::min(g.refinements + 1, kMostRefinements);
   g.refinement *= 2;
   s.steps_per_interval *= 2;
@@ -297,14 +325,16 @@ Guard guard_check(const System& system, Motion& motion, State& s, double length)
   account(system, look(system, motion, s), s, length);
   g.checked = s.steps;
   g.period = std::min(2 * g.period, kGuardSteps);
-  const double size = guard_size(system, s), missing = guard_missing(s);
+  const double size = guard_size(system, s), missing = guard_missing(s), ripple = std::abs(g.ripple);
   g.failing = missing > kUntouched * size && missing - g.missing_refined > kGrowth * size;
+  const bool ripples = ripple > kRipple * size && ripple - g.ripple_refined > kGrowth * size;
   if (guard_lost(system, s) && (system.step_given > 0 || g.refinement >= kMaxRefinement)) return Guard::kLost;
-  if (g.failing) return Guard::kRepeat;
+  if (g.failing || ripples) return Guard::kRepeat;
   const double before_ease = kStepsBeforeEase * std::pow(kMoreBeforeEase, g.refinements - 1);
   if (g.refinement > 1 && double(s.steps - g.refined) >= before_ease) {
-    g.refinement /= 2;
+    if (kRippleOfTwice * g.ripple_largest <= kRipple * size) g.refinement /= 2;
     g.refined = s.steps;
+    g.ripple_largest = 0;
   }
   return Guard::kKept;
 }

@@ -19,6 +19,9 @@ bool guard_watches(const System& system, const State& state);
 void guard_step(const System& system, Motion& motion, State& state, double h);
 // After the velocities of pins have jumped, from those of `before` (m/s): follows the energy of the step.
 void guard_jump(const System& system, Motion& motion, State& state, const std::array<Array, 3>& before);
+// Before an advance along a path. Where pins change their velocity by so much that cloth that follows them
+// gains more than the largest energy, its intervals are checked at once.
+void guard_advance(const System& system, const Path& path, State& state);
 // Before a change of the system: ends the balance, and completes the last half kick. Changes that are not
 // rare may come in each interval, as in a ramp.
 enum class Change { kRare, kFrequent };
@@ -38,6 +41,8 @@ void guard_look(const System& system, Motion& motion, State& state);
 
 // J, missing at the last check beyond what is not known.
 double guard_missing(const State& state);
+// The same, or the ripple of T + U if that is larger: what smaller steps are to reduce.
+double guard_excess(const State& state);
 // True where that is ten times the allowed energy.
 bool guard_lost(const System& system, const State& state);
 

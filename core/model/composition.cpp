@@ -23,7 +23,7 @@ constexpr double kDrift6[] = {kA[0], kA[1], kA[2], kA[3], kA[4], kA6, kA[4], kA[
 
 // The limit is the smallest h omega at which the trace of one step of an oscillator leaves [-2, 2].
 constexpr Composition kOrder4{4, 4, kKick4, kDrift4, 3.4696};
-constexpr Composition kOrder6{6, 11, kKick6, kDrift6, 3.1414};
+constexpr Composition kOrder6{6, 11, kKick6, kDrift6, 3.1414};  // NOLINT(modernize-use-std-numbers): not pi
 
 }  // namespace
 

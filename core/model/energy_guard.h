@@ -12,6 +12,8 @@ struct EnergyGuard {
       0;  // J, potential energy of gravity from which its change counts; less the present one in a pause
   double largest = 0;          // J, largest energy of all checks
   double unaccounted = 0;      // J, at the last check: gained, or lost where negative
+  double step_energy = 0;      // J, the energy of the step that would leave no ripple
+  double ripple = 0;           // J, at the last check: how far T + U has moved away from H
   double worst = 0;            // J, the unaccounted energy that was the largest share of the largest energy
   double worst_size = 1;       // J, the largest energy then
   double worst_time = 0;       // s, when that was
@@ -26,6 +28,8 @@ struct EnergyGuard {
   int refinements = 0;         // how often that has grown
   std::int64_t refined = 0;    // step at which it last changed
   double missing_refined = 0;  // J, what was missing when it last grew
+  double ripple_refined = 0;   // J, the ripple then
+  double ripple_largest = 0;   // J, of the checks since the refinement last changed, or was kept
   bool failing = false;        // the last check failed, and the step is as small as the guard makes it
 };
 

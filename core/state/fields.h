@@ -190,6 +190,8 @@ struct Table<model::EnergyGuard> {
                       Field{"gravity", s.gravity},
                       Field{"largest", s.largest, Length::kAny, kNotNegative},
                       Field{"unaccounted", s.unaccounted},
+                      Field{"step_energy", s.step_energy},
+                      Field{"ripple", s.ripple},
                       Field{"worst", s.worst},
                       Field{"worst_size", s.worst_size, Length::kAny, kNotNegative},
                       Field{"worst_time", s.worst_time},
@@ -204,6 +206,8 @@ struct Table<model::EnergyGuard> {
                       Field{"refinements", s.refinements, Length::kAny, from_to(0, 1e6)},
                       Field{"refined", s.refined, Length::kAny, kCounted},
                       Field{"missing_refined", s.missing_refined},
+                      Field{"ripple_refined", s.ripple_refined},
+                      Field{"ripple_largest", s.ripple_largest, Length::kAny, kNotNegative},
                       Field{"failing", s.failing}};
   }
 };
