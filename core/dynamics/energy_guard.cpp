@@ -32,6 +32,7 @@ constexpr double kUntouched = 0.002;  // of the largest energy: what may be miss
 constexpr double kRipple = 0.003;     // of the largest energy: the ripple of T + U without more steps
 constexpr double kRippleOfTwice = 4;  // the ripple at twice the step, over that at the step
 constexpr double kGrowth = 0.001;     // of the largest energy, more than at the last refinement
+constexpr double kSeriesHolds = 0.1;  // of the largest energy: the energy of a step, at most
 constexpr double kSameStep = 1e-6;    // relative change of the step that counts as none
 constexpr double kLost = 10;          // kGuardAllowed, where the run stops
 constexpr double kMaxRefinement = 16;
@@ -42,7 +43,9 @@ constexpr double kJolt = 1e-4;   // of the largest energy: m |change of v|^2/2 i
 constexpr double kFloor = 1e-5;  // of weight times size
 constexpr double kFloorWithoutGravity = 1e-6;  // m/s^2, of mass times size
 constexpr double kDeviations = 3;              // of the sum of samples
-constexpr double kSampling = 0.02;             // of that sum, beside its deviation
+constexpr std::size_t kFewParticles =
+    64;                             // whose one vibration may keep time with the checks: all steps count
+constexpr double kSampling = 0.02;  // of that sum, beside its deviation
 
 // Each node that a pin moves, once.
 std::vector<std::size_t> moved_nodes(const Motion& m) {
@@ -225,6 +228,8 @@ bool guard_watches(const System& system, const State& s) {
 
 void guard_step(const System& system, Motion& motion, State& s, double h) {
   model::EnergyGuard& g = s.guard;
+  if (g.begun && system.damping > 0 && system.particle.size() <= kFewParticles)
+    guard_damped(system, s, model::kinetic_energy(system, s));
   if (!g.begun && s.steps >= g.checked && guard_watches(system, s)) {
     g.h = h;
     const Sight sight = look(system, motion, s);
@@ -238,8 +243,10 @@ void guard_step(const System& system, Motion& motion, State& s, double h) {
     g.largest = std::max(g.largest, energy_size(sight.energy, s));
   } else if (g.begun && std::abs(h - g.h) > kSameStep * h) {
     const StepEnergy step = look(system, motion, s).step;
-    const double square = h * h / (g.h * g.h);
-    const double change = (square - 1) * step.second + (square * square - 1) * step.fourth;
+    const double square = h * h / (g.h * g.h), size = guard_size(system, s);
+    // Where cloth has stiffened so much that its step was far too large, the series of H has no value.
+    const double old = std::abs(step.sum()) <= kSeriesHolds * size ? step.sum() : g.step_energy;
+    const double change = square * step.second + square * square * step.fourth - old;
     g.balance += change;
     g.step_energy += change;
     g.h = h;
