@@ -43,9 +43,8 @@ constexpr double kJolt = 1e-4;   // of the largest energy: m |change of v|^2/2 i
 constexpr double kFloor = 1e-5;  // of weight times size
 constexpr double kFloorWithoutGravity = 1e-6;  // m/s^2, of mass times size
 constexpr double kDeviations = 3;              // of the sum of samples
-constexpr std::size_t kFewParticles =
-    64;                             // whose one vibration may keep time with the checks: all steps count
-constexpr double kSampling = 0.02;  // of that sum, beside its deviation
+constexpr std::size_t kFewParticles = 64;      // one vibration may keep time with the checks: all steps count
+constexpr double kSampling = 0.02;             // of that sum, beside its deviation
 
 // Each node that a pin moves, once.
 std::vector<std::size_t> moved_nodes(const Motion& m) {

@@ -118,6 +118,22 @@ TEST(EnergyGuard, TakesStiffVibrationsForNoLoss) {
 }
 
 // The energy that the given step takes out of the constant belongs to the step, not to the motion.
+// One cell vibrates evenly. At one of these steps a look at every eighth would see it at one phase.
+// Velocities are those between the steps, whose squares are larger by (h omega)^2/4.
+TEST(EnergyGuard, KnowsWhatDampingTakesFromOneVibration) {
+  for (double share = 0.25; share < 0.34; share += 0.01) {
+    Scene scene = reference::rectangle(linen(), 0.01, 0.01, 0.01);
+    scene.damping = 50;
+    scene.gravity = {0, 0, 0};
+    scene.pins = {{"pin", 0, {}, {0}}};
+    scene.pieces[0].velocity = {0, 0.1, 0};
+    scene.step = share * step_limit_of(assemble(scene).system, assemble(scene).state.omega2);
+    Assembled a = assemble(scene);
+    advance(a, 0.02);
+    EXPECT_NEAR(a.state.guard.damped / a.state.guard.largest, 1 - std::exp(-50 * 0.02), 0.05) << share;
+  }
+}
+
 // One cell, thrown along its warp, has all its energy in its stiffest vibration. At the step of other cloth
 // T + U would ripple by (h omega)^2/4 of it, almost by half.
 TEST(EnergyGuard, KeepsTheRippleOfASingleCellSmall) {
