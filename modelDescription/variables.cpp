@@ -76,7 +76,7 @@ void add(Table& table, const std::string& name, const Storage& storage, const Ro
 std::string bracketed(const std::string& inside) {
   std::string text = "[";
   text += inside;
-  return text += "]";
+  return text += ']';
 }
 
 // name[1] to name[3], along x, y and z.
@@ -263,7 +263,7 @@ void add_contact(Table& table, const drape_outputs& o) {
                          : "largest pressure of a body on the cloth");
 }
 
-void add_outputs(Table& table, const drape_outputs& o) {
+void add_probes_pins_seams(Table& table, const drape_outputs& o) {
   for (int i = 0; i < o.probe_count; ++i) {
     const std::string name = "probe." + name_part(o.probe[i].name);
     add_vector(table, name + ".position", o.probe[i].position, output(DRAPE_OUT_POSITION, "m"),
@@ -289,7 +289,9 @@ void add_outputs(Table& table, const drape_outputs& o) {
     add(table, name + ".length", &o.seam[i].length, output(DRAPE_OUT_POSITION, "m"),
         "length of the seam, along the middle of its sides");
   }
-  add_contact(table, o);
+}
+
+void add_strains_and_step(Table& table, const drape_outputs& o) {
   add_strain(table, "strain.warp", o.strain_warp, "along the warp");
   add_strain(table, "strain.weft", o.strain_weft, "along the weft");
   add_strain(table, "strain.bias", o.strain_bias, "along the diagonals");
@@ -307,6 +309,9 @@ void add_outputs(Table& table, const drape_outputs& o) {
   if (o.has_fit)
     add(table, "fit.residual", &o.fit_residual, output(DRAPE_OUT_STRAIN, "1"),
         "largest force left on a particle over the larger of total weight and total pin force");
+}
+
+void add_energies(Table& table, const drape_outputs& o) {
   if (!o.has_energy) return;
   const Row energy = of_parameters(output(DRAPE_OUT_ENERGY, "J"));
   add(table, "energy.kinetic", &o.energy.kinetic, energy, "energy of motion");
@@ -327,6 +332,13 @@ void add_outputs(Table& table, const drape_outputs& o) {
       "growth of all energies since the start, minus input, plus dissipated");
 }
 
+void add_outputs(Table& table, const drape_outputs& o) {
+  add_probes_pins_seams(table, o);
+  add_contact(table, o);
+  add_strains_and_step(table, o);
+  add_energies(table, o);
+}
+
 // The particles that have variables of their own, by index: all, or those at fewer than four cells.
 std::vector<int> nodes_selected(drape_cloth* cloth, Nodes nodes, int node_count) {
   std::vector<int> selected;
@@ -345,16 +357,22 @@ std::vector<int> nodes_selected(drape_cloth* cloth, Nodes nodes, int node_count)
   return selected;
 }
 
+// The vectors of all particles, and their derivatives or null.
+struct NodeStorage {
+  const double *value, *velocity = nullptr;
+};
+
 // name[n,1] to name[n,3] of each of these particles, along x, y and z.
-void add_nodes(Table& table, const std::vector<int>& selected, const char* name, const double* value,
-               const Row& row, const char* description, const double* velocity = nullptr) {
+void add_nodes(Table& table, const std::vector<int>& selected, const char* name, const NodeStorage& storage,
+               const Row& row, const char* description) {
   for (const int n : selected) {
     for (int k = 0; k < 3; ++k) {
-      add(table, name, value + 3 * std::size_t(n) + k, row, description);
+      add(table, name, storage.value + 3 * std::size_t(n) + k, row, description);
       table.back().index = bracketed(std::to_string(n + 1) + "," + std::to_string(k + 1));
       table.back().detail = "particle " + std::to_string(n + 1) + ", " + "xyz"[k];
     }
-    if (velocity) derivatives_set(table, velocity + 3 * std::size_t(n), DRAPE_OUT_NODE_VELOCITY);
+    if (storage.velocity)
+      derivatives_set(table, storage.velocity + 3 * std::size_t(n), DRAPE_OUT_NODE_VELOCITY);
   }
 }
 
@@ -370,9 +388,9 @@ std::vector<Variable> variables_of(drape_cloth* cloth, Nodes nodes) {
   add_bodies(table, *drape_inputs_of(cloth), *drape_input_rates_of(cloth));
   add_outputs(table, outputs);
   const std::vector<int> selected = nodes_selected(cloth, nodes, outputs.node_count);
-  add_nodes(table, selected, "node.position", outputs.node_position, output(DRAPE_OUT_NODE_POSITION, "m"),
-            "where a particle is", outputs.node_velocity);
-  add_nodes(table, selected, "node.velocity", outputs.node_velocity, output(DRAPE_OUT_NODE_VELOCITY, "m/s"),
+  add_nodes(table, selected, "node.position", {outputs.node_position, outputs.node_velocity},
+            output(DRAPE_OUT_NODE_POSITION, "m"), "where a particle is");
+  add_nodes(table, selected, "node.velocity", {outputs.node_velocity}, output(DRAPE_OUT_NODE_VELOCITY, "m/s"),
             "how fast a particle moves");
   return table;
 }

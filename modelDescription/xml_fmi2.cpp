@@ -113,11 +113,11 @@ void print_type(pugi::xml_node scalar, const Variable& v) {
     return v.type == Type::kReal ? decimal_text(value) : std::to_string(std::int64_t(value));
   };
   if (v.type == Type::kReal) {
-    const Unit& unit = *std::find_if(std::begin(kUnits), std::end(kUnits),
-                                     [&](const Unit& u) { return v.unit == std::string_view(u.name); });
+    const Unit* unit = std::find_if(std::begin(kUnits), std::end(kUnits),
+                                    [&](const Unit& u) { return v.unit == std::string_view(u.name); });
     set(node, "unit", v.unit);
     if (v.display_unit) set(node, "displayUnit", v.display_unit);
-    if (unit.nominal != 1) set(node, "nominal", decimal_text(unit.nominal));
+    if (unit != std::end(kUnits) && unit->nominal != 1) set(node, "nominal", decimal_text(unit->nominal));
   }
   if (v.type == Type::kMode) set(node, "declaredType", kModeType);
   if (v.type != Type::kBoolean && std::isfinite(v.range.min)) set(node, "min", number_of(v.range.min));

@@ -30,6 +30,7 @@ using Ball = fcl::Sphered;
 
 // What FCL calls a narrow phase solver, for a ball and a triangle. The names are FCL's.
 struct Solver {
+  // NOLINTBEGIN(readability-function-size): the parameters are FCL's too
   bool shapeTriangleDistance(const Ball& ball, const Transform& ball_at, const Vector& a, const Vector& b,
                              const Vector& c, const Transform& mesh_at, double* distance, Vector* on_ball,
                              Vector* on_triangle) const {
@@ -50,6 +51,7 @@ struct Solver {
                               const Vector& c, Vector* point, double* depth, Vector* normal) const {
     return fcl::detail::sphereTriangleIntersect(ball, ball_at, a, b, c, point, depth, normal);
   }
+  // NOLINTEND(readability-function-size)
 };
 
 Vector vector_of(const double* p) { return {p[0], p[1], p[2]}; }

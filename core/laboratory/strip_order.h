@@ -19,6 +19,6 @@ StripOrder strip_order(const scene::FabricSpec& fabric, double cell, const std::
                        std::vector<Problem>& problems);
 
 // p from the changes S(b_0) - S(b_1) and S(b_1) - S(b_2), for b_0 > b_1 > b_2. NaN where there is none.
-double order_of(const std::array<double, 3>& cell, double first, double second);
+double order_of(const std::array<double, 3>& b, double first, double second);
 
 }  // namespace drape::laboratory

@@ -101,10 +101,11 @@ void key_set(Draft& draft, const toml::table& table, const std::string& old_key,
 
 std::string draft_text(const Draft& draft) {
   std::string text = draft.text;
-  std::vector<Edit> edits = draft.edits;
+  // From the end to the beginning, so that the places of edits to come stay; at one place the last first.
+  std::vector<Edit> edits(draft.edits.rbegin(), draft.edits.rend());
   std::stable_sort(edits.begin(), edits.end(),
-                   [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
-  for (auto e = edits.rbegin(); e != edits.rend(); ++e) text.replace(e->begin, e->end - e->begin, e->text);
+                   [](const Edit& a, const Edit& b) { return a.begin > b.begin; });
+  for (const Edit& e : edits) text.replace(e.begin, e.end - e.begin, e.text);
   return text;
 }
 

@@ -38,6 +38,8 @@ std::string write_calibration(const std::string& text, const Calibration& c, con
                               std::vector<Problem>& problems) {
   const model::YarnDirection directions[] = {model::YarnDirection::kWarp, model::YarnDirection::kWeft,
                                              model::YarnDirection::kBias};
+  std::string stored;
+  bool good = false;
   try {
     const toml::table root = toml::parse(text);
     Draft draft = draft_of(text);
@@ -55,9 +57,9 @@ std::string write_calibration(const std::string& text, const Calibration& c, con
       key_set(draft, *table, d.force_as.key, "correction", d.correction);
     }
     calibration_set(draft, root, c, date, sheets);
-    std::string stored = draft_text(draft);
+    stored = draft_text(draft);
     const toml::table after = toml::parse(stored);
-    bool good = after["calibration"]["date"].value_or(std::string()) == date;
+    good = after["calibration"]["date"].value_or(std::string()) == date;
     for (model::YarnDirection along : directions) {
       const scene::DiagramSpec& d = strip_diagram(c.fabric, along);
       const bool sheet = !after[yarn_direction_name(along)].is_table();
@@ -66,9 +68,10 @@ std::string write_calibration(const std::string& text, const Calibration& c, con
                             : has_values(after[name]["correction"], d.correction) &&
                                   has_values(after[name]["correction_elongation"], d.correction_elongation));
     }
-    if (good) return stored;
   } catch (const toml::parse_error&) {
+    good = false;
   }
+  if (good) return stored;
   problems.push_back({"fabric." + c.fabric.name,
                       "does not take corrections where its tables stand; wanted: "
                       "tables [warp], [weft] and [bias] with a key on each line"});

@@ -41,38 +41,42 @@ bool is_written(toml::node_view<const toml::node> table, const scene::DiagramSpe
 }  // namespace
 
 std::array<bool, 3> diagrams_in_text(const std::string& text) {
-  std::array<bool, 3> there{};
   try {
     const toml::table root = toml::parse(text);
+    std::array<bool, 3> there{};
     for (std::size_t k = 0; k < 3; ++k)
       if (const toml::table* table = root[scene::kDiagrams[k]].as_table()) {
         there[k] = table->contains("elongation_percent");
         for (const scene::OtherUnit& unit : scene::kExtensions)
           there[k] = there[k] || table->contains(unit.as.key);
       }
+    return there;
   } catch (const toml::parse_error&) {
+    return {};
   }
-  return there;
 }
 
 std::string write_smoothed(const std::string& text, const std::string& fabric,
                            const std::optional<scene::DiagramSpec> (&diagrams)[3],
                            std::vector<Problem>& problems) {
+  std::string stored;
+  bool good = true;
   try {
     const toml::table root = toml::parse(text);
     Draft draft = draft_of(text);
-    bool good = true;
     for (int k = 0; k < 3; ++k)
-      if (diagrams[k])
-        good = good && diagram_replace(draft, root[scene::kDiagrams[k]].as_table(), *diagrams[k]);
-    const std::string stored = draft_text(draft);
+      if (const std::optional<scene::DiagramSpec>& d = diagrams[k])
+        good = good && diagram_replace(draft, root[scene::kDiagrams[k]].as_table(), *d);
+    stored = draft_text(draft);
     const toml::table after = toml::parse(stored);
     const toml::node_view<const toml::node> tables(after);
     for (int k = 0; k < 3; ++k)
-      if (diagrams[k]) good = good && is_written(tables[scene::kDiagrams[k]], *diagrams[k]);
-    if (good) return stored;
+      if (const std::optional<scene::DiagramSpec>& d = diagrams[k])
+        good = good && is_written(tables[scene::kDiagrams[k]], *d);
   } catch (const toml::parse_error&) {
+    good = false;
   }
+  if (good) return stored;
   problems.push_back({"fabric." + fabric,
                       "does not take smoothed diagrams where its tables stand; wanted: tables [warp], [weft] "
                       "and [bias] with a key on each line"});

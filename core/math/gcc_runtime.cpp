@@ -9,12 +9,16 @@
 
 #ifdef __GLIBCXX__
 namespace __gnu_cxx {
-void __freeres();
+void __freeres();  // NOLINT(bugprone-reserved-identifier): the name is libstdc++'s
 }
+
+namespace {
 
 // libstdc++ takes 72 kB for exceptions without memory when it is loaded, and does not give them back by
 // itself.
-__attribute__((destructor)) static void exception_pool_free() { __gnu_cxx::__freeres(); }
+__attribute__((destructor)) void exception_pool_free() { __gnu_cxx::__freeres(); }
+
+}  // namespace
 #endif
 
 // What newer versions of glibc give this code under newer names: with the older ones the library loads where
@@ -44,6 +48,8 @@ DRAPE_HIDDEN int _dl_find_object(void* code, dl_find_object* found) noexcept {
     dl_find_object* found;
   } search{reinterpret_cast<ElfW(Addr)>(code), found};
   const auto look = [](dl_phdr_info* object, std::size_t, void* to) {
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): the loader gives addresses as numbers
+    const auto pointer_to = [](ElfW(Addr) at) { return reinterpret_cast<void*>(at); };
     const Search& s = *static_cast<const Search*>(to);
     bool is_here = false;
     const ElfW(Phdr)* tables = nullptr;
@@ -53,13 +59,13 @@ DRAPE_HIDDEN int _dl_find_object(void* code, dl_find_object* found) noexcept {
       if (part.p_type == PT_GNU_EH_FRAME) tables = &part;
       if (part.p_type != PT_LOAD || s.code < begin || s.code - begin >= part.p_memsz) continue;
       is_here = true;
-      s.found->dlfo_map_start = reinterpret_cast<void*>(begin);
-      s.found->dlfo_map_end = reinterpret_cast<void*>(begin + part.p_memsz);
+      s.found->dlfo_map_start = pointer_to(begin);
+      s.found->dlfo_map_end = pointer_to(begin + part.p_memsz);
     }
     if (!is_here || !tables) return 0;
     s.found->dlfo_flags = 0;
     s.found->dlfo_link_map = nullptr;
-    s.found->dlfo_eh_frame = reinterpret_cast<void*>(object->dlpi_addr + tables->p_vaddr);
+    s.found->dlfo_eh_frame = pointer_to(object->dlpi_addr + tables->p_vaddr);
     return 1;
   };
   return dl_iterate_phdr(look, &search) == 1 ? 0 : -1;

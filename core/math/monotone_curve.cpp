@@ -125,7 +125,7 @@ template <int kSize>
 void start_set(const Curve& c, CurveStart<kSize>& s) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   constexpr int kPhases = 32, kWidths = 12;
-  if (c.segments == 1) return start_fill(c, 0, 1, kInfinite, s);
+  if (c.segments < 2) return start_fill(c, 0, 1, kInfinite, s);
   const auto end = [&](int k) { return c.segment[k].end; };
   for (int ends = std::min(c.segments, kSize) - 1; ends > 0; --ends) {
     const double span = ends > 1 ? end(ends - 1) - end(0) : std::max(std::abs(end(0)), 1e-3);

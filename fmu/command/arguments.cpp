@@ -84,9 +84,10 @@ template CLI::Option* option_add(CLI::App&, const char*, double&, const char*, c
 template CLI::Option* option_add(CLI::App&, const char*, std::optional<double>&, const char*,
                                  const OptionSpec&);
 template CLI::Option* option_add(CLI::App&, const char*, int&, const char*, const OptionSpec&);
-CLI::Option* option_add(CLI::App& command, const char* names, std::function<void(const std::string&)> take,
-                        const char* text, const OptionSpec& spec) {
-  return specified(command.add_option_function<std::string>(names, std::move(take), text), spec);
+CLI::Option* option_add(CLI::App& command, const char* names,
+                        const std::function<void(const std::string&)>& take, const char* text,
+                        const OptionSpec& spec) {
+  return specified(command.add_option_function<std::string>(names, take, text), spec);
 }
 void flag_add(CLI::App& command, const char* names, bool& to, const char* text) {
   command.add_flag(names, to, text);

@@ -38,8 +38,9 @@ template <class T>
 CLI::Option* option_add(CLI::App& command, const char* names, T& to, const char* text,
                         const OptionSpec& spec);
 // The same, with a function that takes the value.
-CLI::Option* option_add(CLI::App& command, const char* names, std::function<void(const std::string&)> take,
-                        const char* text, const OptionSpec& spec);
+CLI::Option* option_add(CLI::App& command, const char* names,
+                        const std::function<void(const std::string&)>& take, const char* text,
+                        const OptionSpec& spec);
 void flag_add(CLI::App& command, const char* names, bool& to, const char* text);
 
 void option_require_range(CLI::Option& option, double low, double high);

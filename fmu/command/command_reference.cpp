@@ -17,13 +17,13 @@ struct Options {
 
 // Reads the table of inputs, by the names that the reference solver knows. Checks the names against the
 // variables of the cloth. Prints all problems.
-bool inputs_read(const Options& options, reference::InputTable& inputs) {
-  const Cloth cloth = cloth_open(options.scene_file);
+bool inputs_read(const std::string& scene_file, const std::string& file, reference::InputTable& inputs) {
+  const Cloth cloth = cloth_open(scene_file);
   if (!cloth) return false;
   const std::vector<description::Variable> variables =
       description::variables_of(cloth.get(), description::Nodes::kNone);
   std::vector<std::string> problems;
-  const InputTable table = input_table_read(*options.inputs_file, variables, problems);
+  const InputTable table = input_table_read(file, variables, problems);
   for (const std::string& problem : problems) fail(kBadInput, problem);
   for (const std::size_t k : table.variable) inputs.names.push_back(variables[k].name());
   inputs.time = table.time;
@@ -45,7 +45,8 @@ int run_reference(const Options& options) {
   for (const Problem& problem : problems) fail(kBadInput, problem.place + " " + problem.message);
   if (!problems.empty()) return kBadInput;
   reference::Options run = options.run;
-  if (options.inputs_file && !inputs_read(options, run.inputs)) return kBadInput;
+  if (options.inputs_file && !inputs_read(options.scene_file, *options.inputs_file, run.inputs))
+    return kBadInput;
   Csv csv;
   std::string problem;
   if (!csv_open(csv, options.folder, problem)) return fail(kBadInput, problem);

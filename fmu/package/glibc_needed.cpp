@@ -2,7 +2,7 @@
 // of the Linux Standard Base.
 #include <elf.h>
 
-#include <cstdio>
+#include <charconv>
 #include <cstring>
 #include <utility>
 
@@ -44,9 +44,14 @@ bool sections_find(const File& file, Sections& found) {
 }
 
 using Version = std::pair<int, int>;
+// The first two numbers of "2.17" or "2.2.5"; zeros of any other text.
 Version version_of(const std::string& text) {
+  const char* const end = text.data() + text.size();
   Version version{0, 0};
-  return std::sscanf(text.c_str(), "%d.%d", &version.first, &version.second) == 2 ? version : Version{0, 0};
+  const auto [dot, no_first] = std::from_chars(text.data(), end, version.first);
+  if (no_first != std::errc() || dot == end || *dot != '.') return {0, 0};
+  const auto [rest, no_second] = std::from_chars(dot + 1, end, version.second);
+  return no_second == std::errc() ? version : Version{0, 0};
 }
 
 }  // namespace

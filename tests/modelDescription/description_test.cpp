@@ -127,12 +127,13 @@ TEST(Description, NodeVariablesPointAtTheirParticle) {
   const std::vector<Variable> table = variables_of(cloth.get(), Nodes::kAll);
   drape_get_outputs(cloth.get(), DRAPE_OUT_ALL);
   for (int n = 0; n < 6 * 9; ++n) {
+    const int i = n % 6, j = n / 6;
     const auto at = [&](int k) {
       return *variable_find(table, "node.position[" + std::to_string(n + 1) + "," + std::to_string(k) + "]")
                   ->value;
     };
-    EXPECT_NEAR(at(1), 0.01 * (n % 6), 1e-15);
-    EXPECT_NEAR(at(2), 0.01 * (n / 6), 1e-15);
+    EXPECT_NEAR(at(1), 0.01 * i, 1e-15);
+    EXPECT_NEAR(at(2), 0.01 * j, 1e-15);
     EXPECT_EQ(at(3), 1);
   }
 }

@@ -83,7 +83,7 @@ std::vector<Candidate> candidates() {
        around(
            {0.123229775946271, 0.290553797799558, -0.127049212625417, -0.246331761062075, 0.357208872795928},
            true),
-       3.1414},
+       3.1414},  // NOLINT(modernize-use-std-numbers): not pi
   };
 }
 

@@ -70,7 +70,8 @@ void loop_trace(Tracing& t, const std::vector<Vec2>& loop) {
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t at = (begin + k) % n;
     if (place[at] < 0) continue;
-    const double i = t.cut.i0 + place[at] % t.cut.columns, j = t.cut.j0 + double(place[at] / t.cut.columns);
+    const int column = place[at] % t.cut.columns, row = place[at] / t.cut.columns;
+    const double i = t.cut.i0 + column, j = t.cut.j0 + row;
     const auto local = [&](Vec2 p) {
       return Vec2{std::clamp(p[0] - i, 0.0, 1.0), std::clamp(p[1] - j, 0.0, 1.0)};
     };

@@ -66,7 +66,8 @@ void part_open(const std::vector<Polygon>& loops, std::vector<Polygon>& open) {
     for (Vec2& p : loop) p = {cut_snapped(p[0] - middle[0]), cut_snapped(p[1] - middle[1])};
   const Cut cut = cut_make(moved);
   for (const CutPart& part : cut.parts) {
-    const double i = cut.i0 + part.place % cut.columns, j = cut.j0 + double(part.place / cut.columns);
+    const int column = part.place % cut.columns, row = part.place / cut.columns;
+    const double i = cut.i0 + column, j = cut.j0 + row;
     std::vector<Polygon> back = part.loops;
     for (Polygon& loop : back)
       for (Vec2& p : loop) p = rounded({p[0] + i + middle[0], p[1] + j + middle[1]});

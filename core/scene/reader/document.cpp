@@ -37,8 +37,12 @@ unsigned deep_line(const std::string& text) {
     const char c = text[k];
     line += c == '\n';
     if (quote) {
-      if (c == '\\' && quote == '"') line += ++k < text.size() && text[k] == '\n';
-      else if (c == quote || c == '\n') quote = 0;
+      if (c == '\\' && quote == '"') {
+        ++k;
+        line += k < text.size() && text[k] == '\n';
+      } else if (c == quote || c == '\n') {
+        quote = 0;
+      }
     } else if (c == '"' || c == '\'') {
       quote = c;
     } else if (c == '.') {

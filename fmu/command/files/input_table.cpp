@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <map>
@@ -108,7 +109,7 @@ bool cell_read(Reading& r, std::size_t column, const std::string& text, const de
   }
   std::string problem;
   if (variable) problem = description::range_problem(*variable, value);
-  else if (!(value - value == 0))
+  else if (!std::isfinite(value))
     problem = "time is " + description::decimal_text(value) + " s; allowed: any finite number";
   if (!problem.empty()) complain(r, column, problem);
   return problem.empty();
@@ -171,7 +172,7 @@ InputTable input_table_read(const std::string& file, const std::vector<descripti
   std::vector<std::size_t> columns;
   for (std::string line; std::getline(stream, line);) {
     ++r.line;
-    if (r.line == 1 && line.rfind("\xEF\xBB\xBF", 0) == 0) line.erase(0, 3);  // byte order mark
+    if (r.line == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);  // byte order mark
     if (trimmed(line).empty()) continue;
     if (columns.empty()) columns = header_read(r, line, table);
     else row_read(r, line, columns, table, inputs);

@@ -25,6 +25,6 @@ struct PolyData {
 };
 
 // As a VTK file.
-std::string polydata_text(const PolyData& data);
+std::string polydata_text(const PolyData& poly);
 
 }  // namespace drape::command

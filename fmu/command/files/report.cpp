@@ -125,7 +125,7 @@ std::string table_text(const ReportTable& t) {
       const std::string fill(width[k] - line[k].size(), ' ');
       text += "  " + (k < t.labels.size() ? line[k] + fill : fill + line[k]);
     }
-    text += "\n";
+    text += '\n';
   }
   return text;
 }

@@ -69,7 +69,7 @@ scene::CurveSpec curve_read(const JsonFaults& faults, const Json& curvature, con
   if (!curvature_open(faults, curvature, path, type, params)) return curve;
   const Vec2 along{e[0] - s[0], e[1] - s[1]};
   const std::string at = params ? path + ".params" : path;
-  if (type == "circle")
+  if (params && type == "circle")
     return arc_read(faults, *params, at, std::hypot(along[0], along[1]), units, curve), curve;
   const std::size_t count = type == "cubic" ? 2 : 1;
   if (params && params->size() != count)

@@ -18,7 +18,7 @@ struct PatternUnits {
 };
 
 // Edge i of the file becomes edge i of the panel. A panel with a fault has no outline.
-Panel panel_read(const JsonFaults& faults, const Json& panel, const std::string& name,
+Panel panel_read(const JsonFaults& faults, const Json& json, const std::string& name,
                  const PatternUnits& units);
 
 // The first two columns of Rz Ry Rx. Angles are in degrees.

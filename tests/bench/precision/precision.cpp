@@ -141,7 +141,7 @@ void summary_print(const std::string& scene, const std::vector<PrecisionRow>& ro
         row.method == "explicit Euler")
       continue;
     std::string name = row.method;
-    if (row.order) name += " ", name += std::to_string(row.order);
+    if (row.order) name += ' ', name += std::to_string(row.order);
     (row.method == "Drape" ? drape : peers)[name].push_back(row);
   }
   std::printf("\n%s\n%8s  %-10s %10s   %-16s %10s   %s\n", scene.c_str(), "error", "best order", "s",

@@ -3,8 +3,8 @@
 
 #include <string.h>
 
-int header_is_c(void);
 /* NOLINTNEXTLINE(misc-use-internal-linkage): cloth_test.cpp calls it */
+int header_is_c(void);
 int header_is_c(void) {
   drape_outputs outputs;
   memset(&outputs, 0, sizeof outputs);

@@ -45,7 +45,8 @@ at = [0.03, 0]
 }
 
 inline void run(const Cloth& c, int intervals, int calls = 1) {
-  for (int k = 0; k < calls; ++k) ASSERT_EQ(drape_advance(c.get(), double(intervals / calls) * kQ), DRAPE_OK);
+  const int in_call = intervals / calls;
+  for (int k = 0; k < calls; ++k) ASSERT_EQ(drape_advance(c.get(), in_call * kQ), DRAPE_OK);
 }
 
 inline std::vector<double> nodes(const Cloth& c) {

@@ -45,6 +45,7 @@ const Case kMotion[] = {
      "order = 2\nself_contact = false",
      "order = 6\nself_contact = true",
      {"scene.toml:4: scene.order = 6 does not go with mode = \"fit\"; wanted: order = 2, or \"dynamic\"",
+      // NOLINTNEXTLINE(bugprone-suspicious-missing-comma): one message, on two lines
       "scene.toml:4: scene.order = 6 does not go with self_contact, which is damped; wanted: order = 2, or "
       "self_contact = false",
       "scene.toml:10: air.normal = 1.1" + kBrakes, "scene.toml:11: air.tangential = 0.02" + kBrakes,

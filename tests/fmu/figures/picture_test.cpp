@@ -32,6 +32,18 @@ pugi::xml_document picture_of(const Scene& scene) {
   return document;
 }
 
+// The numbers of a path, in order: x and y of each of its points.
+std::vector<double> numbers_of(const char* path) {
+  std::vector<double> numbers;
+  for (const char* at = path; *at;) {
+    char* end;
+    const double number = std::strtod(at, &end);
+    if (end != at) numbers.push_back(number);
+    at = end != at ? end : at + 1;
+  }
+  return numbers;
+}
+
 // Area of a path of straight pieces, in square units of the drawing.
 double area_of(const char* path) {
   double twice = 0, first[2] = {}, last[2] = {};
@@ -102,11 +114,10 @@ TEST(Picture, ShowsWhatTheGridMakesOfAPiece) {
 
   // The parts and the whole cells are the cloth. Rounding to 0.01 moves sides of some 20 units by at most
   // 0.005 each: 0.1 of the 400 square units of a part.
-  double left, right, parts = 0;  // of the scale, whose path goes left, left, left, right, ...
-  ASSERT_EQ(
-      std::sscanf(elements["scale"][0].attribute("d").value(), "M%lf %*fL%*f %*fL%*f %*fL%lf", &left, &right),
-      2);
-  const double cell = std::pow(0.01 / 0.05 * (right - left), 2);
+  const std::vector<double> scale = numbers_of(elements["scale"][0].attribute("d").value());
+  ASSERT_GE(scale.size(), 8u);  // its path goes left, left, left, right, ...
+  const double cell = std::pow(0.01 / 0.05 * (scale[6] - scale[0]), 2);
+  double parts = 0;
   for (const pugi::xml_node part : elements["part"]) parts += area_of(part.attribute("d").value());
   const double cloth = area_of(elements["outline"][0].attribute("d").value());
   EXPECT_NEAR((parts + double(whole) * cell) / cloth, 1, 1e-3);
@@ -142,15 +153,15 @@ TEST(Picture, PlacesPiecesInRows) {
   const pugi::xml_document document = picture_of(scene);
   auto elements = elements_of(document);
   ASSERT_EQ(elements["warp"].size(), 5u);
-  double x[2], y[2];
-  const char* warp = elements["warp"][0].attribute("d").value();
-  ASSERT_EQ(std::sscanf(warp, "M%lf %lfL%lf %lf", x, y, x + 1, y + 1), 4);
-  EXPECT_NEAR((x[0] - x[1]) / (y[0] - y[1]), std::tan(20 * std::numbers::pi / 180), 1e-2);
-  EXPECT_GT(y[0], y[1]);
+  const std::vector<double> warp = numbers_of(elements["warp"][0].attribute("d").value());
+  ASSERT_GE(warp.size(), 4u);  // from (x0, y0) to (x1, y1)
+  EXPECT_NEAR((warp[0] - warp[2]) / (warp[1] - warp[3]), std::tan(20 * std::numbers::pi / 180), 1e-2);
+  EXPECT_GT(warp[1], warp[3]);
   std::map<double, int> rows;
   for (const pugi::xml_node outline : elements["outline"]) {
-    ASSERT_EQ(std::sscanf(outline.attribute("d").value(), "M%lf %lf", x, y), 2);
-    ++rows[y[0]];
+    const std::vector<double> path = numbers_of(outline.attribute("d").value());
+    ASSERT_GE(path.size(), 2u);
+    ++rows[path[1]];
   }
   EXPECT_EQ(rows.size(), 3u);  // two, two and one
   EXPECT_EQ(rows.begin()->second, 2);

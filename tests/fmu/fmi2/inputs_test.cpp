@@ -31,8 +31,8 @@ TEST(Inputs, AreReadBackInEveryPhaseThatTakesThem) {
   ASSERT_EQ(fmi2().ExitInitializationMode(slave.component), fmi2OK);
   EXPECT_EQ(slave.get("wind[1]"), 3);
   for (const std::string& name : flag().names) {
-    if (name.rfind("probe.", 0) == 0) break;
-    if (name.rfind("pin.", 0) != 0) continue;
+    if (name.starts_with("probe.")) break;
+    if (!name.starts_with("pin.")) continue;
     const double value = slave.get(name) + 0.0009765625;
     EXPECT_EQ(slave.set(name, value), fmi2OK) << slave.last_message();
     EXPECT_EQ(slave.get(name), value);

@@ -131,34 +131,34 @@ Slave::Slave(const std::string& guid, const std::string& resources)
 
 Slave::~Slave() { fmi2().FreeInstance(component); }
 
-void Slave::initialize() {
+void Slave::initialize() const {
   ASSERT_NE(component, nullptr) << last_message();
   ASSERT_EQ(fmi2().SetupExperiment(component, fmi2False, 0, 0, fmi2False, 0), fmi2OK) << last_message();
   ASSERT_EQ(fmi2().EnterInitializationMode(component), fmi2OK) << last_message();
   ASSERT_EQ(fmi2().ExitInitializationMode(component), fmi2OK) << last_message();
 }
 
-fmi2Status Slave::set(const std::string& name, double value) {
+fmi2Status Slave::set(const std::string& name, double value) const {
   const fmi2ValueReference reference = cloth->reference(name);
   return fmi2().SetReal(component, &reference, 1, &value);
 }
 
-double Slave::get(const std::string& name) {
+double Slave::get(const std::string& name) const {
   const fmi2ValueReference reference = cloth->reference(name);
   double value = 0;
   EXPECT_EQ(fmi2().GetReal(component, &reference, 1, &value), fmi2OK) << last_message();
   return value;
 }
 
-fmi2Status Slave::set_rate(const std::string& name, double value, fmi2Integer order) {
+fmi2Status Slave::set_rate(const std::string& name, double value, fmi2Integer order) const {
   const fmi2ValueReference reference = cloth->reference(name);
   return fmi2().SetRealInputDerivatives(component, &reference, 1, &order, &value);
 }
 
-std::vector<double> Slave::outputs() {
+std::vector<double> Slave::outputs() const {
   std::vector<fmi2ValueReference> references;
   const auto probe = std::find_if(cloth->names.begin(), cloth->names.end(),
-                                  [](const std::string& name) { return name.rfind("probe.", 0) == 0; });
+                                  [](const std::string& name) { return name.starts_with("probe."); });
   const auto first = std::size_t(probe - cloth->names.begin()) + 1;  // the outputs, up to the end
   for (std::size_t reference = first; reference <= cloth->names.size(); ++reference)
     references.push_back(fmi2ValueReference(reference));

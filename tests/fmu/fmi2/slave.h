@@ -93,18 +93,20 @@ struct Slave {
   fmi2Component component = nullptr;
   const Swatch* cloth;  // the cloth whose names are used
 
-  explicit Slave(const Swatch& cloth = swatch(), bool logging_on = false);
+  explicit Slave(const Swatch& of = swatch(), bool logging_on = false);
   Slave(const std::string& guid, const std::string& resources);
   ~Slave();
   Slave(const Slave&) = delete;
   Slave& operator=(const Slave&) = delete;
 
-  void initialize();  // from instantiated to step complete; no stop time
-  fmi2Status step(double time, double length) { return fmi2().DoStep(component, time, length, fmi2True); }
-  fmi2Status set(const std::string& name, double value);
-  double get(const std::string& name);
-  fmi2Status set_rate(const std::string& name, double value, fmi2Integer order = 1);
-  std::vector<double> outputs();  // all of them
+  void initialize() const;  // from instantiated to step complete; no stop time
+  fmi2Status step(double time, double length) const {
+    return fmi2().DoStep(component, time, length, fmi2True);
+  }
+  fmi2Status set(const std::string& name, double value) const;
+  double get(const std::string& name) const;
+  fmi2Status set_rate(const std::string& name, double value, fmi2Integer order = 1) const;
+  std::vector<double> outputs() const;  // all of them
   std::string last_message() const { return log.empty() ? "" : log.back().message; }
 };
 

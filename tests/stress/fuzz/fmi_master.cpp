@@ -10,14 +10,14 @@ namespace drape::fuzz {
 
 namespace fs = std::filesystem;
 
-Resources resources_make(const fs::path& work, const std::string& name) {
+Resources resources_make(const fs::path& work, const std::string& scene) {
   const fs::path seeds = fs::path(DRAPE_SOURCE_DIR) / "tests/stress/fuzz/seeds",
-                 folder = work / "resources" / name;
+                 folder = work / "resources" / scene;
   fs::create_directories(folder);
   for (const char* mesh : {"box.obj", "ball.obj"})
     fs::copy_file(seeds / mesh, folder / mesh, fs::copy_options::overwrite_existing);
   const fs::path given = folder / "given.toml";
-  fs::copy_file(seeds / "fmi" / (name + ".toml"), given, fs::copy_options::overwrite_existing);
+  fs::copy_file(seeds / "fmi" / (scene + ".toml"), given, fs::copy_options::overwrite_existing);
   drape_cloth* cloth = drape_open(given.c_str(), nullptr, nullptr);
   if (!cloth) throw std::runtime_error("cannot open " + given.string());
   std::ofstream(folder / "scene.toml", std::ios::binary) << drape_scene_text(cloth);
@@ -31,9 +31,9 @@ Resources resources_make(const fs::path& work, const std::string& name) {
   return made;
 }
 
-void fmi_logger(fmi2ComponentEnvironment environment, fmi2String, fmi2Status status, fmi2String,
-                fmi2String text, ...) {
-  Sequence& s = *static_cast<Sequence*>(environment);
+void fmi_logger(fmi2ComponentEnvironment sequence, fmi2String, fmi2Status status, fmi2String, fmi2String text,
+                ...) {
+  Sequence& s = *static_cast<Sequence*>(sequence);
   ++s.sentences;
   if (status >= fmi2Discard) s.outcome.sentences.push_back(text ? text : "");
 }

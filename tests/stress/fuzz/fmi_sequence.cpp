@@ -208,7 +208,9 @@ void serialize(Sequence& s, Slave& slave) {
   bool damaged = written != fmi2OK;
   if (s.random.chance(3) && !bytes.empty()) {
     damaged = true;
-    bytes[s.random.below(bytes.size())] ^= fmi2Byte(1u << s.random.below(8));
+    const unsigned bit = 1u << s.random.below(8);
+    fmi2Byte& byte = bytes[s.random.below(bytes.size())];
+    byte = fmi2Byte(unsigned(byte) ^ bit);
     if (s.random.chance(3)) bytes.resize(s.random.below(bytes.size()));
   }
   Slave& taker = s.slave[s.random.chance(2) ? 1 : 0];
@@ -231,7 +233,7 @@ void absent(Sequence& s, Slave& slave) {
     if (called(s, slave, name, status) != fmi2Error)
       s.outcome.faults.push_back(std::string(name) + " is no error");
   };
-  const fmi2Component c = slave.component;
+  fmi2Component c = slave.component;
   switch (s.random.below(8)) {
     case 0:
       return refused(fmi2GetDirectionalDerivative(c, reference, 2, reference, 2, value, value), "derivative");
@@ -293,6 +295,9 @@ void life_end(Sequence& s, Slave& slave) {
       break;
     case 2:
       slave_free(s, slave);
+      break;
+    default:  // mostly, nothing ends
+      break;
   }
 }
 

@@ -39,7 +39,7 @@ at = [[0, 0.15]]
 std::size_t number_after(const std::string& text, const std::string& words) {
   const std::size_t at = text.find(words);
   EXPECT_NE(at, std::string::npos) << words;
-  return at == std::string::npos ? 0 : std::size_t(std::atol(text.c_str() + at + words.size()));
+  return at == std::string::npos ? 0 : std::strtoul(text.c_str() + at + words.size(), nullptr, 10);
 }
 
 // An array of the appended data.

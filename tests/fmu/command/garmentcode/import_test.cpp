@@ -318,6 +318,7 @@ TEST_F(Import, ReportsEveryFaultAtOnce) {
                        "pattern.panel_order[1] = \"front\" stands there twice",
                        "pattern.panel_order[2] = \"sleeve\" is no panel of the pattern",
                        "pattern.panels.front.edges[7].endpoints[1] = 9; allowed: 0 to 7",
+                       // NOLINTNEXTLINE(bugprone-suspicious-missing-comma): one message, on two lines
                        "pattern.panels.back.edges[7].curvature.type = \"helix\"; allowed: \"quadratic\", "
                        "\"cubic\", \"circle\"",
                        "pattern.stitches[0][0].panel = \"frnot\" is no panel of the pattern",
