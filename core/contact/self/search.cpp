@@ -227,12 +227,15 @@ model::SelfPairs self_search(const System& system, const model::SelfMesh& mesh, 
 
 namespace {
 
+constexpr double kInPlane = 1e-9;  // distance from a plane over the size of what lies in it
+
 // Whether p -> q goes through the triangle a b c: its ends are on both sides of the plane, and the corners
-// lie around the line.
+// lie around the line. What lies in the plane but for rounding, as in a piece that starts flat, does not.
 bool goes_through(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
   const auto volume = [](const Vec3& u, const Vec3& v, const Vec3& w) { return dot(u, cross(v, w)); };
   const Vec3 n = cross(b - a, c - a);
-  if (!(dot(p - a, n) * dot(q - a, n) < 0)) return false;
+  const double before = dot(p - a, n), after = dot(q - a, n), in_plane = kInPlane * norm(n) * norm(q - p);
+  if (!(before * after < 0 && std::min(std::abs(before), std::abs(after)) > in_plane)) return false;
   const Vec3 along = q - p;
   const double x = volume(along, a - p, b - p), y = volume(along, b - p, c - p),
                z = volume(along, c - p, a - p);
