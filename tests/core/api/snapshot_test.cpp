@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "api/logged_cloth.h"
+#include "api/snapshot.h"
 #include "scene_file.h"
 #include "state/sealed.h"
 
@@ -16,11 +17,13 @@ using Bytes = std::vector<unsigned char>;
 
 constexpr int kSaved = 150, kEnd = 400;  // communication intervals
 
-Cloth open_seed(const std::string& name, Logged& logged) {
+// `added`: to the mesh of the box.
+Cloth open_seed(const std::string& name, Logged& logged, const std::string& added = "") {
   const std::filesystem::path seeds = std::filesystem::path(DRAPE_SOURCE_DIR) / "tests/stress/fuzz/seeds";
   const SceneFolder folder;
   for (const char* mesh : {"box.obj", "ball.obj"})
     std::filesystem::copy_file(seeds / mesh, folder.path / mesh);
+  std::ofstream(folder.path / "box.obj", std::ios::app) << added;
   std::filesystem::copy_file(seeds / "fmi" / (name + ".toml"), folder.path / "scene.toml");
   return Cloth(drape_open((folder.path / "scene.toml").c_str(), on_message, &logged));
 }
@@ -168,6 +171,16 @@ TEST(Snapshot, BytesOfAnotherSceneAreRefused) {
   EXPECT_EQ(logged.errors[0], "the saved state is of another scene than 'hanging', or of other meshes");
 }
 
+// The scene is the same word for word; the mesh that it names is another.
+TEST(Snapshot, BytesOfOtherMeshesAreRefused) {
+  Logged logged;
+  const Cloth c = open_seed("bodies", logged), other = open_seed("bodies", logged, "v 0 0 0\n");
+  ASSERT_TRUE(c && other);
+  EXPECT_FALSE(restore(c, bytes_of(other)));
+  ASSERT_EQ(logged.errors.size(), 1u);
+  EXPECT_NE(logged.errors[0].find("or of other meshes"), std::string::npos) << logged.errors[0];
+}
+
 // Bytes that somebody has made, with a checksum that is right.
 TEST(Snapshot, ForgedValuesAreRefused) {
   Logged logged;
@@ -182,8 +195,12 @@ TEST(Snapshot, ForgedValuesAreRefused) {
     bytes.resize(bytes.size() - cut);
     state::seal_write(bytes.data(), bytes.size(), {layout, scene});
     EXPECT_FALSE(restore(c, bytes));
-    return logged.errors.back();
+    return logged.errors.empty() ? std::string() : logged.errors.back();
   };
+  ++layout;
+  EXPECT_EQ(forged(8, layout),
+            "the saved state is of another version of Drape, whose states have other fields");
+  --layout;
   std::uint64_t nodes;
   std::memcpy(&nodes, whole.data() + state::kHeaderSize, sizeof nodes);
   EXPECT_EQ(forged(state::kHeaderSize, nodes + 1), "the saved state is damaged: state.x has " +
@@ -193,6 +210,36 @@ TEST(Snapshot, ForgedValuesAreRefused) {
             "the saved state is damaged: state.x has a value out of its range");
   EXPECT_EQ(forged(whole.size() - 8, 1ull << 60), "the saved state is damaged: attached is cut off");
   EXPECT_EQ(forged(whole.size() - 8, 0, 4), "the saved state is damaged: attached is cut off");
+}
+
+// Lists whose lengths and numbers are legal one by one, and do not fit together.
+TEST(Snapshot, ForgedListsAreRefused) {
+  const auto expect_refused = [](const char* seed, const std::string& said, auto forge) {
+    SCOPED_TRACE(said);
+    Logged logged;
+    const Cloth c = open_seed(seed, logged);
+    intervals(c, 0, 20);
+    drape_snapshot* saved = drape_save(c.get(), nullptr);
+    forge(saved->state);
+    Bytes bytes(drape_snapshot_size(saved));
+    drape_snapshot_write(c.get(), saved, bytes.data());
+    drape_snapshot_free(saved);
+    EXPECT_FALSE(restore(c, bytes));
+    ASSERT_EQ(logged.errors.size(), 1u);
+    EXPECT_EQ(logged.errors[0], "the saved state is damaged: " + said);
+  };
+  expect_refused("hanging", "wx does not fit to the damping and air in force", [](State& s) {
+    if (s.wx.empty()) s.wx = s.x;
+    else s.wx = {};
+  });
+  expect_refused("hanging", "inverse_mass_scale belongs to a fit",
+                 [](State& s) { s.inverse_mass_scale.assign(s.x.size(), 1); });
+  expect_refused("bodies", "body.blocks do not fit together",
+                 [](State& s) { s.body[0].blocks.free.push_back(1u << 30); });
+  expect_refused("bodies", "body.edges do not fit together",
+                 [](State& s) { s.body[0].edges.active_after_travel.push_back(0); });
+  expect_refused("self_contact", "self.pairs do not fit together",
+                 [](State& s) { s.self.active_after_travel.push_back(0); });
 }
 
 TEST(Snapshot, AttachedBytesTravelWithACopy) {

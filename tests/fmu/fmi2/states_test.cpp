@@ -101,6 +101,22 @@ TEST(States, BytesContinueInAnotherInstance) {
   EXPECT_EQ(fmi2().FreeFMUstate(other.component, &state), fmi2OK);
 }
 
+TEST(States, TheStopTimeTravels) {
+  Slave slave, other;
+  ASSERT_EQ(fmi2().SetupExperiment(slave.component, fmi2False, 0, 0, fmi2True, 0.02), fmi2OK);
+  ASSERT_EQ(fmi2().EnterInitializationMode(slave.component), fmi2OK);
+  ASSERT_EQ(fmi2().ExitInitializationMode(slave.component), fmi2OK);
+  const std::vector<fmi2Byte> bytes = bytes_of(slave);
+  other.initialize();  // without one
+  fmi2FMUstate state = nullptr;
+  ASSERT_EQ(fmi2().DeSerializeFMUstate(other.component, bytes.data(), bytes.size(), &state), fmi2OK);
+  ASSERT_EQ(fmi2().SetFMUstate(other.component, state), fmi2OK);
+  EXPECT_EQ(other.step(0, 0.03), fmi2Discard);
+  expect_sentence(other, fmi2Discard, {"up to the stop time, 0.02 s"});
+  advance(other, 0, 0.02);
+  EXPECT_EQ(fmi2().FreeFMUstate(other.component, &state), fmi2OK);
+}
+
 TEST(States, DamagedBytesAreRefused) {
   Slave slave;
   slave.initialize();
