@@ -32,15 +32,18 @@ pugi::xml_document picture_of(const Scene& scene) {
   return document;
 }
 
-// The numbers of a path, in order: x and y of each of its points.
-std::vector<double> numbers_of(const char* path) {
+// The numbers of a path, in order: x and y of each of its points. Its commands begin with these.
+std::vector<double> numbers_of(const char* path, const std::string& commands) {
   std::vector<double> numbers;
+  std::string letters;
   for (const char* at = path; *at;) {
     char* end;
     const double number = std::strtod(at, &end);
     if (end != at) numbers.push_back(number);
+    else if (*at != ' ') letters += *at;
     at = end != at ? end : at + 1;
   }
+  EXPECT_TRUE(letters.starts_with(commands)) << path;
   return numbers;
 }
 
@@ -114,7 +117,7 @@ TEST(Picture, ShowsWhatTheGridMakesOfAPiece) {
 
   // The parts and the whole cells are the cloth. Rounding to 0.01 moves sides of some 20 units by at most
   // 0.005 each: 0.1 of the 400 square units of a part.
-  const std::vector<double> scale = numbers_of(elements["scale"][0].attribute("d").value());
+  const std::vector<double> scale = numbers_of(elements["scale"][0].attribute("d").value(), "MLLL");
   ASSERT_GE(scale.size(), 8u);  // its path goes left, left, left, right, ...
   const double cell = std::pow(0.01 / 0.05 * (scale[6] - scale[0]), 2);
   double parts = 0;
@@ -153,13 +156,13 @@ TEST(Picture, PlacesPiecesInRows) {
   const pugi::xml_document document = picture_of(scene);
   auto elements = elements_of(document);
   ASSERT_EQ(elements["warp"].size(), 5u);
-  const std::vector<double> warp = numbers_of(elements["warp"][0].attribute("d").value());
+  const std::vector<double> warp = numbers_of(elements["warp"][0].attribute("d").value(), "ML");
   ASSERT_GE(warp.size(), 4u);  // from (x0, y0) to (x1, y1)
   EXPECT_NEAR((warp[0] - warp[2]) / (warp[1] - warp[3]), std::tan(20 * std::numbers::pi / 180), 1e-2);
   EXPECT_GT(warp[1], warp[3]);
   std::map<double, int> rows;
   for (const pugi::xml_node outline : elements["outline"]) {
-    const std::vector<double> path = numbers_of(outline.attribute("d").value());
+    const std::vector<double> path = numbers_of(outline.attribute("d").value(), "M");
     ASSERT_GE(path.size(), 2u);
     ++rows[path[1]];
   }
