@@ -11,6 +11,7 @@
 #include "dynamics/energy_guard.h"
 #include "dynamics/potential_energy.h"
 #include "dynamics/seam_welding.h"
+#include "dynamics/step_size/automatic_step.h"
 #include "dynamics/step_size/step_limit.h"
 #include "math/plain_environment.h"
 #include "scene/files.h"
@@ -56,7 +57,6 @@ void cloth_assemble(drape_cloth& c, std::vector<Problem>& problems) {
     for (const std::string& remark : body.remarks) log_message(c, DRAPE_LOG_WARNING, remark);
 }
 
-// The first particle whose values are not finite.
 // "piece 'sheet', column 5, row 4"
 std::string node_place(const drape_cloth& c, std::size_t node) {
   const model::Lattice& l = model::system_lattice_of(c.system, node);
@@ -65,6 +65,7 @@ std::string node_place(const drape_cloth& c, std::size_t node) {
          ", row " + std::to_string(row + 1);
 }
 
+// The first particle whose values are not finite.
 std::string failure_place(const drape_cloth& c) {
   const State& s = c.state;
   for (std::size_t n : c.system.particle)

@@ -8,6 +8,7 @@
 #include "assembly/assemble.h"
 #include "dynamics/energy_guard.h"
 #include "dynamics/potential_energy.h"
+#include "dynamics/step_size/automatic_step.h"
 #include "dynamics/step_size/step_limit.h"
 #include "math/plain_environment.h"
 

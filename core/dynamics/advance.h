@@ -37,12 +37,6 @@ inline constexpr std::int64_t kMaxStepsPerInterval = 1000000;
 
 enum class Advance { kDone, kStepAboveLimit, kTooManySteps, kEnergyLost, kNotFinite };
 
-// Steps in an interval of q that a state with this omega^2 (1/s^2) needs; may be infinite.
-double leapfrog_steps(const System& system, double omega2);
-
-// Whether a node that moves fast near a body sets the automatic step; otherwise a link does.
-bool step_set_by_contact(const System& system, const State& state);
-
 // Begins a new state: held points take the velocities of their pins; the step limit sets the number of steps
 // in an interval of q.
 void leapfrog_begin(const System& system, Motion& motion, State& state);

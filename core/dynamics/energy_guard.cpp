@@ -168,6 +168,18 @@ double unknown(const model::EnergyGuard& g) {
   return kDeviations * std::sqrt(g.variance) + kSampling * g.damped;
 }
 
+// Follows a change (J) of the energy of the step: neither energy nor ripple.
+void step_energy_add(model::EnergyGuard& g, double change) {
+  g.balance += change;
+  g.step_energy += change;
+}
+
+// What is missing when a refinement is decided on.
+void missing_remember(State& s) {
+  s.guard.missing_refined = guard_missing(s);
+  s.guard.ripple_refined = std::abs(s.guard.ripple);
+}
+
 void worst_update(model::EnergyGuard& g, double missing, double size, double time) {
   if (missing * g.worst_size <= std::abs(g.worst) * size) return;
   g.worst = std::copysign(missing, g.unaccounted);
@@ -246,21 +258,22 @@ void guard_step(const System& system, Motion& motion, State& s, double h) {
     // Where cloth has stiffened so much that its step was far too large, the series of H has no value.
     const double old = std::abs(step.sum()) <= kSeriesHolds * size ? step.sum() : g.step_energy;
     const double change = square * step.second + square * square * step.fourth - old;
-    g.balance += change;
-    g.step_energy += change;
+    step_energy_add(g, change);
     g.h = h;
   }
   g.since += h;
 }
 
 void guard_advance(const System& system, const Path& path, State& s) {
-  double mass = 0, jolt = 0;
-  for (std::size_t n : system.particle) mass += system.mass[n];
+  double change2 = 0;
   for (const PinPath& p : path.pins) {
     const Vec3 change = p.to.velocity - p.from.velocity;
-    jolt = std::max(jolt, mass * dot(change, change) / 2);
+    change2 = std::max(change2, dot(change, change));
   }
-  if (jolt > guard_size(system, s)) s.guard.period = 1;
+  if (change2 == 0) return;
+  double mass = 0;
+  for (std::size_t n : system.particle) mass += system.mass[n];
+  if (mass * change2 / 2 > guard_size(system, s)) s.guard.period = 1;
 }
 
 void guard_jump(const System& system, Motion& motion, State& s, const std::array<Array, 3>& before) {
@@ -274,8 +287,7 @@ void guard_jump(const System& system, Motion& motion, State& s, const std::array
   if (jolt <= kJolt * guard_size(system, s)) return;
   const double change = motion_energy(system, motion, s, {s.vx, s.vy, s.vz}, g.h).sum() -
                         motion_energy(system, motion, s, before, g.h).sum();
-  g.balance += change;
-  g.step_energy += change;
+  step_energy_add(g, change);
   g.period = 1;
 }
 
@@ -291,8 +303,7 @@ void guard_accept(State& s, double refinement) {
     s.steps_to_limit_check = 0;
   }
   g.refinement = refinement;
-  g.missing_refined = guard_missing(s);
-  g.ripple_refined = std::abs(g.ripple);
+  missing_remember(s);
 }
 
 bool guard_refine(State& s, bool again) {
@@ -300,8 +311,7 @@ bool guard_refine(State& s, bool again) {
   if (g.refinement >= kMaxRefinement || 2 * s.steps_per_interval > kMaxStepsPerInterval) return false;
   g.refined = s.steps;
   g.ripple_largest = 0;
-  g.missing_refined = guard_missing(s);
-  g.ripple_refined = std::abs(g.ripple);
+  missing_remember(s);
   if (!again) g.refinements = std::min(g.refinements + 1, kMostRefinements);
   g.refinement *= 2;
   s.steps_per_interval *= 2;

@@ -76,8 +76,9 @@ constexpr double kSmallestShare = 1.0 / 32;
 
 math::Curve odd_law(std::vector<double> e, const std::vector<double>& p, bool& converged) {
   e = below_locking(std::move(e));
-  math::Curve curve = odd_law_iterate(e, p, 0.5, converged);
-  for (double share = 0.25; !converged && share >= kSmallestShare; share /= 2)
+  converged = false;
+  math::Curve curve;
+  for (double share = 0.5; !converged && share >= kSmallestShare; share /= 2)
     curve = odd_law_iterate(e, p, share, converged);
   return curve;
 }

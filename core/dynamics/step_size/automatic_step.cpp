@@ -13,14 +13,14 @@ constexpr int kLimitCheckLongest = 32;  // steps between two checks of the step 
 constexpr double kMeanSteps = 256;      // over which the energy defect is averaged
 constexpr int kLimitCheckGiven = 8;     // where the scene gives the step
 
+MotionBound motion_bound(const State& s) {
+  return {s.mean_defect > 0 ? s.mean_defect / s.mean_kinetic : 0, s.flutter};
+}
+
 // The largest step allowed at an omega^2 and a motion.
 double step_allowed(const System& system, double omega2, const MotionBound& motion) {
   if (system.step_given > 0) return std::min(system.step_given, system.step_max);
   return std::min(step_automatic(system, omega2, motion), system.step_max);
-}
-
-MotionBound motion_bound(const State& s) {
-  return {s.mean_defect > 0 ? s.mean_defect / s.mean_kinetic : 0, s.flutter};
 }
 
 // The same with what is near the cloth at present.
@@ -67,6 +67,7 @@ void largest_begin(State& s) {
   s.max_drift = motion_bound(s).drift;
   s.max_flutter = s.flutter;
 }
+
 // A check over many steps that finds the step too large is repeated over fewer: in vibrating cloth velocities
 // reverse long before.
 void check_step_limit(const System& system, const Motion& motion, State& s, double h) {

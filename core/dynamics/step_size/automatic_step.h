@@ -9,9 +9,15 @@ namespace drape::dynamics {
 // Steps of at most `longest` (s) that fill `length` (s).
 std::int64_t steps_for(double length, double longest);
 
+// Steps in an interval of q that a state with this omega^2 (1/s^2) needs; may be infinite.
+double leapfrog_steps(const System& system, double omega2);
+
 // The largest step (s) at present; and the largest one at every check since largest_begin.
 double step_now(const System& system, const State& state);
 double step_needed(const System& system, const State& state);
+
+// Whether a node that moves fast near a body sets the automatic step; otherwise a link does.
+bool step_set_by_contact(const System& system, const State& state);
 
 // Begins to remember the largest omega^2 and motion of all checks, from the present ones.
 void largest_begin(State& state);

@@ -117,7 +117,6 @@ TEST(EnergyGuard, TakesStiffVibrationsForNoLoss) {
   EXPECT_LE(share_missing(a), 0.005);
 }
 
-// The energy that the given step takes out of the constant belongs to the step, not to the motion.
 // One cell vibrates evenly. At one of these steps a look at every eighth would see it at one phase.
 // Velocities are those between the steps, whose squares are larger by (h omega)^2/4.
 TEST(EnergyGuard, KnowsWhatDampingTakesFromOneVibration) {
@@ -159,6 +158,7 @@ TEST(EnergyGuard, KeepsTheRippleOfASingleCellSmall) {
   }
 }
 
+// The energy that the given step takes out of the constant belongs to the step, not to the motion.
 TEST(EnergyGuard, TakesAChangeOfTheStepForNoChangeOfTheEnergy) {
   Scene scene = swinging();
   scene.step = 2e-5;
