@@ -89,18 +89,22 @@ def main():
     def read(source):
         return subprocess.run([tool, "--quiet", "-p", options.build, ROOT / source], capture_output=True, text=True)
 
-    found, failed = {}, False
+    found, failed = {}, []
     with ThreadPoolExecutor(options.jobs) as pool:
-        for done in pool.map(read, sources):
-            failed |= done.returncode != 0
+        for source, done in zip(sources, pool.map(read, sources)):
+            told = False
             for finding in re.split(r"^(?=\S+:\d+:\d+: (?:warning|error):)", done.stdout, flags=re.M):
                 # a header's finding comes with every source; one in a library's header is about the library
                 own = finding.startswith(str(ROOT)) or ": error:" in finding.split("\n")[0]
+                told |= own
                 if own and finding not in found:
                     found[finding] = True
                     print(finding.replace(f"{ROOT}/", "").rstrip(), flush=True)
-    print(f"{len(sources)} sources: {len(found) or 'no'} findings")
-    sys.exit(bool(found) or failed)
+            if done.returncode != 0 and not told:
+                failed.append(source)
+                print(f"{source}: clang-tidy ended with {done.returncode}", done.stdout + done.stderr, sep="\n", flush=True)
+    print(f"{len(sources)} sources: {len(found) or 'no'} findings" + (f", {len(failed)} not read" if failed else ""))
+    sys.exit(bool(found or failed))
 
 
 if __name__ == "__main__":
