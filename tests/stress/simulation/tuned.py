@@ -4,7 +4,7 @@
 
 FOLDER holds scene.toml and tuning.json: {"changes": [{"at", "group", "high", "ramp"}], "steps"}. A group is one parameter, or
 one diagram; its number from 0 to 1 picks one of all that the FMU has. Rows go to OUT/outputs.csv, as `drape run` writes them;
-what is tuned goes to stderr.
+what is tuned, and what of it the FMU refuses, goes to stderr. A refused value ends nothing: the FMU keeps the old one.
 The run ends at the scene's duration, or once it has taken about "steps" steps; 0: no limit. The exit code is 0, or 2 with
 the last message, or with what the FMU warns of at its end.
 """
@@ -18,7 +18,7 @@ import tomllib
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "fmpy"))
-from master import OK, WARNING, Fmu, Instance  # noqa: E402
+from master import DISCARD, OK, WARNING, Fmu, Instance  # noqa: E402
 
 ROWS = 40
 
@@ -53,6 +53,19 @@ def tune(cloth, change):
         raise Stopped
 
 
+def step(cloth, interval, tuned):
+    """One interval. Values that are wrong only together are refused by the step after them: once, with a sentence."""
+    status = cloth.step(interval)
+    if status == DISCARD and tuned:
+        refused = [text for level, _, text in cloth.log if level == DISCARD]
+        if not refused:
+            raise Stopped
+        print(f"refused: {refused[-1]}", file=sys.stderr)
+        status = cloth.step(interval)
+    if status != OK:
+        raise Stopped
+
+
 def go(cloth, tuning, count, interval, record):
     """Steps by the communication interval; rows at even distances of time or steps, and at every change. A part between two
     changes that has taken its share of the steps is cut short. Returns the intervals at which that led to changes."""
@@ -70,8 +83,7 @@ def go(cloth, tuning, count, interval, record):
             taken.append(k)
             begun, changed = steps, True
         cloth.time = k * interval
-        if cloth.step(interval) != OK:
-            raise Stopped
+        step(cloth, interval, changed)
         k += 1
         steps = cloth.get("step.count")[0]
         if changed or k % rows == 0 or k == count or steps - written > share / ROWS:
