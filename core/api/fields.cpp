@@ -5,7 +5,7 @@
 #include "math/plain_environment.h"
 #include "math/vector3.h"
 #include "model/elements.h"
-#include "model/seam_rows.h"
+#include "model/node_sums.h"
 
 namespace drape::api {
 namespace {

@@ -2,7 +2,7 @@
 #include "api/cloth.h"
 #include "math/plain_environment.h"
 #include "math/vector3.h"
-#include "model/seam_rows.h"
+#include "model/node_sums.h"
 
 using namespace drape;
 using namespace drape::api;

@@ -7,7 +7,7 @@
 #include "dynamics/potential_energy.h"
 #include "dynamics/seam_welding.h"
 #include "math/vector3.h"
-#include "model/seam_rows.h"
+#include "model/node_sums.h"
 
 namespace drape::api {
 namespace {

@@ -16,7 +16,7 @@
 
 #include "forces/seam_bending.h"
 #include "forces/seam_closing.h"
-#include "model/seam_rows.h"
+#include "model/node_sums.h"
 #include "seam/layout.h"
 #include "seam/particles.h"
 

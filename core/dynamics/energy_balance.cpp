@@ -19,7 +19,7 @@
 #include "forces/seam_closing.h"
 #include "model/elements.h"
 #include "model/kinetic_energy.h"
-#include "model/seam_rows.h"
+#include "model/node_sums.h"
 
 namespace drape::dynamics {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "dynamics/energy_guard.h"
-#include "model/seam_rows.h"
+#include "model/node_sums.h"
 
 namespace drape::dynamics {
 namespace {

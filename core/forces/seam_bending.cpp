@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "forces/hinge_energy.h"
-#include "model/seam_rows.h"
+#include "model/node_sums.h"
 
 namespace drape::forces {
 namespace {

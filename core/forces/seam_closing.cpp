@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/seam_rows.h"
+#include "model/node_sums.h"
 
 namespace drape::forces {
 

@@ -7,7 +7,7 @@
 #include "dynamics/step_size/step_limit.h"
 #include "math/vector3.h"
 #include "model/kinetic_energy.h"
-#include "model/seam_rows.h"
+#include "model/node_sums.h"
 #include "outputs/strain.h"
 
 namespace drape::outputs {

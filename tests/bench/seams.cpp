@@ -10,7 +10,7 @@
 #include "assembly/assemble.h"
 #include "forces/seam_bending.h"
 #include "laboratory/stiffness.h"
-#include "model/seam_rows.h"
+#include "model/node_sums.h"
 
 namespace drape::bench {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "model/seam_rows.h"
+#include "model/node_sums.h"
 #include "piece/outline/outline.h"
 #include "seam/particles.h"
 #include "seam_fixture.h"

@@ -7,7 +7,7 @@
 #include "forces/seam_bending.h"
 #include "forces/seam_closing.h"
 #include "model/elements.h"
-#include "model/seam_rows.h"
+#include "model/node_sums.h"
 #include "reference/run.h"
 #include "reference/sewing.h"
 #include "seam_fixture.h"

@@ -6,19 +6,19 @@
 namespace drape::model {
 
 // sum_k weight[k] f(node[k])
-inline Vec3 sum_value(const NodeSum& row, const double* x, const double* y, const double* z) {
+inline Vec3 sum_value(const NodeSum& nodes, const double* x, const double* y, const double* z) {
   Vec3 sum{0, 0, 0};
-  for (const auto& [node, slot, weight] : row) {
+  for (const auto& [node, slot, weight] : nodes) {
     sum[0] += weight * x[node];
     sum[1] += weight * y[node];
     sum[2] += weight * z[node];
   }
   return sum;
 }
-inline Vec3 sum_value(const NodeSum& row, const Array& x, const Array& y, const Array& z) {
-  return sum_value(row, x.data(), y.data(), z.data());
+inline Vec3 sum_value(const NodeSum& nodes, const Array& x, const Array& y, const Array& z) {
+  return sum_value(nodes, x.data(), y.data(), z.data());
 }
-inline Vec3 sum_value(const NodeSum& row, const State& s) { return sum_value(row, s.x, s.y, s.z); }
+inline Vec3 sum_value(const NodeSum& nodes, const State& s) { return sum_value(nodes, s.x, s.y, s.z); }
 
 // The present position of a point, m.
 inline Vec3 point_now(const SeamPoint& point, const State& s) {
@@ -30,8 +30,8 @@ inline Vec3 point_now(const SeamPoint& point, const State& s) {
 }
 
 // A force on the sum acts on each of its nodes, times the node's weight.
-inline void sum_force(const NodeSum& row, const Vec3& force, SlotForces to) {
-  for (const auto& [node, slot, weight] : row) {
+inline void sum_force(const NodeSum& nodes, const Vec3& force, SlotForces to) {
+  for (const auto& [node, slot, weight] : nodes) {
     to.x[slot] += weight * force[0];
     to.y[slot] += weight * force[1];
     to.z[slot] += weight * force[2];
@@ -39,14 +39,14 @@ inline void sum_force(const NodeSum& row, const Vec3& force, SlotForces to) {
 }
 
 // Adds factor times a point to the sum.
-inline void sum_add(NodeSum& row, const SeamPoint& point, double factor) {
+inline void sum_add(NodeSum& nodes, const SeamPoint& point, double factor) {
   for (int k = 0; k < 4; ++k) {
     if (point.weight[k] == 0) continue;
-    NodeTerm* at = row.begin();
-    while (at != row.end() && at->node != point.node[k]) ++at;
-    if (at == row.end()) {
+    NodeTerm* at = nodes.begin();
+    while (at != nodes.end() && at->node != point.node[k]) ++at;
+    if (at == nodes.end()) {
       *at = {std::uint32_t(point.node[k]), 0, 0};
-      ++row.count;
+      ++nodes.count;
     }
     at->weight += factor * point.weight[k];
   }
