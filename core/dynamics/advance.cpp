@@ -209,6 +209,7 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   if (system.fit && path_moves(motion.path)) relaxation_resume(s);
   if (!motion.path.pins.empty()) guard_advance(system, motion.path, s);
   const bool jumps = pins_jump(motion.path) && system.integrator == scene::Integrator::kLeapfrog;
+  if (pins_jump(motion.path) && !jumps) change_begin(system, motion, s, Change::kFrequent);
   if (jumps) leapfrog_complete(system, motion, s);
   edge_half_kick_report(system, motion, s);
   path_follow(motion.path, 0, s);

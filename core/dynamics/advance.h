@@ -96,6 +96,9 @@ model::Scheme scheme_of_last_kick(const System& system, const State& state);
 // before the first step, the present ones. Those of bodies are in motion.contact.load.
 HalfKick leapfrog_synchronous(const System& system, Motion& motion, const State& state, model::Field f,
                               std::vector<math::Wrench>& load);
+// The same by the half kick of a scheme.
+HalfKick half_kick(const System& system, Motion& motion, const State& state, const model::Scheme& scheme,
+                   model::Field f, std::vector<math::Wrench>& load);
 
 // Accelerations F/m + g at t_n, before constraints and contact; in motion_field.
 void free_accelerations(const System& system, Motion& motion, const State& state);

@@ -11,7 +11,7 @@ inline constexpr std::int64_t kGuardSteps = 256;  // between two checks, at leas
 inline constexpr double kGuardAllowed = 0.01;     // of the largest energy, in a run
 
 // True where all work is known, or all that is not known takes energy: without bodies, self-contact, fit,
-// wind and rigid links. The paper's scheme is left as it is.
+// wind and rigid links.
 bool guard_watches(const System& system, const State& state);
 
 // Before a step of h (s). Begins the balance where it is due, at the start and after a pause; follows a

@@ -112,7 +112,11 @@ HalfKick contact_half_kick(const System& system, Motion& motion, const State& s,
 // accelerations.
 HalfKick leapfrog_synchronous(const System& system, Motion& motion, const State& s, model::Field f,
                               std::vector<math::Wrench>& load) {
-  const model::Scheme scheme = scheme_of_last_kick(system, s);
+  return half_kick(system, motion, s, scheme_of_last_kick(system, s), f, load);
+}
+
+HalfKick half_kick(const System& system, Motion& motion, const State& s, const model::Scheme& scheme,
+                   model::Field f, std::vector<math::Wrench>& load) {
   const double half = scheme.half, centred = scheme.centred, decay = scheme.decay,
                damping = damping_of(system, s);
   const bool kicks = scheme.pass == model::Pass::kSynchronous;

@@ -171,3 +171,9 @@ def test_a_dozen_seeds(tmp_path):
     done = suite("--seeds", "0:12", "--jobs", 2, "--report", tmp_path / "table.csv")
     assert done.returncode == 0, done.stdout + done.stderr
     assert len(report.read(tmp_path / "table.csv")) == 12
+
+
+def test_soak():
+    """A twentieth of the soak: memory, energy and clock of a long run."""
+    done = subprocess.run([sys.executable, ROOT / "tests" / "stress" / "soak.py", "--steps", "1e6"], capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr

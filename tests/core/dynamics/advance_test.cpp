@@ -320,6 +320,20 @@ TEST(Leapfrog, TakesCommunicationStepsOffTheGrid) {
 
 // The limit falls when the cloth stiffens under load, and the step with it. The step grows again after 100
 // intervals without a change.
+// The time is a count times the interval: it gathers no rounding, however many steps there were.
+TEST(Leapfrog, KeepsTheTimeOfABillionIntervals) {
+  Scene scene = rectangle(linear_fabric(100, 0, 0), 0.01, 0.01, 0.01);
+  scene.communication = 0.001;
+  Assembled a = assemble(scene);
+  a.state.tick = 1'000'000'000;
+  for (int k = 1; k <= 100; ++k) {
+    advance(a, 0.001);
+    EXPECT_EQ(model::state_time(a.state, 0.001), 0.001 * (1e9 + k));
+  }
+  advance(a, 0.1);
+  EXPECT_EQ(model::state_time(a.state, 0.001), 0.001 * (1e9 + 200));
+}
+
 TEST(Leapfrog, FollowsTheStepLimitDownAndUp) {
   Scene scene = rectangle(reference::curved_fabric(), 0.02, 0.3, 0.01, true);
   scene.pins = {reference::pin_edges("bar", {2})};
