@@ -104,10 +104,26 @@ DRAPE_INLINE Segments<L> segments_pick(const math::CurveStart<kSize>& start, L x
   const auto column = [&](int k) DRAPE_INLINE_LAMBDA { return L::pick(start.column[k], at); };
   return {column(0), column(1), column(2), column(3), column(4), column(5)};
 }
+
+// Beyond the start of the curve. GCC knows which registers a function of the same file leaves alone; clang
+// takes it that a call overwrites all of them, so there only what is rare is one.
+#ifdef __clang__
+template <class L>
+__attribute__((noinline, cold)) void segments_far(const math::Curve& curve, L x, Segments<L>& found) {
+  found = segments_search(curve, x);
+}
+template <class L>
+DRAPE_INLINE void segments_beyond(const math::Curve& curve, L x, Segments<L>& found) {
+  if (any(ge(x, L(curve.start16.limit)))) [[unlikely]]
+    segments_far(curve, x, found);
+  else found = segments_pick(curve.start16, x);
+}
+#else
 template <class L>
 __attribute__((noinline)) void segments_beyond(const math::Curve& curve, L x, Segments<L>& found) {
   found = any(ge(x, L(curve.start16.limit))) ? segments_search(curve, x) : segments_pick(curve.start16, x);
 }
+#endif
 
 template <class L>
 DRAPE_INLINE Segments<L> segments_of(const math::Curve& curve, L x) {

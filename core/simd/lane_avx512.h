@@ -9,6 +9,19 @@
 namespace drape::simd {
 namespace {
 
+// The eight words from the k-th of a, then b. Clang makes a two-table lookup of the intrinsic, which
+// overwrites an operand and takes a table from memory.
+template <int k>
+DRAPE_INLINE __m512d words_shift(__m512d a, __m512d b) {
+#ifdef __clang__
+  __m512d words;
+  asm("valignq %3, %2, %1, %0" : "=v"(words) : "v"(b), "v"(a), "i"(k));
+  return words;
+#else
+  return _mm512_castsi512_pd(_mm512_alignr_epi64(_mm512_castpd_si512(b), _mm512_castpd_si512(a), k));
+#endif
+}
+
 struct Avx512Lane {
   static constexpr int kWidth = 8;
   static constexpr bool kPermutes = true;
@@ -131,12 +144,8 @@ struct Avx512Lane {
     return _mm512_fmsub_pd(a.v, b.v, c.v);
   }
   friend DRAPE_INLINE Avx512Lane sqrt(Avx512Lane a) { return _mm512_sqrt_pd(a.v); }
-  friend DRAPE_INLINE Avx512Lane shifted(Avx512Lane a, Avx512Lane b) {
-    return _mm512_castsi512_pd(_mm512_alignr_epi64(_mm512_castpd_si512(b.v), _mm512_castpd_si512(a.v), 7));
-  }
-  friend DRAPE_INLINE Avx512Lane ahead(Avx512Lane a, Avx512Lane b) {
-    return _mm512_castsi512_pd(_mm512_alignr_epi64(_mm512_castpd_si512(b.v), _mm512_castpd_si512(a.v), 1));
-  }
+  friend DRAPE_INLINE Avx512Lane shifted(Avx512Lane a, Avx512Lane b) { return words_shift<7>(a.v, b.v); }
+  friend DRAPE_INLINE Avx512Lane ahead(Avx512Lane a, Avx512Lane b) { return words_shift<1>(a.v, b.v); }
   friend DRAPE_INLINE Avx512Lane abs(Avx512Lane a) { return _mm512_abs_pd(a.v); }
   friend DRAPE_INLINE Avx512Lane max(Avx512Lane a, Avx512Lane b) { return _mm512_max_pd(a.v, b.v); }
   friend DRAPE_INLINE Avx512Lane min(Avx512Lane a, Avx512Lane b) { return _mm512_min_pd(a.v, b.v); }

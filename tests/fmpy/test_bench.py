@@ -6,6 +6,7 @@ import sys
 
 import pytest
 from scenes import ROOT
+from test_release import linux64
 
 BENCH = ROOT / "tests" / "bench"
 
@@ -22,6 +23,12 @@ def test_whole(tmp_path):
 def test_garment(tmp_path):
     run(BENCH / "garment.py", "--quick", "--csv", tmp_path / "garment.csv")
     assert (tmp_path / "garment.csv").read_text().count("\n") == 5
+
+
+@linux64
+def test_builds(tmp_path):
+    run(BENCH / "builds.py", "--quick", "--csv", tmp_path / "builds.csv")
+    assert (tmp_path / "builds.csv").read_text().count("\n") == 12
 
 
 def test_scenes(drape, tmp_path):
