@@ -209,12 +209,15 @@ void inputs_begin(const System& system, Motion& motion, State& s, double length)
   if (system.fit && path_moves(motion.path)) relaxation_resume(s);
   if (!motion.path.pins.empty()) guard_advance(system, motion.path, s);
   const bool jumps = pins_jump(motion.path) && system.integrator == scene::Integrator::kLeapfrog;
-  if (pins_jump(motion.path) && !jumps) change_begin(system, motion, s, Change::kFrequent);
   if (jumps) leapfrog_complete(system, motion, s);
   edge_half_kick_report(system, motion, s);
-  path_follow(motion.path, 0, s);
-  bodies_follow(motion.path, 0, s);
-  held_follow(motion.constraints, s, motion.held);
+  const auto set = [&] {
+    path_follow(motion.path, 0, s);
+    bodies_follow(motion.path, 0, s);
+    held_follow(motion.constraints, s, motion.held);
+  };
+  if (pins_jump(motion.path)) guard_set_inputs(system, motion, s, set);
+  else set();
   const double before = jumps ? model::kinetic_energy(system, s) : 0;
   if (jumps) {
     const std::array<Array, 3> velocity = {s.vx, s.vy, s.vz};

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "dynamics/modified_energy.h"
 #include "dynamics/potential_energy.h"
@@ -18,15 +19,17 @@ using namespace math::vector3;
 
 namespace {
 
-constexpr double kUntouched = 0.002;       // of the largest energy: what may be missing without more steps
-constexpr double kRipple = 0.003;          // of the largest energy: the ripple of T + U without more steps
-constexpr double kRippleOfTwice = 4;       // the ripple at twice the step, over that at the step
-constexpr double kRippleOfPaper = 0.005;   // both of the paper's scheme, after kGuardSteps steps: before,
-constexpr double kRippleOfPaperTwice = 2;  // a cloth that falls from rest ripples by all its energy
-constexpr double kGrowth = 0.001;          // of the largest energy, more than at the last refinement
-constexpr double kSeriesHolds = 0.1;       // of the largest energy: the energy of a step, at most
-constexpr double kSameStep = 1e-6;         // relative change of the step that counts as none
-constexpr double kLost = 10;               // kGuardAllowed, where the run stops
+constexpr double kUntouched = 0.002;  // of the largest energy: what may be missing without more steps
+constexpr double kRipple = 0.003;     // of the largest energy: the ripple of T + U without more steps
+constexpr double kRippleOfTwice = 4;  // the ripple at twice the step, over that at the step
+// The paper's scheme, whose ripple is of order h. It is not judged in the first kGuardSteps steps: a cloth
+// that falls from rest begins with a ripple as large as its energy.
+constexpr double kRippleOfPaper = 0.005;
+constexpr double kRippleOfPaperTwice = 2;
+constexpr double kGrowth = 0.001;     // of the largest energy, more than at the last refinement
+constexpr double kSeriesHolds = 0.1;  // of the largest energy: the energy of a step, at most
+constexpr double kSameStep = 1e-6;    // relative change of the step that counts as none
+constexpr double kLost = 10;          // kGuardAllowed, where the run stops
 constexpr double kMaxRefinement = 16;
 constexpr double kStepsBeforeEase = 25600;  // without a failure, before the refinement halves; times
 constexpr double kMoreBeforeEase = 4;       // this with every refinement after the first
@@ -61,21 +64,26 @@ void step_energy_add(model::EnergyGuard& g, double change) {
   g.step_energy += change;
 }
 
+// J, the energy of the step that counts. Where cloth has stiffened so much that its step was far too large,
+// the series of H has no value.
+double step_energy_of(const System& system, const State& s, const StepEnergy& step) {
+  return std::abs(step.second + step.fourth) <= kSeriesHolds * guard_size(system, s) ? step.sum()
+                                                                                     : s.guard.step_energy;
+}
+
 // Follows the energy of the step through a change of the step to h. The paper's scheme takes V_n for the
-// velocity half a step before t_n, whatever the step; so its H changes by more.
+// velocity half a step before t_n, whatever the step; so more changes with it.
 void step_follow(const System& system, Motion& motion, State& s, double h) {
   model::EnergyGuard& g = s.guard;
   const ModifiedEnergy before = modified_energy(system, motion, s, g.h);
-  const StepEnergy& step = before.step;
   if (is_paper(system)) {
     const ModifiedEnergy after = modified_energy(system, motion, s, h);
-    g.balance += after.h_less_work - before.h_less_work;
-    g.step_energy += after.step.sum() - step.sum();
+    const double old = step_energy_of(system, s, before.step), now = after.step.sum();
+    g.balance += (after.h_less_work - now) - (before.h_less_work - before.step.sum());
+    step_energy_add(g, now - old);
   } else {
-    const double square = h * h / (g.h * g.h), size = guard_size(system, s);
-    // Where cloth has stiffened so much that its step was far too large, the series of H has no value.
-    const double old = std::abs(step.sum()) <= kSeriesHolds * size ? step.sum() : g.step_energy;
-    step_energy_add(g, square * step.second + square * square * step.fourth - old);
+    const double square = h * h / (g.h * g.h), old = step_energy_of(system, s, before.step);
+    step_energy_add(g, square * before.step.second + square * square * before.step.fourth - old);
   }
   g.h = h;
 }
@@ -189,6 +197,14 @@ void guard_jump(const System& system, Motion& motion, State& s, const std::array
                         step_energy_of_motion(system, motion, s, before, g.h).sum();
   step_energy_add(g, change);
   g.period = 1;
+}
+
+void guard_set_inputs(const System& system, Motion& motion, State& s, const std::function<void()>& set) {
+  if (!s.guard.begun || !is_paper(system)) return set();
+  const StepEnergy before = modified_energy(system, motion, s, s.guard.h).step;
+  set();
+  const StepEnergy after = modified_energy(system, motion, s, s.guard.h).step;
+  step_energy_add(s.guard, after.second + after.fourth - before.second - before.fourth);
 }
 
 void change_begin(const System& system, Motion& motion, State& s, Change change) {

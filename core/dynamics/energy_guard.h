@@ -2,6 +2,7 @@
 // where more is missing than a run may lose. core/README.md, section 4, "Energy guard".
 #pragma once
 #include <array>
+#include <functional>
 
 #include "dynamics/advance.h"
 
@@ -19,6 +20,9 @@ bool guard_watches(const System& system, const State& state);
 void guard_step(const System& system, Motion& motion, State& state, double h);
 // After the velocities of pins have jumped, from those of `before` (m/s): follows the energy of the step.
 void guard_jump(const System& system, Motion& motion, State& state, const std::array<Array, 3>& before);
+// Sets the inputs of an advance by `set`, where pins jump. The paper's scheme takes the jump up in its next
+// step; its H changes at once, and is followed.
+void guard_set_inputs(const System& system, Motion& motion, State& state, const std::function<void()>& set);
 // Before an advance along a path. Where pins change their velocity by so much that cloth that follows them
 // gains more than the largest energy, its intervals are checked at once.
 void guard_advance(const System& system, const Path& path, State& state);

@@ -24,16 +24,31 @@ std::vector<std::size_t> moved_nodes(const Motion& m) {
   return nodes;
 }
 
-// J, h^2 F.(F/m)/8, by the change of velocity from v_{n-1/2} to `now`, half a step of h.
-double kick_energy(const System& system, const Motion& m, const State& s) {
-  const auto term = [&](std::size_t n) {
-    const double x = m.now_x[n] - s.vx[n], y = m.now_y[n] - s.vy[n], z = m.now_z[n] - s.vz[n];
-    return system.mass[n] * (x * x + y * y + z * z) / 2;
-  };
+// The sum of a quantity of particles, without those of nodes that pins move.
+template <class Term>
+double sum_free(const System& system, const Motion& m, Term term) {
   double sum = 0;
   for (std::size_t n : system.particle) sum += term(n);
   for (std::size_t n : moved_nodes(m)) sum -= term(n);
-  return std::max(sum, 0.0);
+  return sum;
+}
+
+// J, h^2 F.(F/m)/8, by the change of velocity from v_{n-1/2} to `now`, half a step of h.
+double kick_energy(const System& system, const Motion& m, const State& s) {
+  const double energy = sum_free(system, m, [&](std::size_t n) {
+    const double x = m.now_x[n] - s.vx[n], y = m.now_y[n] - s.vy[n], z = m.now_z[n] - s.vz[n];
+    return system.mass[n] * (x * x + y * y + z * z) / 2;
+  });
+  return std::max(energy, 0.0);
+}
+
+// J, how much more kinetic energy the particles have at `now` than in the state.
+double kinetic_gain(const System& system, const Motion& m, const State& s) {
+  return sum_free(system, m, [&](std::size_t n) {
+    const auto gain = [](double now, double v) { return (now - v) * (now + v); };
+    return system.mass[n] / 2 *
+           (gain(m.now_x[n], s.vx[n]) + gain(m.now_y[n], s.vy[n]) + gain(m.now_z[n], s.vz[n]));
+  });
 }
 
 }  // namespace
@@ -87,8 +102,8 @@ ModifiedEnergy modified_energy(const System& system, Motion& motion, State& s, d
                                    ? model::Scheme{.pass = model::Pass::kSynchronous, .half = h / 2}
                                    : scheme_of_last_kick(system, s);
   const HalfKick half = half_kick(system, motion, s, scheme, motion_field(motion), loads);
-  const double before = is_paper(system) ? h : s.h_old;
-  const double kick = kick_energy(system, motion, s) * h * h / (before * before);
+  const double h_kick = is_paper(system) ? h : s.h_old;
+  const double kick = kick_energy(system, motion, s) * h * h / (h_kick * h_kick);
   if (completed) {
     s.h_old = 0;
     motion.now_x = s.vx, motion.now_y = s.vy, motion.now_z = s.vz;
@@ -101,13 +116,12 @@ ModifiedEnergy modified_energy(const System& system, Motion& motion, State& s, d
     of.step = step_energy_of_motion(system, motion, s, {motion.now_x, motion.now_y, motion.now_z}, h);
     of.step.second -= kick / 3;
   }
-  if (is_paper(system)) {
-    const double kinetic = model::kinetic_energy(system, s);  // of V_n
-    of.step.first = of.energy.kinetic - kinetic;
-    of.energy.kinetic = kinetic;
-  }
   of.h_less_work =
       energy_sum(of.energy) + of.step.sum() - s.drive_work - (completed ? 0 : half.work_of_drives);
+  if (is_paper(system)) {
+    of.step.first = kinetic_gain(system, motion, s);
+    of.energy.kinetic = model::kinetic_energy(system, s);  // of V_n
+  }
   return of;
 }
 

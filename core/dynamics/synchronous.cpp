@@ -106,10 +106,10 @@ HalfKick contact_half_kick(const System& system, Motion& motion, const State& s,
 //
 //     v_n = (v_{n-1/2} + (h_old/2) f)/(1 + c h_old/2).
 //
-// Above order 2 it is the damped v of the last drift + b h_old f. The paper's scheme holds v_n itself. Loads
-// are what the projection takes out of that half kick. Where there was none, and in a fit, whose steps have
-// another inertia, loads are those of the accelerations f - c v_n, and v_n follows from the projected
-// accelerations.
+// Above order 2 it is the damped v of the last drift + b h_old f. For outputs the paper's scheme holds v_n
+// itself. Loads are what the projection takes out of that half kick. Where there was none, and in a fit,
+// whose steps have another inertia, loads are those of the accelerations f - c v_n, and v_n follows from the
+// projected accelerations.
 HalfKick leapfrog_synchronous(const System& system, Motion& motion, const State& s, model::Field f,
                               std::vector<math::Wrench>& load) {
   return half_kick(system, motion, s, scheme_of_last_kick(system, s), f, load);

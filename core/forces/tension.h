@@ -105,8 +105,8 @@ DRAPE_INLINE Segments<L> segments_pick(const math::CurveStart<kSize>& start, L x
   return {column(0), column(1), column(2), column(3), column(4), column(5)};
 }
 
-// Beyond the start of the curve. GCC knows which registers a function of the same file leaves alone; clang
-// takes it that a call overwrites all of them, so there only what is rare is one.
+// Beyond the start of the curve. GCC knows which registers a function of the same file leaves alone. Clang
+// takes it that a call overwrites all of them, so there only the rare path is a call.
 #ifdef __clang__
 template <class L>
 __attribute__((noinline, cold)) void segments_far(const math::Curve& curve, L x, Segments<L>& found) {

@@ -3,8 +3,8 @@
     taskset -c 0 .venv/bin/python tests/bench/builds.py [--quick] [--csv FILE]
 
 Both must be there: `bash tests/run.sh`, then `bash fmu/release.sh linux64`. A row is a scene, packed with either binary. One
-instance of each simulates it, interval for interval by turns. A row compares the medians of its intervals. The steps, and so all
-results, are the same in both.
+instance of each simulates it, interval for interval by turns. A row compares the medians of its intervals. Both take the same
+number of steps.
 """
 import argparse
 import csv

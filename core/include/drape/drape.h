@@ -272,8 +272,8 @@ drape_inputs* drape_input_rates_of(drape_cloth*);
 /* 1 once a cloth in fit mode has reached its equilibrium, where it stays; else 0. */
 int drape_at_rest(const drape_cloth*);
 
-/* What the energy guard has missed so far. 0 where it does not watch: in wind, fits and the paper's scheme,
- * with bodies, self-contact or rigid links. */
+/* What the energy guard has missed so far. 0 where it does not watch: in wind and fits, with bodies,
+ * self-contact or rigid links. */
 typedef struct drape_unaccounted {
   double energy; /* J, at the time where it was largest: gained, or lost where negative */
   double

@@ -2,6 +2,7 @@
 // at the end are equal byte for byte. Bytes that are not whole, or of another scene, are refused.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <numbers>

@@ -318,8 +318,6 @@ TEST(Leapfrog, TakesCommunicationStepsOffTheGrid) {
   for (std::size_t n : a.system.particle) EXPECT_NEAR(a.state.z[n], -9.81 * time * time / 2, 1e-14);
 }
 
-// The limit falls when the cloth stiffens under load, and the step with it. The step grows again after 100
-// intervals without a change.
 // The time is a count times the interval: it gathers no rounding, however many steps there were.
 TEST(Leapfrog, KeepsTheTimeOfABillionIntervals) {
   Scene scene = rectangle(linear_fabric(100, 0, 0), 0.01, 0.01, 0.01);
@@ -334,6 +332,8 @@ TEST(Leapfrog, KeepsTheTimeOfABillionIntervals) {
   EXPECT_EQ(model::state_time(a.state, 0.001), 0.001 * (1e9 + 200));
 }
 
+// The limit falls when the cloth stiffens under load, and the step with it. The step grows again after 100
+// intervals without a change.
 TEST(Leapfrog, FollowsTheStepLimitDownAndUp) {
   Scene scene = rectangle(reference::curved_fabric(), 0.02, 0.3, 0.01, true);
   scene.pins = {reference::pin_edges("bar", {2})};

@@ -3,10 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "cloth_fixture.h"
 #include "dynamics/constraint_projection.h"
 #include "dynamics/energy_guard.h"
-#include "dynamics/kernel/kernel.h"
 #include "model/kinetic_energy.h"
 
 namespace drape::dynamics {
@@ -86,41 +87,42 @@ TEST(ModifiedEnergy, OfThePapersSchemeIsThatOfLeapfrog) {
 
 double share_missing(const Assembled& a) { return std::abs(a.state.guard.worst) / a.state.guard.worst_size; }
 
-// Off the grid the step changes with each interval; the pin goes back and forth and jolts the cloth.
+// Every other interval is longer, so the step changes with each; the pin goes back and forth and jolts the
+// cloth.
 TEST(EnergyGuard, WatchesThePapersScheme) {
   for (const double damping : {0.0, 20.0, 200.0})
-    for (const double jolt : {0.0, 0.004})
+    for (const double jolt : {0.0, 0.02})
       for (const double ratio : {1.0, 1.03}) {
         Scene scene = thrown(scene::Integrator::kPaper, 0.3);
         scene.damping = damping;
         scene.pins[0].drive = scene::Drive::kPosition;
         Assembled a = assemble(scene);
-        const double length = ratio * scene.communication;
+        const auto length = [&](int k) { return (k % 2 ? 1 : ratio) * scene.communication; };
         for (int k = 0; k < 400; ++k) {
           if (k % 50 == 0) a.motion.inputs.pin[0].position[2] = k % 100 == 0 ? 0 : jolt;
-          advance(a, length);
+          advance(a, length(k));
+          ASSERT_TRUE(a.state.guard.begun);
         }
         SCOPED_TRACE(testing::Message() << damping << "/s, " << jolt << " m, " << ratio);
         EXPECT_LE(share_missing(a), 0.005);
         const double kinetic = model::kinetic_energy(a.system, a.state), missing = a.state.guard.unaccounted;
         for (Array* v : {&a.state.vx, &a.state.vy, &a.state.vz})
           for (double& one : *v) one *= 1.1;
-        advance(a, length);
+        advance(a, length(0));
         guard_look(a.system, a.motion, a.state);
         EXPECT_NEAR(a.state.guard.unaccounted - missing, 0.21 * kinetic, 0.05 * kinetic);
       }
 }
 
 TEST(EnergyGuard, KnowsWhatThePapersDampingTakes) {
-  for (const double damping : {20.0, 200.0, 2000.0, 10000.0, 40000.0}) {
+  for (const double damping : {20.0, 200.0}) {
     Scene scene = thrown(scene::Integrator::kPaper, 0.3);
     scene.damping = damping;
     Assembled a = assemble(scene);
     for (int k = 0; k < 400; ++k) advance(a, scene.communication);
     SCOPED_TRACE(damping);
-    EXPECT_GT(a.state.guard.damped, 0.05 * a.state.guard.largest);
-    EXPECT_LE(share_missing(a), 0.005);
-    EXPECT_EQ(a.state.guard.refinement, 1);
+    EXPECT_GT(a.state.guard.damped, 0.1 * a.state.guard.largest);
+    EXPECT_NEAR(a.state.guard.unaccounted, 0, 0.01 * a.state.guard.damped);
   }
 }
 
