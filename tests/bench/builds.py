@@ -45,8 +45,8 @@ def scenes(folder):
     yield "body, 441 particles", sheet_over_ball(folder, cell=0.005)
 
 
-def pack(scene, folder, build):
-    file, packed = folder / "scene.toml", folder / f"scene_{build}.fmu"
+def pack(scene, folder, name, build):
+    file, packed = folder / f"{name}.toml", folder / f"{name}_{build}.fmu"
     file.write_text(toml(scene))
     subprocess.run([DRAPE, "pack", file, "-o", packed, "--build", build, "--platforms", "linux64"], check=True,
                    stdout=subprocess.DEVNULL)
@@ -87,14 +87,10 @@ def main():
     arguments.add_argument("--csv", type=Path, help="also writes the rows to a file")
     options = arguments.parse_args()
     rows = []
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(temporary)
         for k, (what, scene) in enumerate(scenes(folder)):
-            row = folder / str(k)
-            row.mkdir()
-            for mesh in folder.glob("*.obj"):
-                mesh.rename(row / mesh.name)
-            fmus = {build: pack(scene, row, build) for build in BUILDS}
+            fmus = {build: pack(scene, folder, f"row_{k}", build) for build in BUILDS}
             taken = measure(fmus, *((3, 0.05) if options.quick else (INTERVALS, SECONDS)))
             rows.append((what, *(taken[build] for build in BUILDS), taken["release"] / taken["development"]))
             print("{:40} {:10.2f} {:10.2f} us   {:.3f}".format(*rows[-1]), flush=True)
