@@ -41,9 +41,11 @@ std::string spelling_nearest(std::string_view word, const std::vector<std::strin
   std::string nearest;
   std::size_t smallest = std::string::npos;
   for (const std::string& name : known) {
+    const auto [shorter, longer] = std::minmax({word.size(), name.size()});
+    const auto near = [&](std::size_t distance) { return distance < smallest && 3 * distance <= longer; };
+    if (!near(longer - shorter)) continue;  // no edits are fewer than the letters to add
     const std::size_t distance = edit_distance(word, name);
-    if (distance < smallest && 3 * distance <= std::max(word.size(), name.size()))
-      smallest = distance, nearest = name;
+    if (near(distance)) smallest = distance, nearest = name;
   }
   return nearest;
 }
