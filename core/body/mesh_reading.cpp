@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -42,29 +43,45 @@ std::string lower(std::string text) {
 
 std::string bytes_read(std::istream& stream) { return {std::istreambuf_iterator<char>(stream), {}}; }
 
-// Checks what tinyobjloader lets pass: it reads a vertex that is no number as 0, and leaves out a face of two
-// corners.
-std::string line_trouble(const std::string& keyword, std::istringstream& words, std::size_t vertex,
-                         std::size_t face) {
-  std::string word;
-  if (keyword == "v")
-    for (int k = 0; k < 3; ++k) {
-      char* end = nullptr;
-      if (!(words >> word) || !std::isfinite(std::strtod(word.c_str(), &end)) || *end)
-        return "has a vertex that is no number, vertex " + std::to_string(vertex);
-    }
-  if (keyword == "f") {
-    int corners = 0;
-    while (words >> word && word[0] != '#') ++corners;
-    if (corners < 3)
-      return "has a face of " + std::to_string(corners) + " corners, face " + std::to_string(face) +
-             "; allowed: 3 and more";
+// "v x y z": tinyobjloader reads a vertex that is no number as 0. Its exponents overflow, so a number with
+// an exponent is written anew.
+std::string vertex_plain(std::istringstream& words, std::size_t vertex, std::string& trouble) {
+  std::string plain = "v", word;
+  for (int k = 0; k < 3; ++k) {
+    char* end = nullptr;
+    const double value = words >> word ? std::strtod(word.c_str(), &end) : NAN;
+    if (!std::isfinite(value) || *end)
+      return trouble = "has a vertex that is no number, vertex " + std::to_string(vertex), "";
+    char written[32];
+    std::snprintf(written, sizeof written, "%.17g", value);
+    plain += ' ' + (word.find_first_of("eE") == std::string::npos ? word : written);
   }
-  return "";
+  return plain;
 }
 
-// The text as tinyobjloader reads it: without a byte order mark, lines continued by a backslash in one piece,
-// keywords in lower case.
+// "f i j k ...": tinyobjloader leaves out a face of two corners, and reads a corner up to what is no digit.
+std::string face_plain(std::istringstream& words, std::size_t face, std::string& trouble) {
+  std::string plain = "f", word;
+  int corners = 0;
+  for (; words >> word && word[0] != '#'; ++corners) {
+    const std::string vertex = word.substr(0, word.find('/'));
+    const char* const end = vertex.data() + vertex.size();
+    int number = 0;
+    const auto [read, error] = std::from_chars(vertex.data() + (vertex[0] == '+'), end, number);
+    if (error != std::errc() || read != end || number == 0)
+      return trouble = "has the corner '" + word.substr(0, 40) + "', face " + std::to_string(face) +
+                       "; wanted: the number of a vertex, from 1, or counted back from -1",
+             "";
+    plain += ' ' + vertex;
+  }
+  if (corners < 3)
+    trouble = "has a face of " + std::to_string(corners) + " corners, face " + std::to_string(face) +
+              "; allowed: 3 and more";
+  return plain;
+}
+
+// What tinyobjloader is given: vertices and faces, without texture and normals; no byte order mark, lines
+// continued by a backslash in one piece, keywords in lower case. All other lines are empty.
 std::string obj_plain(const std::string& bytes, std::string& trouble) {
   std::string plain, whole;
   std::size_t vertices = 0, faces = 0;
@@ -82,10 +99,10 @@ std::string obj_plain(const std::string& bytes, std::string& trouble) {
     std::string keyword;
     if (words >> keyword) {
       keyword = lower(keyword);
-      whole.replace(first, keyword.size(), keyword);
-      trouble = line_trouble(keyword, words, vertices += keyword == "v", faces += keyword == "f");
+      if (keyword == "v") plain += vertex_plain(words, ++vertices, trouble);
+      if (keyword == "f") plain += face_plain(words, ++faces, trouble);
     }
-    plain += whole + '\n';
+    plain += '\n';
     whole.clear();
   }
   return plain;

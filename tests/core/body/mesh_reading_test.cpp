@@ -147,6 +147,11 @@ TEST(MeshReading, ReadsDialectsOfObj) {
   expect_closed("a.obj", shared_obj("v", "f", "\r\n"));
   expect_closed("a.obj", shared_obj("v", "f \\\n"));
   expect_closed("a.obj", "# from C:\\meshes\\\n" + shared_obj());
+  expect_closed("a.obj", "vt 1e2147483648 0\nvn nothing\n" + shared_obj("v", "usemtl wool\nf") + "# f 1 2\n");
+  std::string exponents = shared_obj();  // more than tinyobjloader counts
+  for (std::size_t at; (at = exponents.find(" 0\n")) != std::string::npos;)
+    exponents.replace(at, 3, " 0e2147483648\n");
+  expect_closed("a.obj", exponents);
 }
 
 TEST(MeshReading, ReadsDialectsOfStl) {
@@ -164,6 +169,12 @@ TEST(MeshReading, ReadsDialectsOfStl) {
 TEST(MeshReading, SaysWhatIsWrong) {
   expect_problem("a.obj", shared_obj() + "f 1 2\n", "has a face of 2 corners, face 5; allowed: 3 and more");
   expect_problem("a.obj", "v 0 zero 0\n", "has a vertex that is no number, vertex 1");
+  const std::string corner = "; wanted: the number of a vertex, from 1, or counted back from -1";
+  expect_problem("a.obj", shared_obj() + "f 1 2 3x\n", "has the corner '3x', face 5" + corner);
+  expect_problem("a.obj", shared_obj() + "f 1 0 2\n", "has the corner '0', face 5" + corner);
+  expect_problem("a.obj", shared_obj() + "f 1 2 /3\n", "has the corner '/3', face 5" + corner);
+  expect_problem("a.obj", shared_obj() + "f 1 2 4294967299\n",
+                 "has the corner '4294967299', face 5" + corner);
   expect_problem("a.stl", stl_binary("", NAN), "has a vertex that is no number, facet 1");
   expect_problem("a.stl", "solid a\nvertex nan 0 0\nendsolid\n", "after 'vertex' stands 'nan', no number");
   expect_problem("a.stl", stl_text(""), "is cut off: 'endsolid' is missing at its end");

@@ -238,6 +238,16 @@ TEST(SceneFile, HasNoLeastInteger) {
   EXPECT_NE(scene_messages("[scene]\nx = -9223372036854775807\n")[0], "scene.toml:2:" + told);
 }
 
+// Unpatched, toml++ 3.3 runs into an undefined branch at the letter, which the sanitizers stop.
+TEST(SceneFile, TakesAnyLetterAfterALineThatEndsInABackslash) {
+  for (const std::string letter : {"\u00e9", "\u0416", "\uff21"}) {
+    const Messages messages = scene_messages("[scene]\nname = \"\"\"\\\n  " + letter + "\"\"\"\n");
+    ASSERT_FALSE(messages.empty());
+    EXPECT_TRUE(messages.back().starts_with("scene.toml:2: scene.name = \"" + letter + "\" is no name"))
+        << messages.back();
+  }
+}
+
 // Texts are cut after 80 bytes, here within the two bytes of the letter.
 TEST(SceneFile, ThatHoldsALongTextIsQuotedUpToAWholeLetter) {
   const std::string first(79, 'a');
