@@ -25,8 +25,12 @@ Resources resources_make(const fs::path& work, const std::string& scene) {
     fs::copy_file(drape_file_path(cloth, k), folder / drape_file_name(cloth, k),
                   fs::copy_options::overwrite_existing);
   constexpr description::Nodes kNodes = description::Nodes::kOutline;
-  Resources made{folder.string(), description::guid_of(description::guid_content(cloth), kNodes),
-                 description::variables_of(cloth, kNodes), drape_communication(cloth)};
+  Resources made{folder.string(),
+                 description::guid_of(description::guid_content(cloth), kNodes),
+                 description::variables_of(cloth, kNodes),
+                 {},
+                 drape_communication(cloth)};
+  for (const description::Variable& v : made.table) made.start.push_back(*v.value);
   drape_close(cloth);  // of the table only names, ranges and kinds are used from here on
   return made;
 }

@@ -10,6 +10,7 @@ namespace drape::fuzz {
 struct Resources {
   std::string folder, guid;
   std::vector<description::Variable> table;
+  std::vector<double> start;  // of each row
   double interval;
 };
 

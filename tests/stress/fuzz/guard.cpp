@@ -19,6 +19,10 @@ extern "C" __attribute__((visibility("default"))) const char* __asan_default_opt
   return "max_allocation_size_mb=2000:hard_rss_limit_mb=3000:handle_abort=1:detect_leaks=1:intercept_tls_get_"
          "addr=0";
 }
+// Its findings end in an abort, so that the address sanitizer names the case.
+extern "C" __attribute__((visibility("default"))) const char* __ubsan_default_options() {
+  return "abort_on_error=1";
+}
 #endif
 
 namespace drape::fuzz {

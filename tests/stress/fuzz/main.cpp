@@ -16,6 +16,7 @@
 #include <iterator>
 #include <set>
 
+#include "body/library.h"
 #include "cases.h"
 #include "guard.h"
 
@@ -120,6 +121,9 @@ Tally files_fuzz(const Reader& reader, const Options& options) {
   corpus_add(kept, extension, corpus);
   Random random{std::mt19937_64(options.seed)};
   std::set<std::string> shapes;
+  // The address sanitizer keeps 100 KB for each time that a library is loaded.
+  std::string hindrance;
+  const auto contact = body::contact_library(hindrance);
   Tally tally;
   const Clock clock;
   for (; tally.cases < options.cases && clock.seconds() < options.seconds; ++tally.cases) {
