@@ -138,7 +138,7 @@ Advance interval_watched(const System& system, Motion& motion, State& s, double 
       guard_accept(s, refinement);
       return guard_lost(system, s) ? Advance::kEnergyLost : Advance::kDone;
     }
-    if (!guard_refine(repeats ? motion.before : s, again)) {
+    if (!guard_refine(repeats ? motion.before : s, guard_size(system, s), again)) {
       if (fell) return how;
       guard_accept(s, s.guard.refinement);
       return Advance::kDone;

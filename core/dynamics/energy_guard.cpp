@@ -34,6 +34,8 @@ constexpr double kMaxRefinement = 16;
 constexpr double kStepsBeforeEase = 25600;  // without a failure, before the refinement halves; times
 constexpr double kMoreBeforeEase = 4;       // this with every refinement after the first
 constexpr int kMostRefinements = 30;        // that count so
+// Of the largest energy at the last refinement: beyond it, what was missing then is little.
+constexpr double kGrown = 4, kStepsBeforeEaseGrown = 1024;
 constexpr double kJolt = 1e-4;   // of the largest energy: m |change of v|^2/2 in a jump that counts
 constexpr double kFloor = 1e-5;  // of weight times size
 constexpr double kFloorWithoutGravity = 1e-6;  // m/s^2, of mass times size
@@ -92,6 +94,21 @@ void step_follow(const System& system, Motion& motion, State& s, double h) {
 void missing_remember(State& s) {
   s.guard.missing_refined = guard_missing(s);
   s.guard.ripple_refined = std::abs(s.guard.ripple);
+}
+
+// Halves the refinement where it has not been needed for long.
+void ease(model::EnergyGuard& g, std::int64_t steps, double size, double ripple_allowed,
+          double ripple_of_twice) {
+  const bool grown = size > kGrown * g.size_refined;
+  const double wait =
+      grown ? kStepsBeforeEaseGrown : kStepsBeforeEase * std::pow(kMoreBeforeEase, g.refinements - 1);
+  if (g.refinement <= 1 || double(steps - g.refined) < wait) return;
+  if (ripple_of_twice * g.ripple_largest <= ripple_allowed) {
+    g.refinement /= 2;
+    if (grown) g.refinements = std::max(g.refinements - 1, 0);
+  }
+  g.refined = steps;
+  g.ripple_largest = 0;
 }
 
 void worst_update(model::EnergyGuard& g, double missing, double size, double time) {
@@ -222,12 +239,13 @@ void guard_accept(State& s, double refinement) {
   missing_remember(s);
 }
 
-bool guard_refine(State& s, bool again) {
+bool guard_refine(State& s, double size, bool again) {
   model::EnergyGuard& g = s.guard;
   if (g.refinement >= kMaxRefinement || 2 * s.steps_per_interval > kMaxStepsPerInterval) return false;
   g.refined = s.steps;
   g.ripple_largest = 0;
   missing_remember(s);
+  g.size_refined = size;
   if (!again) g.refinements = std::min(g.refinements + 1, kMostRefinements);
   g.refinement *= 2;
   s.steps_per_interval *= 2;
@@ -264,13 +282,7 @@ Guard guard_check(const System& system, Motion& motion, State& s, double length)
                        ripple - g.ripple_refined > kGrowth * size;
   if (guard_lost(system, s) && (system.step_given > 0 || g.refinement >= kMaxRefinement)) return Guard::kLost;
   if (g.failing || ripples) return Guard::kRepeat;
-  const double before_ease = kStepsBeforeEase * std::pow(kMoreBeforeEase, g.refinements - 1);
-  if (g.refinement > 1 && double(s.steps - g.refined) >= before_ease) {
-    if ((is_paper(system) ? kRippleOfPaperTwice : kRippleOfTwice) * g.ripple_largest <= allowed * size)
-      g.refinement /= 2;
-    g.refined = s.steps;
-    g.ripple_largest = 0;
-  }
+  ease(g, s.steps, size, allowed * size, is_paper(system) ? kRippleOfPaperTwice : kRippleOfTwice);
   return Guard::kKept;
 }
 

@@ -50,9 +50,9 @@ double guard_excess(const State& state);
 // True where that is ten times the allowed energy.
 bool guard_lost(const System& system, const State& state);
 
-// Doubles the refinement of the automatic step, up to a bound. False: it is there already. `again`: for the
-// same interval.
-bool guard_refine(State& state, bool again);
+// Doubles the refinement of the automatic step, up to a bound. False: it is there already. `size`: J, the
+// largest energy with the interval that failed. `again`: for the same interval.
+bool guard_refine(State& state, double size, bool again);
 
 // Smaller steps do not help: takes what is missing as it is, with the refinement and the steps from before.
 inline constexpr double kGuardHelps = 0.7;  // a refinement leaves less than this share of what is missing

@@ -29,6 +29,7 @@ struct EnergyGuard {
   std::int64_t refined = 0;    // step at which it last changed
   double missing_refined = 0;  // J, what was missing when it last grew
   double ripple_refined = 0;   // J, the ripple then
+  double size_refined = 0;     // J, the largest energy then
   double ripple_largest = 0;   // J, of the checks since the refinement last changed, or was kept
   bool failing = false;        // the last check failed, and the step is as small as the guard makes it
 };

@@ -207,6 +207,7 @@ struct Table<model::EnergyGuard> {
                       Field{"refined", s.refined, Length::kAny, kCounted},
                       Field{"missing_refined", s.missing_refined},
                       Field{"ripple_refined", s.ripple_refined},
+                      Field{"size_refined", s.size_refined},
                       Field{"ripple_largest", s.ripple_largest, Length::kAny, kNotNegative},
                       Field{"failing", s.failing}};
   }
