@@ -92,16 +92,18 @@ struct SelfHold {
 inline constexpr std::size_t kPairsPerBlock = 32;  // pairs
 
 // The state of self contact. In each step, `travel` grows by an upper bound of how much nearer any two points
-// of the cloth have come.
+// of the cloth have come, `shape_travel` by the same of two points of one piece.
 struct SelfState {
   double age = 0;                          // s, since the start, while layers that started too near part
   double travel = 0;                       // m
   double speed = 0;                        // m/s, upper bound of the relative speed of any two particles
+  double shape_travel = 0;                 // m
   double searched = 0;                     // m, travel at the last search for pairs
   double margin = 0;                       // m, margin of that search beyond the contact distance
   std::shared_ptr<const SelfPairs> pairs;  // pairs that search found
   std::vector<double> active_after_travel,
       block_active_after_travel;  // [pairs], [blocks] m, travel up to which they cannot touch
+  std::vector<double> level_until;  // [edges] m, shape_travel up to which it cannot protrude; infinite: it may
   std::vector<SelfHold> hold;     // in the order of their pairs, points first
 };
 

@@ -149,11 +149,13 @@ struct Table<model::SelfState> {
         Field{"age", s.age},
         Field{"travel", s.travel},
         Field{"speed", s.speed},
+        Field{"shape_travel", s.shape_travel},
         Field{"searched", s.searched},
         Field{"margin", s.margin},
         Field{"pairs", s.pairs},
         Field{"active_after_travel", s.active_after_travel, Length::kAny, kMayBeInfinite},
         Field{"block_active_after_travel", s.block_active_after_travel, Length::kAny, kMayBeInfinite},
+        Field{"level_until", s.level_until, Length::kSelfEdges, kMayBeInfinite},
         Field{"hold", s.hold}};
   }
 };

@@ -61,7 +61,9 @@ void owners_assign(const System& system, model::SelfMesh& mesh) {
 
 void spans_add(const System& system, model::SelfMesh& mesh) {
   for (std::size_t n : system.particle) {
-    if (mesh.span.empty() || mesh.span.back().end != n) mesh.span.push_back({n, n});
+    if (mesh.span.empty() || mesh.span.back().end != n ||
+        mesh.lattice_of[mesh.span.back().begin] != mesh.lattice_of[n])
+      mesh.span.push_back({n, n});
     mesh.span.back().end = n + 1;
   }
 }

@@ -22,8 +22,7 @@ namespace {
 
 using namespace math::vector3;
 
-constexpr double kDeepCross = 0.5;     // of the contact distance
-constexpr double kLevelWorth = 0.005;  // of the contact distance, in two steps
+constexpr double kDeepCross = 0.5;  // of the contact distance
 
 // A pair of candidates, points or crosses.
 template <class Candidate>
@@ -67,8 +66,9 @@ void minima_select(std::vector<SelfContactPair>& contact, std::size_t first) {
 struct NarrowPhase {
   const System& system;
   const Vec3* place;
-  double reach, age;
-  bool schedules;  // the travel until pairs are examined again is kept
+  const model::SelfState& self;
+  double reach;
+  std::vector<double>& level_until;  // [edges], as in SelfState
   SelfContactPairs& pairs;
 };
 
@@ -107,7 +107,7 @@ bool may_protrude(const NarrowPhase& l, model::NodeIndex edge) {
   return known == kYes;
 }
 
-// The travel (m) before which an edge that cannot protrude now cannot do so either. |m_1 + m_2|/2 is its
+// The travel within its piece (m) before which an edge that cannot protrude now cannot do so either. |m_1 + m_2|/2 is its
 // largest sine. While the corners come nearer to each other by at most `travel`, the component a_k = |a_k|
 // m_k normal to the edge turns by at most 2 travel (1 + 2 |r_k|/|e|)/|a_k|, to first order: half of what that
 // allows.
@@ -124,6 +124,20 @@ double level_travel(const NarrowPhase& l, model::NodeIndex edge) {
     turns += 2 * (1 + 2 * std::sqrt(dot(r, r) / length2)) * over;
   }
   return std::max(0.0, sine_of(l, edge) - norm(both) / 2) / turns;
+}
+
+// Whether an edge cannot protrude. Records up to which travel.
+bool is_level(const NarrowPhase& l, model::NodeIndex edge) {
+  if (l.level_until[edge] < INFINITY) return true;
+  if (may_protrude(l, edge)) return false;
+  const double travel = level_travel(l, edge);
+  if (travel > 0) l.level_until[edge] = l.self.shape_travel + travel;
+  return true;
+}
+
+// Whether it is recorded up to which travel an edge of the pair cannot protrude.
+bool level_recorded(const NarrowPhase& l, const model::SelfCross& p) {
+  return std::min(l.level_until[p.edge[0]], l.level_until[p.edge[1]]) < INFINITY;
 }
 
 // How far an edge protrudes along the unit vector `out`: its smallest sine over the minimum of protrusion.
@@ -162,7 +176,7 @@ double point_narrow_phase(const NarrowPhase& l, const model::SelfPoint& point, s
   if (distance - point.contact_distance > l.reach) return distance - point.contact_distance;
   if (!(point.contact_distance > 0) || !(distance > 0)) return 0;
   const Vec3 arm{b.arm[0][lane], b.arm[1][lane], b.arm[2][lane]};
-  SelfContactPair t = pair_of(point, l.pairs.point[p], arm, distance, l.age);
+  SelfContactPair t = pair_of(point, l.pairs.point[p], arm, distance, l.self.age);
   t.weight[0] = 1;
   for (int k = 0; k < 3; ++k) t.weight[k + 1] = -b.weight[k][lane];
   l.pairs.pair.push_back(t);
@@ -178,31 +192,19 @@ bool may_be_deep(const NarrowPhase& l, const model::SelfCross& p) {
   return n2 > math::kParallel * dot(e, e) * dot(f, f) && apart * apart <= near * near * n2;
 }
 
-// The travel (m) before which two edges, one of which cannot protrude, need not be examined again. It is
-// worth its time where it lasts for steps.
-double level_travel_of(const NarrowPhase& l, const model::SelfCross& p) {
-  const double still = self_still_reach(l.system);
-  if (!l.schedules || l.reach - still > kLevelWorth * l.system.self.contact_distance) return 0;
-  double level = 0;
-  for (model::NodeIndex e : p.edge)
-    if (!may_protrude(l, e)) level = std::max(level, level_travel(l, e));
-  const math::EdgesClosest closest =
-      math::edges_closest(l.place[p.node[0]], l.place[p.node[1]], l.place[p.node[2]], l.place[p.node[3]]);
-  return std::max(0.0,
-                  std::min(level + still, std::sqrt(closest.distance2) - kDeepCross * p.contact_distance));
-}
-
+// As point_narrow_phase. A pair with an edge that cannot protrude touches only where it is deep.
 double cross_narrow_phase(const NarrowPhase& l, const model::SelfCross& p, std::uint32_t number) {
-  if (!(may_protrude(l, p.edge[0]) && may_protrude(l, p.edge[1])) && !may_be_deep(l, p))
-    return level_travel_of(l, p);
+  const bool level = is_level(l, p.edge[0]) || is_level(l, p.edge[1]), recorded = level_recorded(l, p);
+  if (level && !recorded && !may_be_deep(l, p)) return 0;
   const math::EdgesClosest closest =
       math::edges_closest(l.place[p.node[0]], l.place[p.node[1]], l.place[p.node[2]], l.place[p.node[3]]);
-  const double distance = std::sqrt(closest.distance2);
+  const double distance = std::sqrt(closest.distance2), deep = kDeepCross * p.contact_distance;
+  if (level && distance - deep > l.reach) return recorded ? distance - deep : 0;
   if (distance - p.contact_distance > l.reach) return distance - p.contact_distance;
   if (!closest.crosses || !(p.contact_distance > 0) || !(distance > 0)) return 0;
-  SelfContactPair t = pair_of(p, number, closest.arm, distance, l.age);
+  SelfContactPair t = pair_of(p, number, closest.arm, distance, l.self.age);
   const double out = std::min(protrusion(l, p.edge[0], t.n), protrusion(l, p.edge[1], -1.0 * t.n));
-  if (!(out > 1) && !(out > -1 && distance <= l.reach + kDeepCross * p.contact_distance)) return 0;
+  if (!(out > 1) && !(out > -1 && distance <= l.reach + deep)) return 0;
   const double rise = std::clamp(out - 1, 0.0, 1.0);
   t.share = rise * rise * (3 - 2 * rise);
   const double weight[4] = {1 - closest.share[0], closest.share[0], closest.share[1] - 1, -closest.share[1]};
@@ -248,19 +250,63 @@ void points_examine(const NarrowPhase& l, const model::SelfPairs& candidates, Se
   minima_select(l.pairs.pair, first);
 }
 
-// The same for crosses that are due.
+// The same for crosses that are due, by their schedule.
 template <class Set>
-void crosses_examine(const NarrowPhase& l, const model::SelfState& self, double due, Set set) {
-  const model::SelfPairs& candidates = *self.pairs;
+void crosses_examine(const NarrowPhase& l, const std::vector<double>& active,
+                     const std::vector<double>& block_active, double due, Set set) {
+  const model::SelfPairs& candidates = *l.self.pairs;
   const std::size_t points = candidates.point.size(), size = candidates.size();
-  for (std::size_t block = points / model::kPairsPerBlock; block < self.block_active_after_travel.size();
-       ++block) {
-    if (self.block_active_after_travel[block] > due) continue;
+  for (std::size_t block = points / model::kPairsPerBlock; block < block_active.size(); ++block) {
+    if (block_active[block] > due) continue;
     const std::size_t begin = block * model::kPairsPerBlock,
                       end = std::min(begin + model::kPairsPerBlock, size);
     for (std::size_t k = std::max(begin, points); k < end; ++k)
-      if (self.active_after_travel[k] <= due)
-        set(k, cross_narrow_phase(l, candidates.cross[k - points], std::uint32_t(k)));
+      if (active[k] <= due) set(k, cross_narrow_phase(l, candidates.cross[k - points], std::uint32_t(k)));
+  }
+}
+
+// Lists the crosses of each edge.
+void edge_crosses_list(const std::shared_ptr<const model::SelfPairs>& of, std::size_t edges,
+                       SelfContactPairs& pairs) {
+  if (pairs.of_edges == of) return;
+  pairs.of_edges = of;
+  pairs.edge_start.assign(edges + 1, 0);
+  pairs.edge_cross.resize(2 * of->cross.size());
+  for (const model::SelfCross& c : of->cross)
+    for (model::NodeIndex e : c.edge) ++pairs.edge_start[e + 1];
+  for (std::size_t e = 0; e < edges; ++e) pairs.edge_start[e + 1] += pairs.edge_start[e];
+  std::vector<std::uint32_t> next(pairs.edge_start.begin(), pairs.edge_start.end() - 1);
+  for (std::size_t k = 0; k < of->cross.size(); ++k)
+    for (model::NodeIndex e : of->cross[k].edge) pairs.edge_cross[next[e]++] = std::uint32_t(k);
+}
+
+// Looks at the edges that could not protrude until now. Lists the crosses of those that can, where the other
+// edge can too: their schedule has ended.
+void edges_examine(const NarrowPhase& l) {
+  SelfContactPairs& pairs = l.pairs;
+  pairs.risen.clear();
+  pairs.woken.clear();
+  for (std::size_t e = 0; e < l.level_until.size(); ++e) {
+    if (l.level_until[e] > l.self.shape_travel) continue;
+    l.level_until[e] = INFINITY;
+    is_level(l, model::NodeIndex(e));
+    if (l.level_until[e] == INFINITY) pairs.risen.push_back(model::NodeIndex(e));
+  }
+  if (pairs.risen.empty()) return;
+  edge_crosses_list(l.self.pairs, l.level_until.size(), pairs);
+  const std::vector<model::SelfCross>& cross = l.self.pairs->cross;
+  for (model::NodeIndex e : pairs.risen)
+    for (std::uint32_t k = pairs.edge_start[e]; k < pairs.edge_start[e + 1]; ++k)
+      if (!level_recorded(l, cross[pairs.edge_cross[k]])) pairs.woken.push_back(pairs.edge_cross[k]);
+}
+
+// Makes crosses due now.
+void wake(const std::vector<std::uint32_t>& crosses, std::size_t points, double now,
+          std::vector<double>& active, std::vector<double>& block_active) {
+  for (std::uint32_t k : crosses) {
+    const std::size_t pair = points + k;
+    active[pair] = std::min(active[pair], now);
+    block_active[pair / model::kPairsPerBlock] = std::min(block_active[pair / model::kPairsPerBlock], now);
   }
 }
 
@@ -269,23 +315,34 @@ void crosses_examine(const NarrowPhase& l, const model::SelfState& self, double 
 void self_narrow_phase(const System& system, const State& s, double reach, SelfPointsKernel points,
                        SelfContactPairs& pairs, model::SelfState* schedule) {
   pairs.pair.clear();
-  const std::vector<double>& blocks = s.self.block_active_after_travel;
-  const double now = s.self.travel, due = now + reach,
-               crosses_due = now + std::max(reach, self_still_reach(system));
-  if (std::none_of(blocks.begin(), blocks.end(), [&](double b) { return b <= crosses_due; })) return;
-  points_collect(s.self, due, pairs);
+  const model::SelfState& self = s.self;
+  const double now = self.travel, due = now + reach;
+  const auto by = [](double until) { return [until](double travel) { return travel <= until; }; };
+  if (std::ranges::none_of(self.block_active_after_travel, by(due)) &&
+      std::ranges::none_of(self.level_until, by(self.shape_travel)))
+    return;
+  points_collect(self, due, pairs);
   const double* const r[3] = {s.x.data(), s.y.data(), s.z.data()};
   points(r, pairs.block.data(), pairs.block.data() + pairs.block.size());
   places_copy(system.self, s, pairs.place);
   pairs.protrudes.assign(system.self.edge.size(), 0);
-  const NarrowPhase narrow_phase{system, pairs.place.data(), reach, s.self.age, schedule != nullptr, pairs};
+  if (!schedule) pairs.level_until = self.level_until;
+  const NarrowPhase narrow_phase{
+      system, pairs.place.data(), self, reach, schedule ? schedule->level_until : pairs.level_until, pairs};
   std::vector<std::pair<std::size_t, double>>& left = pairs.left;
   left.clear();
   const auto set = [&](std::size_t k, double travel) {
     if (schedule) left.emplace_back(k, now + travel);
   };
-  points_examine(narrow_phase, *s.self.pairs, set);
-  crosses_examine(narrow_phase, s.self, crosses_due, set);
+  points_examine(narrow_phase, *self.pairs, set);
+  edges_examine(narrow_phase);
+  const bool copies = !schedule && !pairs.woken.empty();
+  if (copies) pairs.active = self.active_after_travel, pairs.block_active = self.block_active_after_travel;
+  if (schedule || copies)
+    wake(pairs.woken, self.pairs->point.size(), now, schedule ? schedule->active_after_travel : pairs.active,
+         schedule ? schedule->block_active_after_travel : pairs.block_active);
+  crosses_examine(narrow_phase, copies ? pairs.active : self.active_after_travel,
+                  copies ? pairs.block_active : self.block_active_after_travel, due, set);
   if (schedule) reschedule(left, *schedule);
 }
 

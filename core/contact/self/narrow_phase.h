@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -53,6 +54,11 @@ struct SelfContactPairs {
   std::vector<SelfPointBlock> block;  // of these
   std::vector<std::pair<std::size_t, double>>
       left;  // their numbers, and the travel at which they are due again, m
+  std::vector<double> level_until, active, block_active;  // as in SelfState, where that is not written
+  std::vector<model::NodeIndex> risen;      // edges that can protrude since this step
+  std::vector<std::uint32_t> woken;         // crosses of these
+  std::shared_ptr<const model::SelfPairs> of_edges;  // what the next two belong to
+  std::vector<std::uint32_t> edge_start, edge_cross;  // crosses of edge e: edge_cross[edge_start[e]] ..
   std::vector<SelfContactPair> pair;
 };
 
@@ -62,8 +68,7 @@ struct SelfContactPairs {
 void self_narrow_phase(const System& system, const State& state, double reach, SelfPointsKernel points,
                        SelfContactPairs& pairs, model::SelfState* schedule);
 
-// The reach (m) of a step of cloth that does not move: pairs as near are examined. An edge that cannot
-// protrude before a travel is examined when that is used up, without it.
+// The reach (m) of a step of cloth that does not move: pairs as near are examined.
 inline constexpr double kReachDistance = 0.1;  // of the largest contact distance
 inline double self_still_reach(const System& system) { return kReachDistance * system.self.contact_distance; }
 

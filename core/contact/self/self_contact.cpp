@@ -24,27 +24,51 @@ constexpr double kMarginReach = 4;                     // minimum of the margin,
 constexpr double kConverged = 1e-3, kConvergedRest = 1e-9;
 constexpr int kSweeps = 100, kSweepsRest = 1000;  // maxima
 
-// An upper bound (m/s) of the relative speed of any two particles: the diagonal of the box of all velocities.
-double speed_of(const System& system, const State& s) {
-  Vec3 range;
-  const Array* v[3] = {&s.vx, &s.vy, &s.vz};
-  for (std::size_t k = 0; k < 3; ++k) {
-    double low[math::kRowUnit], high[math::kRowUnit];  // lanes that the compiler vectorizes
-    std::fill_n(low, math::kRowUnit, INFINITY);
-    std::fill_n(high, math::kRowUnit, -INFINITY);
-    const auto include = [&](double at, int i) {
-      low[i] = at < low[i] ? at : low[i];
-      high[i] = at > high[i] ? at : high[i];
-    };
-    for (const model::NodeSpan& span : system.self.span) {
-      const double *at = v[k]->data() + span.begin, *end = v[k]->data() + span.end;
-      for (; at + math::kRowUnit <= end; at += math::kRowUnit)
-        for (int i = 0; i < math::kRowUnit; ++i) include(at[i], i);
-      for (; at < end; ++at) include(*at, 0);
-    }
-    range[k] = *std::max_element(high, high + math::kRowUnit) - *std::min_element(low, low + math::kRowUnit);
+// The least and the largest of a component of the velocity.
+struct Range {
+  double low = INFINITY, high = -INFINITY;
+  void include(const Range& r) { low = std::min(low, r.low), high = std::max(high, r.high); }
+};
+
+// In lanes that the compiler vectorizes.
+Range range_of(const double* at, const double* end) {
+  double low[math::kRowUnit], high[math::kRowUnit];
+  std::fill_n(low, math::kRowUnit, INFINITY);
+  std::fill_n(high, math::kRowUnit, -INFINITY);
+  const auto include = [&](double v, int i) {
+    low[i] = v < low[i] ? v : low[i];
+    high[i] = v > high[i] ? v : high[i];
+  };
+  for (; at + math::kRowUnit <= end; at += math::kRowUnit)
+    for (int i = 0; i < math::kRowUnit; ++i) include(at[i], i);
+  for (; at < end; ++at) include(*at, 0);
+  return {*std::min_element(low, low + math::kRowUnit), *std::max_element(high, high + math::kRowUnit)};
+}
+
+double diagonal(const std::array<Range, 3>& box) {
+  return norm(Vec3{box[0].high - box[0].low, box[1].high - box[1].low, box[2].high - box[2].low});
+}
+
+// Upper bounds (m/s) of the relative speed of any two particles, and of any two of one piece: the diagonals
+// of the boxes of their velocities.
+struct Speeds {
+  double all, piece;
+};
+Speeds speeds_of(const System& system, const State& s) {
+  const Array* const v[3] = {&s.vx, &s.vy, &s.vz};
+  const std::vector<model::NodeSpan>& spans = system.self.span;
+  std::array<Range, 3> all;
+  double piece = 0;
+  for (std::size_t at = 0; at < spans.size();) {
+    const int lattice = system.self.lattice_of[spans[at].begin];
+    std::array<Range, 3> box;
+    for (; at < spans.size() && system.self.lattice_of[spans[at].begin] == lattice; ++at)
+      for (std::size_t k = 0; k < 3; ++k)
+        box[k].include(range_of(v[k]->data() + spans[at].begin, v[k]->data() + spans[at].end));
+    piece = std::max(piece, diagonal(box));
+    for (std::size_t k = 0; k < 3; ++k) all[k].include(box[k]);
   }
-  return norm(range);
+  return {diagonal(all), piece};
 }
 
 double reach_of(const System& system, const State& s, double h) {
@@ -61,6 +85,7 @@ void search(const System& system, State& s, double h) {
   self.active_after_travel.assign(self.pairs->size(), self.travel);
   self.block_active_after_travel.assign(
       (self.pairs->size() + model::kPairsPerBlock - 1) / model::kPairsPerBlock, self.travel);
+  self.level_until.assign(system.self.edge.size(), INFINITY);
 }
 
 // Computes the impulses of all pairs. Sweeps over them until the velocities of the gaps change by less than
@@ -112,7 +137,7 @@ void velocities_set(const double* const field[3], bool fixed_keep, SelfNodes& no
 void self_begin(const System& system, State& s) {
   if (!self_enabled(system)) return;
   s.self = model::SelfState{};
-  s.self.speed = speed_of(system, s);
+  s.self.speed = speeds_of(system, s).all;
   search(system, s, model::step_next(system, s));
 }
 
@@ -164,8 +189,9 @@ void self_check_start(const System& system, const Scene& scene, const State& s,
 
 void self_invalidate_proximity(const System& system, State& s, double moved) {
   if (!self_enabled(system)) return;
-  s.self.speed = std::max(s.self.speed, speed_of(system, s));
+  s.self.speed = std::max(s.self.speed, speeds_of(system, s).all);
   s.self.travel += 2 * moved;
+  s.self.shape_travel += 2 * moved;
 }
 
 void self_store_velocities(const System& system, const SelfContactKernel& kernel,
@@ -217,8 +243,10 @@ double self_work(const SelfContactKernel& kernel, SelfContactWorkspace& workspac
 }
 
 void self_update_proximity(const System& system, State& s, double drift) {
-  s.self.speed = speed_of(system, s);
+  const Speeds speeds = speeds_of(system, s);
+  s.self.speed = speeds.all;
   s.self.travel += s.self.speed * std::abs(drift);
+  s.self.shape_travel += speeds.piece * std::abs(drift);
   if (s.self.age < 2 * kParting) s.self.age += drift;
 }
 
