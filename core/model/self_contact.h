@@ -103,8 +103,9 @@ struct SelfState {
   std::shared_ptr<const SelfPairs> pairs;  // pairs that search found
   std::vector<double> active_after_travel,
       block_active_after_travel;  // [pairs], [blocks] m, travel up to which they cannot touch
-  std::vector<double> level_until;  // [edges] m, shape_travel up to which it cannot protrude; infinite: it may
-  std::vector<SelfHold> hold;     // in the order of their pairs, points first
+  std::vector<double>
+      level_until;             // [edges] m, shape_travel up to which it cannot protrude; infinite: it may
+  std::vector<SelfHold> hold;  // in the order of their pairs, points first
 };
 
 }  // namespace drape::model

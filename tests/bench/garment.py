@@ -10,17 +10,14 @@ a scene of its own, because a scene costs only what it contains.
 import argparse
 import csv
 import re
-import statistics
-import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "tests" / "fmpy"), str(ROOT / "examples" / "drafting")]
+from turns import ROOT, Run, microseconds
+
+sys.path.insert(0, str(ROOT / "examples" / "drafting"))
 from fitting import EXAMPLES, draft  # noqa: E402
-from master import Fmu, Instance  # noqa: E402
 
 TURN = 0.005  # s of cloth
 
@@ -41,24 +38,6 @@ def variants(text):
     }
 
 
-class Run:
-    def __init__(self, folder, number, text):
-        scene = folder / f"variant{number}.toml"
-        scene.write_text(text)
-        packed = scene.with_suffix(".fmu")
-        subprocess.run([ROOT / "build" / "drape", "pack", scene, "-o", packed], check=True, stdout=subprocess.DEVNULL)
-        self.instance = Instance(Fmu(packed)).initialize()
-        self.time = 0.0
-
-    def advance(self, length):
-        """Seconds a step."""
-        steps, start = self.instance.get("step.count")[0], time.perf_counter()
-        self.instance.slave.doStep(self.time, length)
-        taken = time.perf_counter() - start
-        self.time += length
-        return taken / (self.instance.get("step.count")[0] - steps)
-
-
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     arguments.add_argument("--quick", action="store_true", help="coarse cells, seconds in all, no figures to rely on")
@@ -69,14 +48,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         text = draft(EXAMPLES / "dress" / "draft.py", Path(folder), f"--cell={cell}").read_text()
         runs = {name: Run(Path(folder), k, scene) for k, (name, scene) in enumerate(variants(text).items())}
-        for run in runs.values():
-            run.advance(settle)
-        times = {name: [] for name in runs}
-        for _ in range(turns):
-            for name, run in runs.items():
-                times[name].append(1e6 * run.advance(TURN))
+        rows = list(microseconds(runs, settle, TURN, turns).items())
         touching = runs["with seams and contact"].instance.get("contact.count")[0]
-    rows = [(name, statistics.median(values)) for name, values in times.items()]
     for name, value in rows:
         print(f"{name:40} {value:8.1f} us a step {value / rows[0][1]:8.2f}")
     print(f"{touching:.0f} particles and pairs touch the form")

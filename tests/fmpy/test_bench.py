@@ -25,6 +25,11 @@ def test_garment(tmp_path):
     assert (tmp_path / "garment.csv").read_text().count("\n") == 5
 
 
+def test_layers(tmp_path):
+    run(BENCH / "layers.py", "--quick", "--csv", tmp_path / "layers.csv")
+    assert (tmp_path / "layers.csv").read_text().count("\n") == 5
+
+
 @linux64
 def test_builds(tmp_path):
     run(BENCH / "builds.py", "--quick", "--csv", tmp_path / "builds.csv")

@@ -107,10 +107,10 @@ bool may_protrude(const NarrowPhase& l, model::NodeIndex edge) {
   return known == kYes;
 }
 
-// The travel within its piece (m) before which an edge that cannot protrude now cannot do so either. |m_1 + m_2|/2 is its
-// largest sine. While the corners come nearer to each other by at most `travel`, the component a_k = |a_k|
-// m_k normal to the edge turns by at most 2 travel (1 + 2 |r_k|/|e|)/|a_k|, to first order: half of what that
-// allows.
+// The travel within its piece (m) before which an edge that cannot protrude now cannot do so either. |m_1 +
+// m_2|/2 is its largest sine. While the corners come nearer to each other by at most `travel`, the component
+// a_k = |a_k| m_k normal to the edge turns by at most 2 travel (1 + 2 |r_k|/|e|)/|a_k|, to first order: half
+// of what that allows.
 double level_travel(const NarrowPhase& l, model::NodeIndex edge) {
   const model::SelfEdge& e = l.system.self.edge[edge];
   const Vec3 base = l.place[e.node[0]], along = l.place[e.node[1]] - base;

@@ -55,10 +55,10 @@ struct SelfContactPairs {
   std::vector<std::pair<std::size_t, double>>
       left;  // their numbers, and the travel at which they are due again, m
   std::vector<double> level_until, active, block_active;  // as in SelfState, where that is not written
-  std::vector<model::NodeIndex> risen;      // edges that can protrude since this step
-  std::vector<std::uint32_t> woken;         // crosses of these
-  std::shared_ptr<const model::SelfPairs> of_edges;  // what the next two belong to
-  std::vector<std::uint32_t> edge_start, edge_cross;  // crosses of edge e: edge_cross[edge_start[e]] ..
+  std::vector<model::NodeIndex> risen;                    // edges that can protrude since this step
+  std::vector<std::uint32_t> woken;                       // crosses of these
+  std::shared_ptr<const model::SelfPairs> of_edges;       // what the next two belong to
+  std::vector<std::uint32_t> edge_start, edge_cross;      // crosses of edge e: edge_cross[edge_start[e]] ..
   std::vector<SelfContactPair> pair;
 };
 
