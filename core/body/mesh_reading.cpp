@@ -52,9 +52,12 @@ std::string vertex_plain(std::istringstream& words, std::size_t vertex, std::str
     const double value = words >> word ? std::strtod(word.c_str(), &end) : NAN;
     if (!std::isfinite(value) || *end)
       return trouble = "has a vertex that is no number, vertex " + std::to_string(vertex), "";
-    char written[32];
-    std::snprintf(written, sizeof written, "%.17g", value);
-    plain += ' ' + (word.find_first_of("eE") == std::string::npos ? word : written);
+    if (word.find_first_of("eE") != std::string::npos) {
+      char written[32];
+      std::snprintf(written, sizeof written, "%.17g", value);
+      word = written;
+    }
+    plain += ' ' + word;
   }
   return plain;
 }

@@ -50,7 +50,7 @@ struct SelfMesh {
   std::vector<NodeIndex> own_node;
   std::vector<SelfEdge> edge;
   std::vector<NearSeam> near_seam;
-  std::vector<NodeSpan> span;         // runs of particles in the arrays of nodes
+  std::vector<NodeSpan> span;         // runs of particles of one piece in the arrays of nodes
   std::vector<int> lattice_of;        // [nodes]
   std::vector<char> fixed;            // [nodes] 1 where a pin holds it
   Array max_contact_distance;         // [nodes] m: bound, where it starts within the thickness; else infinite

@@ -183,23 +183,13 @@ double point_narrow_phase(const NarrowPhase& l, const model::SelfPoint& point, s
   return 0;
 }
 
-// Whether two edges may be nearer than kDeepCross of the contact distance: their lines may.
-bool may_be_deep(const NarrowPhase& l, const model::SelfCross& p) {
-  const Vec3 e = l.place[p.node[1]] - l.place[p.node[0]], f = l.place[p.node[3]] - l.place[p.node[2]];
-  const Vec3 n = cross(e, f);
-  const double n2 = dot(n, n), apart = dot(l.place[p.node[0]] - l.place[p.node[2]], n);
-  const double near = l.reach + kDeepCross * p.contact_distance;
-  return n2 > math::kParallel * dot(e, e) * dot(f, f) && apart * apart <= near * near * n2;
-}
-
 // As point_narrow_phase. A pair with an edge that cannot protrude touches only where it is deep.
 double cross_narrow_phase(const NarrowPhase& l, const model::SelfCross& p, std::uint32_t number) {
-  const bool level = is_level(l, p.edge[0]) || is_level(l, p.edge[1]), recorded = level_recorded(l, p);
-  if (level && !recorded && !may_be_deep(l, p)) return 0;
+  const bool level = is_level(l, p.edge[0]) || is_level(l, p.edge[1]);
   const math::EdgesClosest closest =
       math::edges_closest(l.place[p.node[0]], l.place[p.node[1]], l.place[p.node[2]], l.place[p.node[3]]);
   const double distance = std::sqrt(closest.distance2), deep = kDeepCross * p.contact_distance;
-  if (level && distance - deep > l.reach) return recorded ? distance - deep : 0;
+  if (level && distance - deep > l.reach) return level_recorded(l, p) ? distance - deep : 0;
   if (distance - p.contact_distance > l.reach) return distance - p.contact_distance;
   if (!closest.crosses || !(p.contact_distance > 0) || !(distance > 0)) return 0;
   SelfContactPair t = pair_of(p, number, closest.arm, distance, l.self.age);
@@ -336,9 +326,9 @@ void self_narrow_phase(const System& system, const State& s, double reach, SelfP
   };
   points_examine(narrow_phase, *self.pairs, set);
   edges_examine(narrow_phase);
-  const bool copies = !schedule && !pairs.woken.empty();
+  const bool wakes = !pairs.woken.empty(), copies = wakes && !schedule;
   if (copies) pairs.active = self.active_after_travel, pairs.block_active = self.block_active_after_travel;
-  if (schedule || copies)
+  if (wakes)
     wake(pairs.woken, self.pairs->point.size(), now, schedule ? schedule->active_after_travel : pairs.active,
          schedule ? schedule->block_active_after_travel : pairs.block_active);
   crosses_examine(narrow_phase, copies ? pairs.active : self.active_after_travel,
